@@ -772,8 +772,8 @@
         <translation>Den Suchraum in den Bildern und in der Vogelperspektive zeichnen: Ziele werden nur in diesem Quader gesucht</translation>
     </message>
     <message>
-        <source>Show the hull that encloses 95 % of each person&apos;s volume, and contour lines of the density on the floor</source>
-        <translation>Die Hülle zeigen, die 95 % des Volumens jeder Person umschließt, und Höhenlinien der Dichte auf dem Boden</translation>
+        <source>Show the hull that encloses 95 % of each person&apos;s volume, and lines on the floor around the areas that contain 25, 50, 75 and 95 % of each person</source>
+        <translation>Die Hülle zeigen, die 95 % des Volumens jeder Person umschließt, und Linien auf dem Boden um die Flächen, die 25, 50, 75 und 95 % jeder Person enthalten</translation>
     </message>
     <message>
         <source>Bird&apos;s-eye view in perspective; drag to rotate it</source>
@@ -4044,20 +4044,20 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Ein Stab hat zwei Bälle verschiedener Farben: Drücken Sie „Ziel hinzufügen“ in der Werkzeugleiste, und klicken Sie dann den zweiten Ball in einem Bild an.</translation>
     </message>
     <message>
-        <source>Also move it to the left of the image of %1.</source>
-        <translation>Bewegen Sie ihn auch nach links im Bild von %1.</translation>
+        <source>Also move it to the left part of the image of %1.</source>
+        <translation>Bewegen Sie ihn auch in den linken Teil des Bildes von %1.</translation>
     </message>
     <message>
-        <source>Also move it to the right of the image of %1.</source>
-        <translation>Bewegen Sie ihn auch nach rechts im Bild von %1.</translation>
+        <source>Also move it to the right part of the image of %1.</source>
+        <translation>Bewegen Sie ihn auch in den rechten Teil des Bildes von %1.</translation>
     </message>
     <message>
-        <source>Also move it to the top of the image of %1.</source>
-        <translation>Bewegen Sie ihn auch nach oben im Bild von %1.</translation>
+        <source>Also move it to the upper part of the image of %1.</source>
+        <translation>Bewegen Sie ihn auch in den oberen Teil des Bildes von %1.</translation>
     </message>
     <message>
-        <source>Also move it to the bottom of the image of %1.</source>
-        <translation>Bewegen Sie ihn auch nach unten im Bild von %1.</translation>
+        <source>Also move it to the lower part of the image of %1.</source>
+        <translation>Bewegen Sie ihn auch in den unteren Teil des Bildes von %1.</translation>
     </message>
     <message>
         <source>Also move it to all edges of the image of %1.</source>
@@ -4076,8 +4076,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Der Ball bewegte sich nur in einer Ebene (%1 dick). Bewegen Sie ihn auch quer zu dieser Ebene: auf %2 zu und davon weg.</translation>
     </message>
     <message>
-        <source>The ball was always about as far from %1 (within %2). Also move it toward %1 and away from it.</source>
-        <translation>Der Ball war immer etwa gleich weit von %1 entfernt (auf %2 genau). Bewegen Sie ihn auch auf %1 zu und davon weg.</translation>
+        <source>The distance from %1 to the ball hardly changed (by only %2). Also move the ball toward %1 and away from it.</source>
+        <translation>Die Entfernung von %1 zum Ball hat sich kaum geändert (nur um %2). Bewegen Sie den Ball auch auf %1 zu und davon weg.</translation>
     </message>
     <message>
         <source>The ball stayed in %1 of the volume that the cameras see together. Move it through the whole volume in which you will track.</source>
@@ -4095,12 +4095,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         </translation>
     </message>
     <message>
-        <source>The cameras were calibrated before, and this recording lacks too much motion to improve them. Keep them.</source>
-        <translation>Die Kameras waren schon kalibriert, und dieser Aufnahme fehlt zu viel Bewegung, um sie zu verbessern. Behalten Sie sie.</translation>
+        <source>The cameras were calibrated before, and the motion in this recording is not enough to improve that calibration. Keep the old cameras.</source>
+        <translation>Die Kameras waren schon kalibriert, und die Bewegung in dieser Aufnahme reicht nicht aus, um diese Kalibrierung zu verbessern. Behalten Sie die bisherigen Kameras.</translation>
     </message>
     <message>
-        <source>The camera positions are known better as they were: ±%1. The error of the new ones is ±%2. Keep the old ones.</source>
-        <translation>Die bisherigen Kamerapositionen sind genauer bekannt: ±%1. Der Fehler der neuen ist ±%2. Behalten Sie die bisherigen.</translation>
+        <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old ones.</source>
+        <translation>Die bisherigen Kamerapositionen sind genauer bekannt (±%1) als die neuen (±%2). Behalten Sie die bisherigen.</translation>
     </message>
 </context>
 <context>
@@ -6214,8 +6214,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>unten</translation>
     </message>
     <message>
-        <source>Pixels to cut off at this edge, after rotation and mirroring. The calibration is converted. Undo restores what was clicked in the part that is cut off</source>
-        <translation>Pixel, die nach dem Drehen und Spiegeln an diesem Rand abgeschnitten werden. Die Kalibrierung wird umgerechnet. „Rückgängig“ stellt wieder her, was im abgeschnittenen Teil angeklickt wurde</translation>
+        <source>Pixels to cut off at this edge, after rotation and mirroring. The calibration is converted. Color samples and boxes in the part that is cut off are removed; Undo brings them back</source>
+        <translation>Pixel, die nach dem Drehen und Spiegeln an diesem Rand abgeschnitten werden. Die Kalibrierung wird umgerechnet. Farbproben und Rahmen im abgeschnittenen Teil werden entfernt; „Rückgängig“ stellt sie wieder her</translation>
     </message>
 </context>
 <context>
@@ -6735,8 +6735,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Helligkeit der Pixel des Ziels</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels in the strong bars at the ends have lost their color: they are too dark, or overexposed.</source>
-        <translation>Helligkeit der Pixel des Ziels, von Schwarz links bis Weiß rechts. Die Pixel in den kräftigen Balken an den Enden haben ihre Farbe verloren: Sie sind zu dunkel oder überbelichtet.</translation>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars are drawn in the color of text.</source>
+        <translation>Helligkeit der Pixel des Ziels, von Schwarz links bis Weiß rechts. Pixel, die zu dunkel oder überbelichtet sind, haben ihre Farbe verloren. Ihre Balken haben die Farbe des Textes.</translation>
     </message>
 </context>
 <context>
@@ -6971,12 +6971,12 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Position der Ecke, an der die Achsen des Gitters beginnen, in Metern</translation>
     </message>
     <message>
-        <source>Show the grid with earlier cameras</source>
-        <translation>Das Gitter mit früheren Kameras zeigen</translation>
+        <source>Show the grid as the cameras saw it before</source>
+        <translation>Das Gitter so zeigen, wie die Kameras es vorher sahen</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid with the earlier cameras that you chose below. The key B does the same after you have clicked an image</source>
-        <translation>Halten Sie diese Schaltfläche gedrückt, um das Gitter mit den früheren Kameras zu zeichnen, die Sie unten gewählt haben. Die Taste B tut dasselbe, nachdem Sie ein Bild angeklickt haben</translation>
+        <source>Hold down this button to draw the grid as the cameras saw it before. Choose below which earlier state is used. The key B does the same after you have clicked an image</source>
+        <translation>Halten Sie diese Schaltfläche gedrückt, um das Gitter so zu zeichnen, wie die Kameras es vorher sahen. Wählen Sie unten, welcher frühere Zustand verwendet wird. Die Taste B tut dasselbe, nachdem Sie ein Bild angeklickt haben</translation>
     </message>
     <message>
         <source>Before shows</source>
@@ -8986,12 +8986,12 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>%1 von %2 MB</translation>
     </message>
     <message>
-        <source>median %1, 99 of 100 within %2</source>
-        <translation>Median %1, 99 von 100 innerhalb von %2</translation>
+        <source>median %1, 99th percentile %2</source>
+        <translation>Median %1, 99. Perzentil %2</translation>
     </message>
     <message>
-        <source>capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
-        <translation>Aufnahme %1 · Dekodieren %2 · Warten %3 · Rechnen %4 · Zeichnen %5</translation>
+        <source>Median: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>Median: Aufnahme %1 · Dekodieren %2 · Warten %3 · Rechnen %4 · Zeichnen %5</translation>
     </message>
     <message>
         <source>Counted from the arrival of the image where a camera does not report capture times</source>
@@ -9010,8 +9010,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Speicher für den Rückblick auf frühere Bilder: Bilder, Partikel und gespeicherte Zustände des Verfahrens. Ist er voll, bleiben von älteren Bildern nur die Schätzungen.</translation>
     </message>
     <message>
-        <source>99 of 100 within: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
-        <translation>99 von 100 innerhalb von: Aufnahme %1 · Dekodieren %2 · Warten %3 · Rechnen %4 · Zeichnen %5</translation>
+        <source>99th percentile: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>99. Perzentil: Aufnahme %1 · Dekodieren %2 · Warten %3 · Rechnen %4 · Zeichnen %5</translation>
     </message>
 </context>
 <context>
@@ -10742,8 +10742,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>%1 lag weit daneben: Die Verfeinerung dreht sie um %2 und verschiebt sie um %3, viel mehr als die anderen. Wurde sie nach ihrer Kalibrierung bewegt?</translation>
     </message>
     <message>
-        <source>The cameras as they were explain the images as well. Keep them, or wave longer and through more of the volume.</source>
-        <translation>Die bisherigen Kameras erklären die Bilder genauso gut. Behalten Sie sie bei, oder schwenken Sie länger und durch mehr des Raumes.</translation>
+        <source>The old cameras fit the images as well as the new ones. Keep the old ones, or wave longer and through more of the volume.</source>
+        <translation>Die bisherigen Kameras passen genauso gut zu den Bildern wie die neuen. Behalten Sie die bisherigen, oder schwenken Sie länger und durch mehr des Raumes.</translation>
     </message>
 </context>
 <context>

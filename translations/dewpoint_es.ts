@@ -772,8 +772,8 @@
         <translation>Dibujar el volumen de interés en las imágenes y en la vista de pájaro: los objetivos se buscan solo dentro de esta caja</translation>
     </message>
     <message>
-        <source>Show the hull that encloses 95 % of each person&apos;s volume, and contour lines of the density on the floor</source>
-        <translation>Mostrar la envolvente que encierra el 95 % del volumen de cada persona y las curvas de nivel de la densidad en el suelo</translation>
+        <source>Show the hull that encloses 95 % of each person&apos;s volume, and lines on the floor around the areas that contain 25, 50, 75 and 95 % of each person</source>
+        <translation>Mostrar la envolvente que encierra el 95 % del volumen de cada persona y las líneas en el suelo alrededor de las áreas que contienen el 25, 50, 75 y 95 % de cada persona</translation>
     </message>
     <message>
         <source>Bird&apos;s-eye view in perspective; drag to rotate it</source>
@@ -4044,19 +4044,19 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Una varita tiene dos pelotas de colores distintos: pulse «Añadir un objetivo» en la barra de herramientas y haga clic en la segunda pelota en una imagen.</translation>
     </message>
     <message>
-        <source>Also move it to the left of the image of %1.</source>
-        <translation>Muévala también a la izquierda de la imagen de %1.</translation>
+        <source>Also move it to the left part of the image of %1.</source>
+        <translation>Muévala también a la parte izquierda de la imagen de %1.</translation>
     </message>
     <message>
-        <source>Also move it to the right of the image of %1.</source>
-        <translation>Muévala también a la derecha de la imagen de %1.</translation>
+        <source>Also move it to the right part of the image of %1.</source>
+        <translation>Muévala también a la parte derecha de la imagen de %1.</translation>
     </message>
     <message>
-        <source>Also move it to the top of the image of %1.</source>
+        <source>Also move it to the upper part of the image of %1.</source>
         <translation>Muévala también a la parte superior de la imagen de %1.</translation>
     </message>
     <message>
-        <source>Also move it to the bottom of the image of %1.</source>
+        <source>Also move it to the lower part of the image of %1.</source>
         <translation>Muévala también a la parte inferior de la imagen de %1.</translation>
     </message>
     <message>
@@ -4076,8 +4076,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>La bola se movió solo dentro de un plano (%1 de grosor). Muévala también a través de este plano: hacia %2 y alejándola.</translation>
     </message>
     <message>
-        <source>The ball was always about as far from %1 (within %2). Also move it toward %1 and away from it.</source>
-        <translation>La bola estuvo siempre a casi la misma distancia de %1 (con una variación de %2). Acérquela también a %1 y aléjela.</translation>
+        <source>The distance from %1 to the ball hardly changed (by only %2). Also move the ball toward %1 and away from it.</source>
+        <translation>La distancia de %1 a la bola apenas cambió (solo %2). Acerque también la bola a %1 y aléjela.</translation>
     </message>
     <message>
         <source>The ball stayed in %1 of the volume that the cameras see together. Move it through the whole volume in which you will track.</source>
@@ -4095,12 +4095,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         </translation>
     </message>
     <message>
-        <source>The cameras were calibrated before, and this recording lacks too much motion to improve them. Keep them.</source>
-        <translation>Las cámaras ya estaban calibradas, y a esta grabación le falta demasiado movimiento para mejorarlas. Consérvelas.</translation>
+        <source>The cameras were calibrated before, and the motion in this recording is not enough to improve that calibration. Keep the old cameras.</source>
+        <translation>Las cámaras ya estaban calibradas, y el movimiento de esta grabación no basta para mejorar esa calibración. Conserve las cámaras anteriores.</translation>
     </message>
     <message>
-        <source>The camera positions are known better as they were: ±%1. The error of the new ones is ±%2. Keep the old ones.</source>
-        <translation>Las posiciones anteriores de las cámaras se conocen mejor: ±%1. El error de las nuevas es de ±%2. Conserve las anteriores.</translation>
+        <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old ones.</source>
+        <translation>Las posiciones anteriores de las cámaras se conocen con más exactitud (±%1) que las nuevas (±%2). Conserve las anteriores.</translation>
     </message>
 </context>
 <context>
@@ -6214,8 +6214,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>abajo</translation>
     </message>
     <message>
-        <source>Pixels to cut off at this edge, after rotation and mirroring. The calibration is converted. Undo restores what was clicked in the part that is cut off</source>
-        <translation>Píxeles que se recortan en este borde, después de girar y reflejar. La calibración se convierte. Deshacer recupera lo que se marcó en la parte recortada</translation>
+        <source>Pixels to cut off at this edge, after rotation and mirroring. The calibration is converted. Color samples and boxes in the part that is cut off are removed; Undo brings them back</source>
+        <translation>Píxeles que se recortan en este borde, después de girar y reflejar. La calibración se convierte. Las muestras de color y los recuadros de la parte recortada se eliminan; Deshacer los recupera</translation>
     </message>
 </context>
 <context>
@@ -6735,8 +6735,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Brillo de los píxeles del objetivo</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels in the strong bars at the ends have lost their color: they are too dark, or overexposed.</source>
-        <translation>Brillo de los píxeles del objetivo, de negro a la izquierda a blanco a la derecha. Los píxeles de las barras intensas de los extremos han perdido su color: son demasiado oscuros o están sobreexpuestos.</translation>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars are drawn in the color of text.</source>
+        <translation>Brillo de los píxeles del objetivo, de negro a la izquierda a blanco a la derecha. Los píxeles demasiado oscuros o sobreexpuestos han perdido su color. Sus barras tienen el color del texto.</translation>
     </message>
 </context>
 <context>
@@ -6971,12 +6971,12 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Posición de la esquina en que empiezan los ejes de la cuadrícula, en metros</translation>
     </message>
     <message>
-        <source>Show the grid with earlier cameras</source>
-        <translation>Mostrar la cuadrícula con cámaras anteriores</translation>
+        <source>Show the grid as the cameras saw it before</source>
+        <translation>Mostrar la cuadrícula como la veían antes las cámaras</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid with the earlier cameras that you chose below. The key B does the same after you have clicked an image</source>
-        <translation>Mantenga pulsado este botón para dibujar la cuadrícula con las cámaras anteriores que eligió abajo. La tecla B hace lo mismo después de hacer clic en una imagen</translation>
+        <source>Hold down this button to draw the grid as the cameras saw it before. Choose below which earlier state is used. The key B does the same after you have clicked an image</source>
+        <translation>Mantenga pulsado este botón para dibujar la cuadrícula como la veían antes las cámaras. Elija abajo qué estado anterior se usa. La tecla B hace lo mismo después de hacer clic en una imagen</translation>
     </message>
     <message>
         <source>Before shows</source>
@@ -8986,12 +8986,12 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>%1 de %2 MB</translation>
     </message>
     <message>
-        <source>median %1, 99 of 100 within %2</source>
-        <translation>mediana %1, 99 de cada 100 en menos de %2</translation>
+        <source>median %1, 99th percentile %2</source>
+        <translation>mediana %1, percentil 99: %2</translation>
     </message>
     <message>
-        <source>capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
-        <translation>captura %1 · decodificación %2 · espera %3 · cálculo %4 · dibujo %5</translation>
+        <source>Median: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>Mediana: captura %1 · decodificación %2 · espera %3 · cálculo %4 · dibujo %5</translation>
     </message>
     <message>
         <source>Counted from the arrival of the image where a camera does not report capture times</source>
@@ -9010,8 +9010,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Memoria para volver a fotogramas anteriores: imágenes, partículas y estados guardados del método. Cuando se llena, de los fotogramas antiguos solo se conservan las estimaciones.</translation>
     </message>
     <message>
-        <source>99 of 100 within: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
-        <translation>99 de cada 100 en menos de: captura %1 · decodificación %2 · espera %3 · cálculo %4 · dibujo %5</translation>
+        <source>99th percentile: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>Percentil 99: captura %1 · decodificación %2 · espera %3 · cálculo %4 · dibujo %5</translation>
     </message>
 </context>
 <context>
@@ -10742,8 +10742,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>%1 estaba muy desviada: el ajuste la gira %2 y la desplaza %3, mucho más que las demás. ¿Se movió después de calibrarla?</translation>
     </message>
     <message>
-        <source>The cameras as they were explain the images as well. Keep them, or wave longer and through more of the volume.</source>
-        <translation>Las cámaras anteriores explican las imágenes igual de bien. Consérvelas, o agite durante más tiempo y por una parte mayor del volumen.</translation>
+        <source>The old cameras fit the images as well as the new ones. Keep the old ones, or wave longer and through more of the volume.</source>
+        <translation>Las cámaras anteriores concuerdan con las imágenes igual de bien que las nuevas. Conserve las anteriores, o agite durante más tiempo y por una parte mayor del volumen.</translation>
     </message>
 </context>
 <context>

@@ -772,8 +772,8 @@
         <translation>探索範囲をカメラ画像と鳥瞰図に描きます。ターゲットはこの箱の中だけで探します</translation>
     </message>
     <message>
-        <source>Show the hull that encloses 95 % of each person&apos;s volume, and contour lines of the density on the floor</source>
-        <translation>各人物の体積の 95 % を囲む凸包と、床の上での密度の等高線を表示</translation>
+        <source>Show the hull that encloses 95 % of each person&apos;s volume, and lines on the floor around the areas that contain 25, 50, 75 and 95 % of each person</source>
+        <translation>各人物の体積の 95 % を囲む凸包と、各人物の 25、50、75、95 % を含む領域を囲む床の上の線を表示</translation>
     </message>
     <message>
         <source>Bird&apos;s-eye view in perspective; drag to rotate it</source>
@@ -4042,19 +4042,19 @@ Effective sample size %8 of %9</source>
         <translation>ワンドには色の異なるボールが2つあります。ツールバーの「ターゲットを追加」を押してから、画像で2つ目のボールをクリックしてください。</translation>
     </message>
     <message>
-        <source>Also move it to the left of the image of %1.</source>
+        <source>Also move it to the left part of the image of %1.</source>
         <translation>%1 の画像の左側にも動かしてください。</translation>
     </message>
     <message>
-        <source>Also move it to the right of the image of %1.</source>
+        <source>Also move it to the right part of the image of %1.</source>
         <translation>%1 の画像の右側にも動かしてください。</translation>
     </message>
     <message>
-        <source>Also move it to the top of the image of %1.</source>
+        <source>Also move it to the upper part of the image of %1.</source>
         <translation>%1 の画像の上側にも動かしてください。</translation>
     </message>
     <message>
-        <source>Also move it to the bottom of the image of %1.</source>
+        <source>Also move it to the lower part of the image of %1.</source>
         <translation>%1 の画像の下側にも動かしてください。</translation>
     </message>
     <message>
@@ -4074,8 +4074,8 @@ Effective sample size %8 of %9</source>
         <translation>ボールは 1 つの平面（厚さ %1）の中でしか動いていません。この平面を横切る方向、つまり %2 に近づけたり遠ざけたりする方向にも動かしてください。</translation>
     </message>
     <message>
-        <source>The ball was always about as far from %1 (within %2). Also move it toward %1 and away from it.</source>
-        <translation>ボールと %1 の距離はいつもほぼ同じでした（変化は %2 以内）。%1 に近づけたり遠ざけたりもしてください。</translation>
+        <source>The distance from %1 to the ball hardly changed (by only %2). Also move the ball toward %1 and away from it.</source>
+        <translation>%1 からボールまでの距離はほとんど変わりませんでした（変化はわずか %2）。ボールを %1 に近づけたり遠ざけたりもしてください。</translation>
     </message>
     <message>
         <source>The ball stayed in %1 of the volume that the cameras see together. Move it through the whole volume in which you will track.</source>
@@ -4092,12 +4092,12 @@ Effective sample size %8 of %9</source>
         </translation>
     </message>
     <message>
-        <source>The cameras were calibrated before, and this recording lacks too much motion to improve them. Keep them.</source>
-        <translation>カメラはすでにキャリブレーションされています。この記録には、それを改善するための動きが足りません。元のままにしてください。</translation>
+        <source>The cameras were calibrated before, and the motion in this recording is not enough to improve that calibration. Keep the old cameras.</source>
+        <translation>カメラはすでにキャリブレーションされており、この記録の動きではそのキャリブレーションを改善できません。以前のカメラを使ってください。</translation>
     </message>
     <message>
-        <source>The camera positions are known better as they were: ±%1. The error of the new ones is ±%2. Keep the old ones.</source>
-        <translation>カメラの位置は以前のほうが正確です（±%1）。新しい位置の誤差は ±%2 です。以前の位置を使ってください。</translation>
+        <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old ones.</source>
+        <translation>以前のカメラ位置（±%1）は、新しい位置（±%2）より正確にわかっています。以前の位置を使ってください。</translation>
     </message>
 </context>
 <context>
@@ -6204,8 +6204,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>下</translation>
     </message>
     <message>
-        <source>Pixels to cut off at this edge, after rotation and mirroring. The calibration is converted. Undo restores what was clicked in the part that is cut off</source>
-        <translation>回転と反転のあとにこの端で切り取るピクセル数。キャリブレーションは換算されます。切り取った部分でクリックしたものは「元に戻す」で復元できます</translation>
+        <source>Pixels to cut off at this edge, after rotation and mirroring. The calibration is converted. Color samples and boxes in the part that is cut off are removed; Undo brings them back</source>
+        <translation>回転と反転のあとにこの端で切り取るピクセル数。キャリブレーションは換算されます。切り取った部分にある色のサンプルと枠は削除されますが、「元に戻す」で復元できます</translation>
     </message>
 </context>
 <context>
@@ -6725,8 +6725,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>ターゲットのピクセルの明るさ</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels in the strong bars at the ends have lost their color: they are too dark, or overexposed.</source>
-        <translation>ターゲットのピクセルの明るさ。左が黒、右が白です。両端の濃い棒のピクセルは色を失っています。暗すぎるか、露出オーバーです。</translation>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars are drawn in the color of text.</source>
+        <translation>ターゲットのピクセルの明るさ。左が黒、右が白です。暗すぎるピクセルと露出オーバーのピクセルは色を失っています。その棒は文字と同じ色です。</translation>
     </message>
 </context>
 <context>
@@ -6959,12 +6959,12 @@ Position x, y, z: %4, %5, %6</source>
         <translation>格子の軸が始まる角の位置（メートル）</translation>
     </message>
     <message>
-        <source>Show the grid with earlier cameras</source>
-        <translation>以前のカメラで格子を表示</translation>
+        <source>Show the grid as the cameras saw it before</source>
+        <translation>以前のカメラから見た格子を表示</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid with the earlier cameras that you chose below. The key B does the same after you have clicked an image</source>
-        <translation>このボタンを押している間、下で選んだ以前のカメラで格子を描きます。画像をクリックした後は B キーでも同じです</translation>
+        <source>Hold down this button to draw the grid as the cameras saw it before. Choose below which earlier state is used. The key B does the same after you have clicked an image</source>
+        <translation>このボタンを押している間、以前のカメラから見た格子を描きます。どの時点の状態を使うかは下で選びます。画像をクリックした後は B キーでも同じです</translation>
     </message>
     <message>
         <source>Before shows</source>
@@ -8967,12 +8967,12 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>%1 / %2 MB</translation>
     </message>
     <message>
-        <source>median %1, 99 of 100 within %2</source>
-        <translation>中央値 %1、100 回中 99 回は %2 以内</translation>
+        <source>median %1, 99th percentile %2</source>
+        <translation>中央値 %1、99 パーセンタイル %2</translation>
     </message>
     <message>
-        <source>capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
-        <translation>撮影 %1 · デコード %2 · 待機 %3 · 計算 %4 · 描画 %5</translation>
+        <source>Median: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>中央値: 撮影 %1 · デコード %2 · 待機 %3 · 計算 %4 · 描画 %5</translation>
     </message>
     <message>
         <source>Counted from the arrival of the image where a camera does not report capture times</source>
@@ -8991,8 +8991,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>前のフレームに戻るためのメモリ: 画像、粒子、手法の保存状態。いっぱいになると、古いフレームは推定値だけが残ります。</translation>
     </message>
     <message>
-        <source>99 of 100 within: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
-        <translation>100 回中 99 回の上限: 撮影 %1 · デコード %2 · 待機 %3 · 計算 %4 · 描画 %5</translation>
+        <source>99th percentile: capture %1 · decode %2 · wait %3 · compute %4 · draw %5</source>
+        <translation>99 パーセンタイル: 撮影 %1 · デコード %2 · 待機 %3 · 計算 %4 · 描画 %5</translation>
     </message>
 </context>
 <context>
@@ -10720,8 +10720,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>%1は大きくずれていました。補正で%2回転し、%3移動します。ほかのカメラよりはるかに大きな値です。キャリブレーションの後に動かしませんでしたか?</translation>
     </message>
     <message>
-        <source>The cameras as they were explain the images as well. Keep them, or wave longer and through more of the volume.</source>
-        <translation>これまでのカメラでも画像を同じ程度に説明できます。そのまま使うか、より長く、空間のより広い範囲で振ってください。</translation>
+        <source>The old cameras fit the images as well as the new ones. Keep the old ones, or wave longer and through more of the volume.</source>
+        <translation>以前のカメラも、新しいカメラと同じ程度に画像に合っています。以前のカメラを使うか、より長く、空間のより広い範囲で振ってください。</translation>
     </message>
 </context>
 <context>

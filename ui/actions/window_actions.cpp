@@ -238,8 +238,9 @@ std::vector<ActionDeclaration> viewActions() {
                          "targets are searched for only inside this box"),
        nullptr, Qt::SHIFT | Qt::Key_H, true},
       {"actionShowVolumes", group, QT_TRANSLATE_NOOP("Actions", "Show people's volumes"),
-       QT_TRANSLATE_NOOP("Actions", "Show the hull that encloses 95 % of each person's volume, and "
-                                    "contour lines of the density on the floor"),
+       QT_TRANSLATE_NOOP(
+           "Actions", "Show the hull that encloses 95 % of each person's volume, and lines on the "
+                      "floor around the areas that contain 25, 50, 75 and 95 % of each person"),
        nullptr, Qt::Key_H, true},
       {"actionZoomIn", group, QT_TRANSLATE_NOOP("Actions", "Zoom in"),
        QT_TRANSLATE_NOOP("Actions", "Zoom in on the camera image under the pointer, or on the "

@@ -44,9 +44,9 @@ CropForm::CropForm(QWidget* parent) : QWidget(parent) {
       const QString& name = names[static_cast<qsizetype>(k)];
       fields_[k]->setPrefix(name + QLatin1Char(' '));
       fields_[k]->setAccessibleName(name);
-      fields_[k]->setToolTip(
-          tr("Pixels to cut off at this edge, after rotation and mirroring. The calibration is "
-             "converted. Undo restores what was clicked in the part that is cut off"));
+      fields_[k]->setToolTip(tr("Pixels to cut off at this edge, after rotation and mirroring. The "
+                                "calibration is converted. Color samples and boxes in the part "
+                                "that is cut off are removed; Undo brings them back"));
     }
   });
 }

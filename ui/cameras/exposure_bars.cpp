@@ -24,8 +24,8 @@ ExposureBars::ExposureBars(QWidget* parent) : QWidget(parent) {
   onRetranslate(this, [this] {
     setAccessibleName(tr("Brightness of the target's pixels"));
     setToolTip(tr("Brightness of the target's pixels, from black on the left to white on the "
-                  "right. Pixels in the strong bars at the ends have lost their color: they are "
-                  "too dark, or overexposed."));
+                  "right. Pixels that are too dark or overexposed have lost their color. Their "
+                  "bars are drawn in the color of text."));
   });
 }
 

@@ -44,16 +44,18 @@ QString liveLatencyText(const LiveLatency& live) {
   if (live.total.longest <= 0.0) {
     return kUnknown;
   }
-  QString text = RunDetails::tr("median %1, 99 of 100 within %2")
+  QString text = RunDetails::tr("median %1, 99th percentile %2")
                      .arg(millisecondsText(inMilliseconds(live.total.median)),
                           millisecondsText(inMilliseconds(live.total.p99)));
-  text += QLatin1Char('\n') +
-          stagesText(RunDetails::tr("capture %1 · decode %2 · wait %3 · compute %4 · draw %5"),
-                     live, &Latency::median);
-  text += QLatin1Char('\n') +
-          stagesText(RunDetails::tr("99 of 100 within: capture %1 · decode %2 · wait %3 · "
-                                    "compute %4 · draw %5"),
-                     live, &Latency::p99);
+  text +=
+      QLatin1Char('\n') +
+      stagesText(RunDetails::tr("Median: capture %1 · decode %2 · wait %3 · compute %4 · draw %5"),
+                 live, &Latency::median);
+  text +=
+      QLatin1Char('\n') +
+      stagesText(RunDetails::tr(
+                     "99th percentile: capture %1 · decode %2 · wait %3 · compute %4 · draw %5"),
+                 live, &Latency::p99);
   if (live.images[static_cast<std::size_t>(TimeOrigin::Arrival)] > 0) {
     text +=
         QLatin1Char('\n') +

@@ -281,13 +281,13 @@ private:
 const char* sideText(ImageSide side) {
   switch (side) {
   case ImageSide::Left:
-    return "the left of its image";
+    return "the left part of its image";
   case ImageSide::Right:
-    return "the right of its image";
+    return "the right part of its image";
   case ImageSide::Top:
-    return "the top of its image";
+    return "the upper part of its image";
   case ImageSide::Bottom:
-    return "the bottom of its image";
+    return "the lower part of its image";
   default:
     return "all edges of its image";
   }
@@ -315,8 +315,8 @@ std::string motionGapText(const MotionGap& gap, const CameraRig& rig) {
                        "this plane: toward {} and away from it.",
                        inCentimeters(gap.value), name(0));
   case MissingMotion::InDepth:
-    return fmt::format("The ball was always about as far from {0} (within {1:.0f} cm). Also move "
-                       "it toward {0} and away from it.",
+    return fmt::format("The distance from {0} to the ball hardly changed (by only {1:.0f} cm). "
+                       "Also move the ball toward {0} and away from it.",
                        name(0), inCentimeters(gap.value));
   case MissingMotion::WholeVolume:
     return fmt::format("The ball stayed in {:.1f} % of the volume that the cameras see together. "

@@ -133,8 +133,8 @@ bool isUnneeded(const WandRefinement& refinement) {
 }
 
 std::string unneededText(const WandRefinement& refinement) {
-  return fmt::format("the cameras as they were explain the images as well ({:.2f} px; the new ones "
-                     "{:.2f} px in images that they were not computed from): keep them, or wave "
+  return fmt::format("the old cameras fit the images as well ({:.2f} px) as the new ones ({:.2f} "
+                     "px in images that they were not computed from): keep the old ones, or wave "
                      "longer and through more of the volume",
                      refinement.beforePx.value_or(0.0),
                      refinement.accuracy ? refinement.accuracy->heldOutPx : 0.0);
@@ -164,10 +164,11 @@ bool isKnownBetter(const WandRefinement& refinement) {
 
 std::string knownBetterText(const WandRefinement& refinement) {
   if (!refinement.beforeError) {
-    return "the cameras were calibrated before, and this recording lacks too much motion to "
-           "improve them: keep them";
+    return "the cameras were calibrated before, and the motion in this recording is not enough to "
+           "improve that calibration: keep the old cameras";
   }
-  return fmt::format("the camera positions are known better as they were ({}; now {}): keep them",
+  return fmt::format("the old camera positions are known more accurately ({}) than the new ones "
+                     "({}): keep the old ones",
                      lengthUncertaintyText(*refinement.beforeError),
                      lengthUncertaintyText(newPositionError(refinement)));
 }

@@ -133,7 +133,7 @@ TEST(MissingMotion, TheMissingSideOfAnImageIsNamed) {
   ASSERT_FALSE(gaps.empty());
   EXPECT_EQ(gaps[0].missing, MissingMotion::WholeImage) << texts(gaps);
   EXPECT_EQ(gaps[0].side, ImageSide::Left);
-  EXPECT_NE(texts(gaps).find("Also move it to the left of its image."), std::string::npos);
+  EXPECT_NE(texts(gaps).find("Also move it to the left part of its image."), std::string::npos);
 }
 
 TEST(MissingMotion, CamerasThatNeverSawItTogetherAreNamed) {

@@ -73,7 +73,8 @@ TEST(WandRefinement, CamerasThatWereKnownBetterAreKept) {
   EXPECT_TRUE(isDoubtful(refinement));
   EXPECT_FALSE(isUnneeded(refinement));
   EXPECT_EQ(knownBetterText(refinement),
-            "the camera positions are known better as they were (+-1.5 mm; now +-6 mm): keep them");
+            "the old camera positions are known more accurately (+-1.5 mm) than the new ones (+-6 "
+            "mm): keep the old ones");
   refinement.beforeError = 0.02;
   EXPECT_FALSE(isKnownBetter(refinement));
   refinement.beforeError.reset();

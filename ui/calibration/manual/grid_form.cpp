@@ -161,9 +161,9 @@ void GridForm::retranslateUi() {
   edges_->setText(tr("Show image edges"));
   edges_->setToolTip(tr("Dim the images except for their edges"));
   flip_->setText(tr("Before"));
-  name(flip_, tr("Show the grid with earlier cameras"),
-       tr("Hold down this button to draw the grid with the earlier cameras that you chose below. "
-          "The key B does the same after you have clicked an image"));
+  name(flip_, tr("Show the grid as the cameras saw it before"),
+       tr("Hold down this button to draw the grid as the cameras saw it before. Choose below which "
+          "earlier state is used. The key B does the same after you have clicked an image"));
   compareLabel_->setText(tr("Before shows"));
   setChoices(*compare_,
              {tr("cameras when the panel was opened"), tr("cameras before the last change")});

@@ -17,13 +17,13 @@ class WandText {
 QString moveItThereText(const QString& camera, ImageSide side) {
   switch (side) {
   case ImageSide::Left:
-    return WandText::tr("Also move it to the left of the image of %1.").arg(camera);
+    return WandText::tr("Also move it to the left part of the image of %1.").arg(camera);
   case ImageSide::Right:
-    return WandText::tr("Also move it to the right of the image of %1.").arg(camera);
+    return WandText::tr("Also move it to the right part of the image of %1.").arg(camera);
   case ImageSide::Top:
-    return WandText::tr("Also move it to the top of the image of %1.").arg(camera);
+    return WandText::tr("Also move it to the upper part of the image of %1.").arg(camera);
   case ImageSide::Bottom:
-    return WandText::tr("Also move it to the bottom of the image of %1.").arg(camera);
+    return WandText::tr("Also move it to the lower part of the image of %1.").arg(camera);
   default:
     return WandText::tr("Also move it to all edges of the image of %1.").arg(camera);
   }
@@ -93,8 +93,8 @@ QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames) {
                         "plane: toward %2 and away from it.")
         .arg(centimeters(), name(0));
   case MissingMotion::InDepth:
-    return WandText::tr("The ball was always about as far from %1 (within %2). Also move it toward "
-                        "%1 and away from it.")
+    return WandText::tr("The distance from %1 to the ball hardly changed (by only %2). Also move "
+                        "the ball toward %1 and away from it.")
         .arg(name(0), centimeters());
   case MissingMotion::WholeVolume:
     return WandText::tr("The ball stayed in %1 of the volume that the cameras see together. Move "
@@ -115,11 +115,11 @@ QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames) {
 
 QString knownBetterMessage(const WandRefinement& refinement) {
   if (!refinement.beforeError) {
-    return WandText::tr("The cameras were calibrated before, and this recording lacks too much "
-                        "motion to improve them. Keep them.");
+    return WandText::tr("The cameras were calibrated before, and the motion in this recording is "
+                        "not enough to improve that calibration. Keep the old cameras.");
   }
-  return WandText::tr("The camera positions are known better as they were: ±%1. The error of the "
-                      "new ones is ±%2. Keep the old ones.")
+  return WandText::tr("The old camera positions are known more accurately (±%1) than the new ones "
+                      "(±%2). Keep the old ones.")
       .arg(lengthText(*refinement.beforeError, LengthForm::TwoDigits),
            lengthText(newPositionError(refinement), LengthForm::TwoDigits));
 }
