@@ -14,17 +14,17 @@ struct ImageMargins {
   int right = 0;
   int bottom = 0;
 
-  int width() const { return left + right; }  ///< by how much the image becomes narrower
-  int height() const { return top + bottom; } ///< by how much the image becomes lower
+  int width() const { return left + right; }  ///< by how many pixels the image becomes narrower
+  int height() const { return top + bottom; } ///< by how many pixels the image becomes lower
   bool isNone() const { return *this == ImageMargins(); }
   bool operator==(const ImageMargins&) const = default;
 };
 
-/// Returns the margins after `symmetry` is applied to the image: those of the same pixels.
+/// Returns the margins that cut off the same pixels after `symmetry` was applied to the image.
 ImageMargins transformed(const ImageSymmetry& symmetry, ImageMargins margins);
 
-/// Returns the same camera with images that are cropped by `after` instead of `before`: the image
-/// size and the principal point change, everything else stays.
+/// Returns the camera for images that are cropped by `after` instead of `before`. Its image size
+/// and its principal point change; everything else stays.
 Camera recropped(Camera camera, const ImageMargins& before, const ImageMargins& after);
 
 } // namespace dewpoint::geometry

@@ -69,7 +69,7 @@ struct WorldRecord {
   std::optional<CalibrationOrigin> floor;
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed.
   std::optional<double> accuracy;
-  /// Same at positions that at least two cameras see outside this volume (extrapolated), meters.
+  /// Same for positions outside this volume that at least two cameras see, meters; extrapolated.
   std::optional<double> accuracyOutside;
   std::optional<LengthCheck> check;
 

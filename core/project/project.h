@@ -35,9 +35,9 @@ struct ProjectCamera {
   /// For a simulated camera: true if the project contains a calibration of this camera. It is then
   /// used instead of the calibration in the scene.
   bool adjusted = false;
-  /// Absolute path of an image, video or image folder that shows the scene without any target. It
-  /// is stored as the camera sends images; `rotateDegrees`, `mirrored` and `crop` are applied when
-  /// it is read. Empty if there is none.
+  /// Absolute path of an image, video or image folder that shows the scene without any target. The
+  /// file contains images as the camera sends them; `rotateDegrees`, `mirrored` and `crop` are
+  /// applied when it is read. Empty if there is none.
   std::string backgroundImage = {};
   /// Absolute path of a table with the capture time of each image (recordings only). Empty if the
   /// images were taken at regular intervals.

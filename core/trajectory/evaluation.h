@@ -26,8 +26,8 @@ struct Evaluation {
   double p95 = 0.0; ///< 95th percentile, interpolated linearly between order statistics
   double max = 0.0;
   double rmseAll = 0.0;
-  /// Fraction of the frames covered by the statistics in which the true position lies inside the
-  /// estimated 95 % ellipsoid.
+  /// Of the frames that the statistics cover, the fraction in which the true position lies inside
+  /// the estimated 95 % ellipsoid.
   double inside95 = 0.0;
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
   std::vector<CameraBias> cameras;

@@ -17,7 +17,7 @@ namespace dewpoint::calibration {
 struct PointClick {
   int camera = 0; ///< camera index in the rig
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-  /// Frame of a recording in which the user clicked, from 0; nothing if it is not known.
+  /// Number of the recorded frame in whose image the user clicked, from 0; empty if it is unknown.
   std::optional<std::int64_t> frame = std::nullopt;
 
   bool operator==(const PointClick&) const = default;
@@ -35,12 +35,14 @@ struct MeasuredPoint {
 /// Returns the click on a point in a camera's image, or null if there is none.
 const PointClick* clickIn(const MeasuredPoint& point, int camera);
 
-/// Sets the pixel at which a camera sees the point in a frame, replacing any previous one.
+/// Sets the pixel at which a camera sees the point, and the frame of the click
+/// (PointClick::frame). Replaces an earlier click in this camera.
 void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel,
                 std::optional<std::int64_t> frame = std::nullopt);
 
-/// Returns whether all clicks on the point are known to be from other frames than `frame`. A point
-/// that moves, such as a ball, is then elsewhere in the images of this frame. False without clicks.
+/// Returns whether the point was clicked only in frames other than `frame`. If the point moves,
+/// like a ball, it is then at another position in the images of this frame. False if the frame of
+/// any click is unknown, or if there are no clicks.
 bool isClickedElsewhere(const MeasuredPoint& point, std::int64_t frame);
 
 /// Distance between a click and the pixel at which the camera should see the point.

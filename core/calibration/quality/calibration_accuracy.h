@@ -42,11 +42,13 @@ struct CalibrationAccuracy {
   /// Part of position95 that is caused by errors of the cameras; meters. Averaging over several
   /// images does not reduce this part.
   double cameras95 = 0.0;
-  /// Same as position95, at positions that at least two cameras see outside the volume in which the
-  /// target was during the calibration (commonView()); meters. Nothing was observed there, so this
-  /// is an extrapolation. Never below position95. Empty if there are no such positions.
+  /// Same as position95, but for positions that at least two cameras see (commonView()) outside the
+  /// volume in which the target was during the calibration; meters. This is an extrapolation,
+  /// because nothing was observed there. Never below position95. Empty if there are too few such
+  /// positions.
   std::optional<double> outside95;
-  /// Distance from that volume below which 95 % of these positions are, meters.
+  /// 95 % of these positions are nearer to that volume than this; meters. 0 if `outside95` is
+  /// empty.
   double outsideDistance = 0.0;
   std::optional<double> scale95; ///< relative error of the scale, 95 %
   std::optional<double> up95;    ///< error of the upward direction, radians, 95 %

@@ -11,43 +11,50 @@ namespace dewpoint::calibration {
 
 /// Kinds of motion that a recording of a wand may lack.
 enum class MissingMotion {
-  LongEnough,  ///< the recording is short
+  LongEnough,  ///< the ball was seen for too short a time
   OffTheLine,  ///< the ball moved only along a line
   OffThePlane, ///< the ball moved only within a plane
-  InDepth,     ///< the ball was always about as far from a camera
+  InDepth,     ///< the distance from a camera to the ball hardly changed
   WholeVolume, ///< the ball stayed in a small part of the volume that the cameras see together
   WholeImage,  ///< a camera saw the ball only in a small part of its image
   SeenTogether ///< two cameras rarely saw the ball at the same time
 };
 
-/// Part of an image.
+/// Part of an image; `Edges` stands for all four sides.
 enum class ImageSide { Edges, Left, Right, Top, Bottom };
 
-/// Motion that a recording lacks.
+/// Kind of motion that a recording lacks.
 struct MotionGap {
   MissingMotion missing = MissingMotion::LongEnough;
-  /// InDepth and WholeImage: the camera. OffThePlane: the camera that looks most nearly across the
-  /// plane. SeenTogether: the two cameras. Otherwise empty.
+  /// Indices in the rig. InDepth and WholeImage: the camera. OffThePlane: the camera whose optical
+  /// axis is closest to the normal of the plane. SeenTogether: the two cameras. Otherwise empty.
   std::vector<std::size_t> cameras = {};
-  /// Number that describes what there was. LongEnough: seconds. OffTheLine, OffThePlane: the extent
-  /// across the line or the plane, meters. InDepth: the range of distances, meters. WholeVolume,
-  /// WholeImage: share of the volume or of the image. SeenTogether: number of instants.
+  /// How much of this motion there was. LongEnough: time from the first to the last sight of the
+  /// ball, seconds. OffTheLine and OffThePlane: extent of the ball's positions across the line or
+  /// the plane, meters. InDepth: range of the distances, meters. WholeVolume and WholeImage:
+  /// fraction of the volume or of the image, 0 to 1. SeenTogether: number of frames.
   double value = 0.0;
-  ImageSide side = ImageSide::Edges; ///< WholeImage: where the ball was not seen
-  double severity = 0.0; ///< 0 to 1: how much is missing; 1: there was no such motion at all
+  ImageSide side = ImageSide::Edges; ///< WholeImage: side at which the ball was not seen
+  /// How much of the least motion required is missing, as a fraction from 0 to 1. 1: there was no
+  /// such motion.
+  double severity = 0.0;
 };
 
-/// Returns the kinds of motion that the recording of a wand lacks, the most severe first, at most
-/// two. Empty if there was enough of all.
+/// Returns the kinds of motion that the recording of a wand lacks: at most two, the most severe
+/// first. Empty if there was enough motion of each kind, and also if the result has fewer than two
+/// cameras or fewer than four positions of the ball.
 ///
-/// The positions of the ball are compared with the volume that the cameras see together
-/// (commonView()), along their principal axes; the image points are compared with the parts of the
-/// images in which that volume lies (6 x 4 regions), and the numbers of instants at which two
-/// cameras saw the ball with those at which they could have seen it. All limits are relative to the
-/// rig, so that they hold for a desk as well as for a hall.
+/// The extents of the ball's positions along their principal axes are compared with the distance to
+/// the cameras, and with the volume that the cameras see together (commonView()). Each camera's
+/// image is divided into 6 x 4 regions. The regions in which the ball was seen are compared with
+/// the regions that show the common volume. For two cameras that share much of their views, the
+/// number of frames in which both saw the ball is compared with the number of frames in which the
+/// camera that saw it less often saw it. All limits of lengths are relative to the size of the rig,
+/// so they suit a desk as well as a hall.
 std::vector<MotionGap> missingMotion(const WandResult& result);
 
-/// Returns one or two sentences: what is missing, and what to do. They refer to cameras by name.
+/// Returns one or two sentences that say what is missing and what to do. `rig` contains the names
+/// of the cameras.
 std::string motionGapText(const MotionGap& gap, const CameraRig& rig);
 
 } // namespace dewpoint::calibration

@@ -20,12 +20,12 @@ struct PositionErrors {
   std::vector<Eigen::Matrix3d> noise;
 };
 
-/// Returns the positions of the target in the result: points, both ends of sticks, and the first
-/// and the last corner of boards; world, meters.
+/// Returns all positions of the target in the result, in the world, meters. A stick counts with
+/// both ends, a board with its first and its last corner.
 std::vector<Eigen::Vector3d> seenPositions(const BundleProblem& problem,
                                            const BundleResult& result);
 
-/// Returns up to `most` of the positions, spread evenly over their list.
+/// Returns at most `most` of the positions, taken at equal steps from the list.
 std::vector<Eigen::Vector3d> evenlyChosen(const std::vector<Eigen::Vector3d>& all,
                                           std::size_t most);
 
@@ -35,8 +35,8 @@ std::vector<Eigen::Vector3d> evenlyChosen(const std::vector<Eigen::Vector3d>& al
 PositionErrors propagateToPositions(const BundleProblem& problem, const BundleResult& result,
                                     std::size_t most);
 
-/// Propagates camera errors to given positions. Positions that fewer than two cameras see are left
-/// out.
+/// Propagates the errors of the cameras in `result` to these positions (world, meters). Positions
+/// that fewer than two cameras see are left out.
 PositionErrors propagateTo(const std::vector<Eigen::Vector3d>& positions,
                            const BundleResult& result);
 
@@ -46,9 +46,10 @@ PositionErrors propagateTo(const std::vector<Eigen::Vector3d>& positions,
 Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& positions,
                                   const Eigen::MatrixXd& errors, bool sizeToo);
 
-/// Removes the rigid motion that `errors` of `positions` have in common from the errors of other
-/// positions, so that these show how much the others are displaced relative to `positions`. All
-/// errors have three rows per position, and the same columns.
+/// Finds the rigid motion that the `errors` of `positions` have in common, and removes it from
+/// `errorsOfOthers`. The result shows how far `others` are displaced relative to `positions`. Both
+/// matrices have three rows per position and the same columns. For `sizeToo`, see
+/// removeRigidMotion().
 Eigen::MatrixXd removeRigidMotionOf(const std::vector<Eigen::Vector3d>& positions,
                                     const Eigen::MatrixXd& errors, bool sizeToo,
                                     const std::vector<Eigen::Vector3d>& others,

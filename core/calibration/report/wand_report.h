@@ -13,10 +13,10 @@ namespace dewpoint::calibration {
 struct WandReport {
   CameraRig before;                      ///< initial rig
   WandResult result;                     ///< result of the calibration, including its faults
-  std::string accuracy;                  ///< one sentence
-  std::vector<BoardCoverage> coverage;   ///< per camera
+  std::string accuracy;                  ///< text about the accuracy
+  std::vector<BoardCoverage> coverage;   ///< image regions in which the ball was seen, per camera
   bool offsetsFound = false;             ///< true if time offsets were estimated
-  std::vector<std::string> notices = {}; ///< sentences shown after the faults
+  std::vector<std::string> notices = {}; ///< sentences about missing motion
 };
 
 /// Returns the report as a self-contained HTML page. It shows accuracy, faults and results,

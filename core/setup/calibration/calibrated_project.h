@@ -40,14 +40,14 @@ Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symm
 /// withImageSymmetry(); a calibration that was only guessed is guessed again.
 Project withImageOrientation(Project project, std::size_t camera, int rotateDegrees, bool mirrored);
 
-/// Returns the project with the images of a camera cropped by `crop`, in place of the margins that
-/// the project contains. The calibration of the camera and everything that was clicked in its
-/// images are moved accordingly. Color samples and boxes outside the cropped image are removed. A
-/// calibration that was only guessed is guessed again. Errors: BadValue for a simulated camera or a
-/// negative margin; Mismatch if less than kSmallestCrop pixels of a side would be left.
+/// Returns the project with the images of a camera cropped by `crop`, which replaces the margins in
+/// the project. The calibration of the camera and everything that was clicked in its images are
+/// moved accordingly. Color samples and boxes outside the cropped image are removed. A calibration
+/// that was only guessed is guessed again. Errors: BadValue for a simulated camera or a negative
+/// margin; Mismatch if the cropped image would be narrower or lower than kSmallestCrop.
 Result<Project> withImageCrop(Project project, std::size_t camera, const ImageMargins& crop);
 
-/// Smallest side of a cropped image, in pixels. A judgment.
+/// Least width and height of a cropped image, in pixels. Chosen by judgment.
 inline constexpr int kSmallestCrop = 16;
 
 /// Returns whether withImageSymmetry() can rotate and mirror the images of a camera. This is false

@@ -43,7 +43,8 @@ struct CalibrationStatus {
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed
   /// (WorldRecord::accuracy).
   std::optional<double> accuracy;
-  /// Same outside that volume, where at least two cameras see (WorldRecord::accuracyOutside).
+  /// Same for positions outside this volume that at least two cameras see, meters
+  /// (WorldRecord::accuracyOutside).
   std::optional<double> accuracyOutside;
   std::optional<LengthCheck> check;
 };

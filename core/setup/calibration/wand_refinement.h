@@ -23,11 +23,11 @@ struct WandRefinement {
   /// pixels. Empty if more was estimated than poses and intrinsics: offsets, the scale, or the
   /// floor.
   std::optional<double> beforePx = std::nullopt;
-  /// True if the poses of all cameras `before` were measured or read from a file, and have not been
-  /// changed since then.
+  /// True if the poses of all cameras in `before` were measured or read from a file, and have not
+  /// been changed since then.
   bool beforeCalibrated = false;
-  /// Largest recorded error of a camera position `before` (PoseRecord::error), meters; empty if no
-  /// error is recorded.
+  /// Largest recorded error of the camera positions in `before` (PoseRecord::error), meters; empty
+  /// if no error is recorded.
   std::optional<double> beforeError = std::nullopt;
   /// Kinds of motion that the recording lacks; see missingMotion().
   std::vector<MotionGap> gaps = {};
@@ -38,28 +38,29 @@ struct WandRefinement {
 /// possible error before the calibration, WandOptions::initialPositionError.
 bool isInaccurate(const WandRefinement& refinement);
 
-/// Returns whether the cameras as they were before explain the images at least as well as the new
-/// ones explain images that they were not computed from (CalibrationAccuracy::heldOutPx). The
-/// recording then gives no reason to change the cameras.
+/// Returns whether the old cameras fit the images at least as well as the new cameras fit images
+/// that they were not computed from (CalibrationAccuracy::heldOutPx). The recording then gives no
+/// reason to change the cameras.
 bool isUnneeded(const WandRefinement& refinement);
 
-/// Returns a sentence about a refinement that is not needed.
+/// Returns a sentence that says that the old cameras fit the images as well as the new ones.
 std::string unneededText(const WandRefinement& refinement);
 
-/// Returns whether the cameras are known better as they were (`beforeCalibrated`), and the images
-/// do not contradict this. The cameras were known better in two cases: their recorded error is
-/// smaller than that of the new positions (CameraAccuracy::positionSigma); or no error is recorded,
-/// but the recording lacks most of a kind of motion. The images contradict the cameras as they were
-/// if these leave at least three times the error of the new ones: then a camera was moved. Errors
-/// that all images share, as if hands always hide the same part of a ball, make less of a
-/// difference.
+/// Returns whether the old cameras (`beforeCalibrated`) are known more accurately than the new
+/// ones, and the images do not contradict the old ones. The old cameras are known more accurately
+/// in two cases. In the first case, their recorded error is smaller than that of the new positions
+/// (CameraAccuracy::positionSigma). In the second case, no error is recorded, and the recording
+/// lacks at least half of the least motion of one kind (MotionGap::severity).
+///
+/// The images contradict the old cameras if these leave at least three times the reprojection error
+/// of the new ones. A camera was then probably moved. Errors that all images share, for example
+/// because hands always hide the same part of a ball, make less of a difference.
 bool isKnownBetter(const WandRefinement& refinement);
 
-/// Returns a sentence about cameras that are known better as they were.
+/// Returns a sentence that says that the old cameras are known more accurately.
 std::string knownBetterText(const WandRefinement& refinement);
 
-/// Returns the largest error of a new camera position, meters (one standard deviation); 0 if it is
-/// not known.
+/// Returns the largest standard deviation of the new camera positions, meters; 0 if it is unknown.
 double newPositionError(const WandRefinement& refinement);
 
 /// Camera whose pose before the refinement was far off.
