@@ -8,8 +8,8 @@
 
 namespace dewpoint::base {
 
-/// Returns a number rounded to two significant digits, never with an exponent: "0.000047", "890".
-/// Returns "unknown" if the number is not finite.
+/// Returns the text of a number, rounded to two significant digits and never with an exponent:
+/// "0.000047", "890". Returns "unknown" if the number is not finite.
 std::string twoDigitsText(double value);
 
 /// Returns the text of an uncertainty with its unit, rounded to two significant digits and never

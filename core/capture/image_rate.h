@@ -7,16 +7,16 @@
 
 namespace dewpoint::capture {
 
-/// Smoothed rate of the images of one camera. A single long pause, as when the camera was frozen,
-/// does not change it; a second one in a row does, because the camera has become slow then. Not
-/// thread-safe.
+/// Smoothed rate of the images of one camera. A single long pause between two images does not
+/// change the rate: the camera may just have been frozen. A second long pause in a row does change
+/// it: the camera has become slow. Not thread-safe.
 class ImageRate {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// Counts an image that came at `time`.
+  /// Counts an image that arrived at `time`.
   void add(Clock::time_point time);
-  /// Forgets when the last image came, as after a new connection. The rate stays.
+  /// Forgets when the last image arrived. Call this after a new connection. The rate stays known.
   void restart();
   /// Returns the rate in images per second; 0 before the second image.
   double perSecond() const { return interval_ > 0.0 ? 1.0 / interval_ : 0.0; }

@@ -16,7 +16,7 @@ struct LiveCamera {
   /// test pattern (see gstreamer/pipeline_text.h).
   std::string location;
   int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
-  /// Expected after rotation and cropping, pixels; 0: that of the first image.
+  /// Expected size of the images after rotation and cropping, pixels; 0: that of the first image.
   int width = 0;
   int height = 0;
   bool mirrored = false; ///< left and right are swapped after the rotation
@@ -28,8 +28,8 @@ struct LiveCamera {
   DeviceSettings device = {};
   ImageMargins crop = {}; ///< cut off after rotation and mirroring
 
-  /// Return the expected size of the images as the camera sends them, before rotation and cropping;
-  /// 0: unknown.
+  /// Return the expected width and height of the images as the camera sends them, before rotation
+  /// and cropping, in pixels; 0 if unknown.
   int sentWidth() const { return isUpright() ? uncroppedWidth() : uncroppedHeight(); }
   int sentHeight() const { return isUpright() ? uncroppedHeight() : uncroppedWidth(); }
 

@@ -67,7 +67,8 @@ public:
   std::optional<Error> problem() const;
   /// Returns what is wrong with the camera although it delivers, or nothing (LiveStream::remark()).
   std::optional<Error> remark() const;
-  /// Returns what is wrong with the images of the last second, or nothing (ImageHealth).
+  /// Returns what is wrong with the images of the last second, or nothing if they are fine
+  /// (ImageHealth).
   std::optional<Error> imageFault() const;
   /// Returns the smoothed frame rate in images per second; 0 before the second image.
   double framesPerSecond() const { return shared_->rate; }
@@ -95,7 +96,7 @@ private:
     std::condition_variable_any changed;
     bool connected = false;
     bool everDelivered = false;
-    bool hasGrabbed = false; ///< an image of the current connection
+    bool hasGrabbed = false; ///< the current connection has delivered an image
     bool finished = false;
     Clock::time_point
         openingSince{}; ///< start of the current connection attempt, while not connected

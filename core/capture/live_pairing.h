@@ -43,7 +43,7 @@ public:
   /// Returns the latest time, by the session's clock, at which the next group will be complete.
   /// Returns nothing if no frame is waiting.
   std::optional<TimeStamp> due() const;
-  /// Returns the capture time of the oldest frame that waits for others; nothing if none does.
+  /// Returns the capture time of the oldest waiting frame; nothing if no frame is waiting.
   std::optional<TimeStamp> oldest() const;
   /// Returns the number of frames that were not in any group, or whose group was dropped.
   std::int64_t dropped() const { return dropped_; }

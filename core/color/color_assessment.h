@@ -93,12 +93,13 @@ struct ColorAssessment {
   static constexpr std::size_t kMostDistractors = 5;
   static constexpr double kMinTargetShare =
       0.75; ///< fraction of the target below which missesTarget() is true
-  static constexpr int kGoodScore = 90; ///< score() from which on the color separates well
+  static constexpr int kGoodScore = 90; ///< least score() at which isGood() is true
 
   /// Returns the separability as displayed, 0 to 100.
   int score() const { return static_cast<int>(std::lround(inPercent(separability))); }
-  /// Returns whether the color separates well. All pixels of the background that match are then few
-  /// compared with those of the target, even if they lie in large regions.
+  /// Returns whether the color separates the target well from the background. The matching pixels
+  /// of the background are then few compared with those of the target, even if they form large
+  /// regions.
   bool isGood() const { return targetKnown && score() >= kGoodScore; }
   /// Returns whether much of the target does not match, which lowers the score.
   bool missesTarget() const { return targetKnown && targetShare < kMinTargetShare; }

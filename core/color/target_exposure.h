@@ -20,23 +20,27 @@ enum class ExposureFault : std::uint8_t { None, Overexposed, TooDark };
 /// How bright the pixels of a target are. The brightness of a pixel is its largest channel, because
 /// a color is lost as soon as one of its channels is clipped.
 struct TargetExposure {
-  static constexpr std::size_t kBins = 32; ///< of 8 values each
+  static constexpr std::size_t kBins = 32; ///< number of bins, of 8 brightness values each
   static constexpr int kDarkest = 20;      ///< brightness below which a pixel has no useful color
-  /// Fractions from which fault() is not None. A judgment: highlights and shaded sides of a well
-  /// exposed ball stay below them.
+  /// If at least this fraction of the pixels is clipped, fault() returns Overexposed. A judgment:
+  /// the highlights of a well exposed ball are smaller.
   static constexpr double kMostClipped = 0.2;
+  /// If at least this fraction of the pixels is dark, fault() returns TooDark. A judgment: the
+  /// shaded side of a well exposed ball is smaller.
   static constexpr double kMostDark = 0.5;
 
   std::array<std::int64_t, kBins> histogram{}; ///< number of pixels by brightness
-  std::int64_t pixels = 0;
-  std::int64_t clipped = 0; ///< pixels with a channel of 255
-  std::int64_t dark = 0;    ///< pixels whose channels are all below kDarkest
+  std::int64_t pixels = 0;                     ///< number of all pixels
+  std::int64_t clipped = 0;                    ///< number of pixels with a channel of 255
+  std::int64_t dark = 0; ///< number of pixels whose channels are all below kDarkest
 
   /// Adds one pixel.
   void add(const BgrColor& color);
-  /// Return fractions of the pixels, 0 to 1; 0 without pixels.
+  /// Returns the fraction of all pixels that is clipped, 0 to 1; 0 without pixels.
   double clippedShare() const;
+  /// Returns the fraction of all pixels that is dark, 0 to 1; 0 without pixels.
   double darkShare() const;
+  /// Returns what is wrong; Overexposed if both faults apply.
   ExposureFault fault() const;
 
   bool operator==(const TargetExposure&) const = default;

@@ -39,12 +39,12 @@ public:
   /// Returns the newest time of the frames taken since the restart, in seconds.
   double time() const { return time_; }
 
-  /// Returns the present problems of live cameras.
+  /// Returns the current problems of live cameras.
   std::vector<Error> notices() const { return source_->notices(); }
   /// Returns whether live cameras have other problems than in the last snapshot.
   bool haveNoticesChanged() const { return notices() != shownNotices_; }
-  /// Adds the problems, the number and rate of the frames, and the number of dropped frames to a
-  /// snapshot.
+  /// Stores the current problems, the number of frames, the frame rate and the number of dropped
+  /// frames in a snapshot.
   void show(TrackSnapshot& snapshot) {
     shownNotices_ = notices();
     std::ranges::copy(shownNotices_, std::back_inserter(snapshot.notices));

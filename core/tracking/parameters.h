@@ -72,8 +72,8 @@ public:
   Status set(std::string_view key, double value);
   /// Like set(), but parses the value from text, as on the command line.
   Status setText(std::string_view key, std::string_view text);
-  /// Returns whether the value of a key was set. It was not if the value is the default that may be
-  /// replaced by a value derived from the cameras. Always true for keys that are never derived.
+  /// Returns false only if the value of this key may come from the cameras
+  /// (ParameterDeclaration::fromCameras) and nobody has set it. Returns true for all other keys.
   bool isGiven(std::string_view key) const;
   /// Marks the current value of a key as given; does nothing for an unknown key.
   void markGiven(std::string_view key);

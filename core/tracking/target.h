@@ -42,7 +42,7 @@ struct Target {
   bool operator==(const Target&) const = default;
 };
 
-/// Returns whether the targets differ in nothing but Target::isShown.
+/// Returns whether the two targets are equal, apart from Target::isShown.
 inline bool areSameExceptShown(Target a, const Target& b) {
   a.isShown = b.isShown;
   return a == b;

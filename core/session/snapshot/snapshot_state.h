@@ -43,8 +43,8 @@ std::optional<Eigen::Vector2d> pixelOf(const TrackSnapshot& snapshot, int camera
 /// Returns the estimate of a target's position; nothing for a frame that was not tracked.
 std::optional<Gaussian3> positionEstimate(const TrackSnapshot& snapshot, int target);
 
-/// Returns the index of the target, among those of the first `count` that the views show, whose
-/// estimate is closest to a pixel of a camera and at most `reach` pixels away; -1 if there is none.
+/// Of the first `count` targets, considers those that the views show. Returns the index of the one
+/// whose estimate is closest to the pixel, if at most `reach` pixels away; otherwise -1.
 int targetNear(const TrackSnapshot& snapshot, int count, int camera, const Eigen::Vector2d& pixel,
                double reach);
 

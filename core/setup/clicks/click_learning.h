@@ -72,10 +72,10 @@ Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedI
                                             const CounterpartLimits& limits = {},
                                             const std::vector<ColorSample>& others = {});
 
-/// Learns the color of a target of a project (index in Project::targets, or a new target if out of
-/// range) in the same way. It uses the project's cameras and volume of interest, the target's
-/// radius, and the samples of other targets. Unlike the overload above, this one also computes a
-/// correction.
+/// Same for a target of a project (`target`: index in Project::targets; if out of range, a new
+/// target). Takes the cameras, the volume of interest, the radius and the other targets' samples
+/// from the project. Also sets ClickLearningResult::correction, which the overload above leaves
+/// empty.
 Result<ClickLearningResult> learnFromClicks(const Project& project, int target,
                                             const ClickedImages& shown,
                                             const std::vector<ColorSample>& samples);

@@ -41,8 +41,8 @@ struct ClickedObject {
   /// exposures, and each camera sees another side of it.
   static double centerSigma(const Camera& camera, double radiusPx);
   static constexpr double kDirectionSigma = 0.0061; ///< radians: 0.25 degrees for each camera
-  /// Standard deviation due to motion and different visible sides, in region radii; chosen by
-  /// judgment.
+  /// Part of centerSigma() that is caused by motion and by each camera seeing another side, as a
+  /// fraction of the region's radius. Chosen by judgment.
   static constexpr double kCenterSigmaRadii = 0.35;
   /// Largest distance, in standard deviations, at which regions are searched for. It covers 99.7 %
   /// of a normal distribution.
