@@ -49,8 +49,8 @@ private:
   ManualCalibration* manual_;
   CalibrationDock* pages_;
   ViewDock* dock_;
-  QPointer<ViewDock> dockBefore_; ///< in front before the mode began
-  bool isReturning_ = false;      ///< the mode goes on with another page
+  QPointer<ViewDock> dockBefore_; ///< dockInFront() before the panel was opened
+  bool isReturning_ = false;      ///< true while a change of page switches the mode on again
   QString page_;                  ///< last page that shown() was emitted for
 };
 

@@ -19,22 +19,24 @@ class CropForm : public QWidget {
 public:
   explicit CropForm(QWidget* parent = nullptr);
 
-  /// Shows the margins of a camera whose images have this size before they are cropped. A change of
-  /// the same camera that has not been reported yet stays.
+  /// Shows the margins of a camera. `width` and `height`: size of its images before cropping. If
+  /// the user has changed margins of this camera and the change has not been reported yet, the
+  /// fields keep it.
   void show(int camera, const ImageMargins& margins, int width, int height);
 
 Q_SIGNALS:
-  /// Emitted when the user has changed margins: after a step, a little later.
+  /// Emitted when the user has changed margins: at once when a field is left, otherwise half a
+  /// second after the last change.
   void changed(int camera, const dewpoint::geometry::ImageMargins& margins);
 
 private:
   void report();
   ImageMargins entered() const;
 
-  std::array<QSpinBox*, 4> fields_{}; ///< in the order of ImageMargins
+  std::array<QSpinBox*, 4> fields_{}; ///< left, top, right, bottom
   int camera_ = -1;
   ImageMargins shown_;
-  QTimer settled_; ///< each report opens the cameras again
+  QTimer settled_; ///< delays the report, because each report opens the cameras again
 };
 
 } // namespace dewpoint::ui

@@ -7,8 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Histogram of the brightness of a target's pixels, from black to white. Pixels without a useful
-/// color, too dark or clipped, have bars in the color of text.
+/// Histogram of the brightness of a target's pixels, from black to white. The bars of pixels that
+/// are too dark or clipped are drawn in the color of text; such pixels have no useful color.
 class ExposureBars : public QWidget {
   Q_OBJECT
 public:

@@ -16,15 +16,15 @@ namespace dewpoint::ui {
 class CameraListModel;
 class ExposureBars;
 
-/// Shows whether the targets are well exposed: a histogram for the selected camera, and a sentence
-/// for each camera whose targets are overexposed or too dark.
+/// Shows whether the targets are well exposed: a histogram of the worst exposed target in the
+/// selected camera, and a sentence for each camera with a target that is overexposed or too dark.
 class ExposureView : public QWidget {
   Q_OBJECT
 public:
   explicit ExposureView(const CameraListModel& cameras, QWidget* parent = nullptr);
 
-  /// Measures the targets of a snapshot in another thread, and then shows the result. Null and
-  /// snapshots of people hide the view.
+  /// Measures the targets of a snapshot in another thread, and then shows the result. Hides the
+  /// view if the snapshot is null or contains people.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Sets the camera whose histogram is shown.
   void setCamera(int camera);
@@ -33,7 +33,7 @@ private:
   /// Last measurement in the images of one camera.
   struct Measured {
     std::vector<ExposureInView> exposures;
-    QElapsedTimer age;
+    QElapsedTimer age; ///< since this measurement
   };
 
   void take(std::vector<std::vector<ExposureInView>> measured, const FrameSet& frames);
@@ -42,7 +42,7 @@ private:
 
   const CameraListModel& cameras_;
   int camera_ = -1;
-  std::vector<Measured> measured_; ///< by camera
+  std::vector<Measured> measured_; ///< one per camera
   QLabel* title_;
   ExposureBars* bars_;
   QLabel* shares_;

@@ -34,8 +34,9 @@ private:
   void learn(bool starts);
   /// Starts or ends waiting for a click that adds a target.
   void addTarget(bool starts);
-  /// Checks the action whose click is awaited. While a calibration page is open, the action for
-  /// learning is also checked for an added target: it takes the clicks from the page.
+  /// Shows as pressed the action whose click is awaited. While calibration by hand is on, *Learn
+  /// the color* also appears pressed if a target is being added, because this action
+  /// takes the clicks from the calibration page.
   void showAwaited();
   /// Returns the menu entries offered at a pixel of a camera image.
   std::vector<ImageMenuEntry> menuEntries(ImagePickTool& pick, int camera, const QPointF& pixel);
@@ -50,7 +51,8 @@ private:
   TargetPanel* targets_;
   ColorPanel* panel_;
   ViewDock* dock_;
-  bool showsAwaited_ = false;     ///< showAwaited() is at work: nobody has pressed the actions
+  /// True while showAwaited() runs, so that its changes do not count as presses by the user.
+  bool showsAwaited_ = false;
   bool isMaskOfLearning_ = false; ///< the mask is shown because a color was learned
   QElapsedTimer playing_;         ///< since the run plays with this mask; invalid while it does not
 };

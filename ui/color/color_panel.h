@@ -97,7 +97,7 @@ private:
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;
-  bool wasAdding_ = false; ///< addsTarget() at the last pickingChanged()
+  bool wasAdding_ = false; ///< addsTarget() when pickingChanged() was last emitted
   bool clicksTaken_ = false;
   /// Effect of a click while picking.
   ColorLearner::SampleAction mode_ = ColorLearner::SampleAction::Replace;

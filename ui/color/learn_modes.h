@@ -32,7 +32,8 @@ public:
   void setTakesBoxes(bool takesBoxes);
   void retranslateUi();
 
-  /// Returns the hint for a mode, shown over the images. It names only clicks that work now.
+  /// Returns the hint for a mode, shown over the images. It names only the clicks that are possible
+  /// now.
   QString hintOf(ColorLearner::SampleAction mode) const;
 
 Q_SIGNALS:

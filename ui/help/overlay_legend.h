@@ -18,8 +18,8 @@ public:
 
   /// Default width of the sentences in pixels.
   static constexpr int kSentenceWidth = 380;
-  /// Adds a row for each sign, with sentences of this width. They are updated when the language
-  /// changes.
+  /// Adds a row for each sign. `sentenceWidth`: width of the sentences in pixels. The sentences are
+  /// updated when the language changes.
   static void addRows(QGridLayout* rows, const std::vector<LegendSign>& signs, QWidget* parent,
                       int sentenceWidth = kSentenceWidth);
 };

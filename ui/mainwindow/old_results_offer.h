@@ -7,8 +7,9 @@ namespace dewpoint::ui {
 
 /// Offers to track again those frames whose results are from earlier settings. Shows a message with
 /// a button when the settings change, and provides an action that is enabled while such results
-/// exist. If tracking began at a later frame because a target was learned there, it offers to track
-/// from the first frame instead, until this is done or the message is closed.
+/// exist. If tracking began at a later frame because a target was learned there, the message offers
+/// to track from the first frame. This offer stays until frames before that one are tracked, or
+/// until the user closes the message.
 class OldResultsOffer : public QObject {
   Q_OBJECT
 public:
@@ -18,12 +19,13 @@ private:
   void offer(bool offers);
   void offerFirstFrame(qint64 started);
   void withdrawFirstFrame();
-  /// Returns whether these records are of frames that were passed over.
+  /// Returns whether these records contain results for frames before the one at which tracking
+  /// began.
   bool fills(const LoggedFrames& logged) const;
 
   Workbench bench_;
   QString shown_;      ///< message currently shown
-  QString late_;       ///< message about the first frame; empty if it is not needed
+  QString late_;       ///< message with the offer to track from the first frame; may be empty
   qint64 started_ = 0; ///< frame at which tracking began, while `late_` is not empty
 };
 

@@ -34,7 +34,7 @@ public:
   /// Sets the rows. Returns whether they differ from the previous ones.
   bool setRows(std::vector<TargetRow> rows);
   const std::vector<TargetRow>& rows() const { return rows_; }
-  /// Returns the area of the eye in a row with this area.
+  /// Returns the area of the eye in a row whose area is `row`.
   static QRect eyeArea(const QRect& row);
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,

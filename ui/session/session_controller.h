@@ -90,7 +90,7 @@ public:
   /// Starts the run after a color was learned, because a user who points at an object wants to see
   /// it tracked. There is one exception: if more than the beginning of a recording has been
   /// tracked, the run stays at its current frame, and the ResultRefresher decides whether to track
-  /// again. Emits `startedLate()` if the run starts at a later frame of a recording.
+  /// again. Emits `startedLate()` if the run does not start at the first frame of a recording.
   void startAfterLearning(bool isNew);
   /// Starts the run after a target got its box. Only the first box starts the run: users often set
   /// more boxes on the same image, and a run that the user has stopped stays where it is.
@@ -115,8 +115,8 @@ Q_SIGNALS:
   void opened(const OpenRequest& request);
   /// Emitted when the run restarts from the beginning. Earlier data are no longer shown.
   void restarting();
-  /// Emitted when the run has started at this frame because a target was learned there, although
-  /// the frames before it are not tracked.
+  /// Emitted when the run has started at this frame because a target was learned there. The frames
+  /// before it are not tracked.
   void startedLate(qint64 frame);
   /// Emitted when the session is about to end, while it still exists.
   void runEnding();

@@ -29,10 +29,11 @@ struct TimelineModel {
   HistoryState history;
   std::optional<RerunState> rerun;
   bool live = false;
-  /// Frame rate: from the time stamps of the records, or before there are two, that of the source.
+  /// Frame rate, from the time stamps of the records; with fewer than two records, that of the
+  /// source.
   double framesPerSecond = 30.0;
 
-  /// Sets the frame rate of the source. It counts as long as no records tell the rate.
+  /// Sets the frame rate of the source, which is used until the records give one.
   void setSourceRate(double rate);
   /// Adds new log records. If a frame is repeated, the new record replaces the old one.
   void append(const std::vector<FrameRecord>& more, bool restarted);

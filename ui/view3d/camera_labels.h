@@ -22,7 +22,7 @@ public:
     QRectF area; ///< view coordinates
   };
   /// Returns the labels. If there is room, they avoid all pyramids, the floor numbers, each other,
-  /// and the area `taken`. Cameras outside the rendered image have no labels.
+  /// and the area `taken` (view coordinates). Cameras outside the rendered image have no labels.
   std::vector<Label> labels(const QWidget& view, const QRectF& taken = {}) const;
   void paint(QPainter& painter, const QWidget& view, const QRectF& taken) const;
 

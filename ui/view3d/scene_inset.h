@@ -12,9 +12,9 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Inset in a corner of the view that enlarges a particle cloud that is too small to see, with its
-/// 95 % ellipsoid and a scale bar. It is at the lower right, or at the upper right if it covers
-/// fewer cameras and numbers there.
+/// Inset in a corner of the view. It enlarges a particle cloud that is too small to see, and shows
+/// its 95 % ellipsoid and a scale bar. The inset is at the lower right, or at the upper right if it
+/// covers fewer cameras and floor numbers there.
 class SceneInset {
 public:
   explicit SceneInset(const Scene3d& scene) : scene_(scene) {}
@@ -34,7 +34,7 @@ public:
 
 private:
   bool isTooSmall(const TargetSnapshot& target) const;
-  /// Returns how many cameras and numbers of the floor this area covers.
+  /// Returns how many cameras and floor numbers this area covers.
   int coveredCount(const QWidget& view, const QRectF& box) const;
 
   const Scene3d& scene_;

@@ -23,11 +23,12 @@ public:
   /// Returns the chosen way; nothing until the user has chosen one, or the project records how its
   /// cameras were calibrated (setup::wayTaken()).
   std::optional<CalibrationWay> way() const { return way_; }
-  /// Chooses a way for the user, and goes to its first step that is not done.
+  /// Chooses a way on behalf of the user, and goes to its first step that is not done.
   void setWay(CalibrationWay way);
-  /// Returns whether the user follows the guide: has chosen a way, or seen that the guide knows it.
+  /// Returns whether the user follows the guide: has chosen a way, or has seen the guide (follow())
+  /// while a way was known.
   bool isFollowed() const { return isFollowed_; }
-  /// Records that the user sees the guide. Nothing changes before a way is known.
+  /// Records that the user sees the guide. Has no effect while no way is known.
   void follow();
   /// Returns the steps of the chosen way.
   std::vector<GuideStep> steps() const;

@@ -20,7 +20,7 @@ namespace dewpoint::ui {
 QPointF widgetPosition(const Eigen::Vector2d& pixel, const ImagePlacement& placement);
 
 /// Draws the reference grid as thin bright lines with a dark halo. Each axis has its own color, a
-/// name and labels in meters, which lie outside the grid where there is room.
+/// name and labels in meters. Where there is room, the names and labels lie outside the grid.
 void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement,
                double opacity);
 
@@ -37,10 +37,11 @@ struct PaintedPoint {
   std::optional<QPointF> seen;
   bool chosen = false;
   bool isMisfit = false;    ///< does not fit the other points
-  bool isElsewhere = false; ///< was clicked in other frames
+  bool isElsewhere = false; ///< was clicked only in other frames
 };
-/// Draws measured points. The selected point and one that does not fit are highlighted. Points that
-/// were clicked in other frames are faint, and have a name only where it covers nothing.
+/// Draws measured points. The selected point and a point that does not fit the others are
+/// highlighted. Points that were clicked only in other frames are faint; their names are left out
+/// where they would cover something.
 void paintPoints(QPainter& painter, const std::vector<PaintedPoint>& points);
 
 /// Returns the edges found in `image`, in one bright color on a transparent background of size

@@ -12,7 +12,7 @@
 namespace dewpoint::ui {
 
 /// Finds places for labels beside points of an image, so that no label covers its point, a line or
-/// another label. All coordinates are of the widget.
+/// another label. All coordinates are those of the widget.
 class LabelPlaces {
 public:
   /// Labels stay inside `area`.
@@ -20,18 +20,17 @@ public:
 
   /// Keeps labels away from a line.
   void avoid(const QLineF& line) { lines_.push_back(line); }
-  /// Finds a place for a label of a size, and takes it: beside `point`, in the direction `outward`
-  /// if there is room. Returns nothing if the point is outside the area, or if there is no room.
-  /// The label never covers the point.
+  /// Finds a place beside `point` for a label of this size, and reserves it. Of the eight
+  /// directions around the point, takes the one closest to `outward` that has room. Returns nothing
+  /// if none has room, or if the point is outside the area.
   std::optional<QRectF> take(QPointF point, QSizeF size, QPointF outward);
-  /// The same for a label that is needed: it covers a line if there is no other room.
+  /// Same for a label that must not be left out: if there is no other room, it may cover a line.
   std::optional<QRectF> takeNeeded(QPointF point, QSizeF size, QPointF outward);
-  /// Takes the place of a label in this direction only, and only if it covers nothing. For labels
-  /// that may be left out.
+  /// Same for a label that may be left out: tries only the direction `outward`.
   std::optional<QRectF> takeIfFree(QPointF point, QSizeF size, QPointF outward);
 
 private:
-  /// Where a label lies in the direction `angle`, radians.
+  /// Returns the rectangle of a label in the direction `angle`, radians.
   static QRectF boxBeside(QPointF point, QSizeF size, double angle);
   std::optional<QRectF> find(QPointF point, QSizeF size, QPointF outward, bool mayCoverLines) const;
   std::optional<QRectF> taken(const std::optional<QRectF>& box);

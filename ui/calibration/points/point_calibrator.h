@@ -44,8 +44,8 @@ public:
   /// Returns whether the next click in an image marks the position of the selected point.
   bool isClicking() const { return clicking_; }
   void setClicking(bool clicking);
-  /// Marks where a camera sees the selected point. `frame`: frame of a recording whose images were
-  /// clicked; empty for live images.
+  /// Sets the pixel at which a camera sees the selected point. `frame`: number of the recorded
+  /// frame in whose image the user clicked; empty for live images.
   void setClick(int camera, const Eigen::Vector2d& pixel, std::optional<std::int64_t> frame);
   /// Removes the selected point's click in a camera.
   void removeClick(int camera);

@@ -19,10 +19,10 @@ QString touchText(WandEvent role);
 QString validationMessage(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                           const Project& project);
 
-/// Returns the translated motionGapText().
+/// Returns the translated motionGapText(). `cameraNames`: of all cameras of the project.
 QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames);
 
-/// Returns the translated knownBetterText(), and what to do.
+/// Returns the translated knownBetterText().
 QString knownBetterMessage(const WandRefinement& refinement);
 
 } // namespace dewpoint::ui
