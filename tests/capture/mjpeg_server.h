@@ -27,7 +27,8 @@ public:
   using Picture = std::function<cv::Mat(std::int64_t)>;
   using Spoil = std::function<void(std::vector<unsigned char>&)>;
 
-  /// Port 0 takes a free one. `spoil` may change the bytes of each picture before they are sent.
+  /// `port`: 0 for any free port. `spoil` may change the bytes of each picture before they are
+  /// sent.
   explicit MjpegServer(Picture picture, std::uint16_t port = 0, Spoil spoil = {})
       : picture_(std::move(picture)), spoil_(std::move(spoil)) {
     listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);

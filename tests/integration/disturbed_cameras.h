@@ -21,10 +21,10 @@ class FakeMachine;
 /// What can happen to a camera.
 enum class Disturbance {
   Unplug,
-  Plug,     ///< at its connector; the number of its node is any free one
-  Exchange, ///< two equal cameras are unplugged, and come back with each other's numbers
-  Freeze,   ///< reading waits for an image that does not come
-  Thaw,
+  Plug,      ///< at the camera's connector; it gets any free node number
+  Exchange,  ///< two equal cameras are unplugged, and come back with each other's numbers
+  Freeze,    ///< reading waits for an image that does not come
+  Thaw,      ///< a frozen camera sends images again
   Duplicate, ///< an image comes twice
   Reorder,   ///< two images come in the wrong order
   Burst,     ///< some images come late, and all at once
@@ -33,11 +33,11 @@ enum class Disturbance {
   WrongTime, ///< some time stamps are an hour off
 };
 
-/// The cameras of a fake desk, plugged into a fake computer, whose devices Dewpoint finds by the
-/// code for real ones. Two of them are equal and have no serial numbers.
+/// The cameras of a FakeDesk, which are plugged into a fake computer. Dewpoint finds them with the
+/// same code as real devices. Two of them are equal and have no serial numbers.
 class DisturbedCameras {
 public:
-  /// `seed`: of the sequence of events. Renders the film.
+  /// `seed`: seed of the random events. Renders the film.
   explicit DisturbedCameras(std::uint64_t seed);
   ~DisturbedCameras();
 
@@ -45,14 +45,14 @@ public:
   Project project() const;
   /// Opens the cameras.
   Result<std::unique_ptr<FrameSetSource>> open();
-  /// Returns the position of the ball at a tick, meters.
+  /// Returns the true position of the ball at a tick, meters.
   Eigen::Vector3d truth(std::int64_t tick) const { return desk_->ballAt(tick); }
 
-  /// Makes the next random event happen, and returns it in words.
+  /// Causes the next random event, and returns a text that describes it.
   std::string disturb();
   /// Ends all disturbances.
   void mend();
-  /// Returns the number of connections that exist.
+  /// Returns the number of existing connections to the cameras.
   int connections() const;
 
 private:
@@ -62,7 +62,7 @@ private:
   std::uint64_t below(std::uint64_t count) { return random_() % count; }
   std::string happen(Disturbance what, FakeCamera& camera);
 
-  std::shared_ptr<FakeDesk> desk_; ///< also of streams whose thread was abandoned
+  std::shared_ptr<FakeDesk> desk_; ///< shared with streams whose thread was abandoned
   std::shared_ptr<FakeMachine> machine_;
   DeviceAccessPtr access_;
   std::vector<DeviceIdentity> identities_;

@@ -38,20 +38,20 @@ struct FakeCamera {
   std::string port;
   std::string serial;
   int node = -1;            ///< number below /dev; -1: not plugged in
-  std::int64_t plugins = 0; ///< a connection to an earlier one is lost
+  std::int64_t plugins = 0; ///< number of times it was plugged in; older connections are lost
   bool isFrozen = false;
-  std::deque<Shot> spoiled; ///< what becomes of the next images
+  std::deque<Shot> spoiled; ///< how the next images are spoiled, in order
   int duplicates = 0;
   int reorders = 0;
   int held = 0; ///< images that are held back, to come at once
 
   bool isPlugged() const { return node >= 0; }
-  /// Forgets what was about to happen to its images.
+  /// Cancels everything that was about to happen to its images.
   void clear();
 };
 
-/// The demo's ball, which goes round and round, and four cameras around it that film it with real
-/// timing.
+/// The demo's ball, which moves in rounds, and four cameras around it. Their images arrive in real
+/// time.
 struct FakeDesk {
   using Clock = std::chrono::steady_clock;
   static constexpr int kCameras = 4;
@@ -61,7 +61,8 @@ struct FakeDesk {
   static constexpr std::int64_t kRoundTicks = 120;
 
   Scene scene;
-  std::array<std::vector<cv::Mat>, kCameras> film; ///< the second round: the ball starts slowly
+  std::array<std::vector<cv::Mat>, kCameras>
+      film; ///< of the second round, because the first starts slowly
   Clock::time_point begin;
   std::atomic<int> connections = 0;
 
@@ -79,8 +80,9 @@ struct FakeDesk {
   FakeCamera* at(const std::string& path);
 };
 
-/// A connection to the camera that has a node when it is opened. It holds a file handle, as those
-/// of a driver do. Each image carries the number of its camera and of its tick (ImageTag).
+/// A connection to the camera that has the node `path` when the connection is opened. It holds a
+/// file handle, like a connection through a driver. Each image carries the number of its camera and
+/// of its tick (ImageTag).
 class FakeDeskStream final : public LiveStream {
 public:
   FakeDeskStream(std::shared_ptr<FakeDesk> desk, std::string path);

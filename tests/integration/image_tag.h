@@ -11,21 +11,23 @@
 
 namespace dewpoint::tests {
 
-/// What a fake image says about itself, in black and white squares in its upper left corner.
+/// Data that a fake image contains about itself, as black and white squares in its upper left
+/// corner.
 struct ImageTag {
   int camera = 0;        ///< 0 to 7
   std::int64_t tick = 0; ///< of the common clock of the cameras
-  bool isGood = true;    ///< it shows the ball as it is
+  bool isGood = true;    ///< the image shows the ball correctly
 };
 
 namespace image_tag {
 
-inline constexpr int kSquare = 8; ///< pixels; those of JPEG's blocks
+inline constexpr int kSquare = 8; ///< side of a square in pixels, as that of JPEG's blocks
 inline constexpr int kCameraBits = 3;
 inline constexpr int kTickBits = 24;
-inline constexpr std::uint64_t kFrame = 0b1011; ///< before all bits: four squares that say: a tag
+inline constexpr std::uint64_t kFrame = 0b1011; ///< first four squares, which identify a tag
 inline constexpr int kFrameBits = 4;
-inline constexpr int kBits = kFrameBits + 1 + kCameraBits + kTickBits + 1; ///< the last: parity
+inline constexpr int kBits =
+    kFrameBits + 1 + kCameraBits + kTickBits + 1; ///< the last bit is the parity
 
 inline std::uint64_t withParity(std::uint64_t bits) {
   return bits << 1U | static_cast<std::uint64_t>(__builtin_parityll(bits));

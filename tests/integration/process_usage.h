@@ -12,10 +12,10 @@
 
 namespace dewpoint::tests {
 
-/// What this process has of the system now.
+/// Memory, files and threads that this process uses at present.
 struct ProcessUsage {
-  std::int64_t bytes = 0; ///< resident memory, after what is free was given back
-  int handles = 0;        ///< open files
+  std::int64_t bytes = 0; ///< resident memory, after free memory was returned
+  int handles = 0;        ///< number of open files
   int threads = 0;
 };
 

@@ -13,7 +13,7 @@
 
 namespace dewpoint::tests {
 
-/// What the frame sets of tagged cameras contain (ImageTag). May be used from any thread.
+/// Record of what frame sets contain, read from the tags of their images (ImageTag). Thread-safe.
 class SetRecord {
 public:
   /// `width`, `height`: of the images of all cameras, pixels.
@@ -22,17 +22,17 @@ public:
   /// One frame set.
   struct Entry {
     int images = 0;
-    int good = 0;                     ///< images that show the ball as it is
+    int good = 0;                     ///< images that show the ball correctly
     std::optional<std::int64_t> tick; ///< of the newest good image
   };
 
   void add(const FrameSet& set);
-  /// Returns the sets by their indices.
+  /// Returns the recorded frame sets by their indices.
   std::map<std::int64_t, Entry> sets() const;
-  /// Returns what must never be: an image of another camera, of another size or type, or that does
-  /// not follow the one before it.
+  /// Returns texts about images that must never occur: images of another camera, images of another
+  /// size or type, and images that do not follow the one before them.
   std::vector<std::string> faults() const;
-  /// Returns how many of the newest sets, without interruption, have a good image of each camera.
+  /// Returns how many sets in succession, up to the newest one, have a good image of each camera.
   int completeSets() const;
 
 private:

@@ -66,7 +66,8 @@ inline std::shared_ptr<TrackSnapshot> ballSnapshot(const Eigen::Vector3d& ball =
   return snapshot;
 }
 
-/// Another cloud about the ball, of 300 particles.
+/// Replaces the particles of a target by 300 particles around the ball. `sigma`: their standard
+/// deviation along each axis, meters.
 inline void scatter(TargetSnapshot& target, double sigma) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal(0.0, sigma);
