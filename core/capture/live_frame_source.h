@@ -13,8 +13,8 @@ namespace dewpoint::capture {
 
 /// Opens a live source with one thread per camera. Each thread opens, reads and reconnects its
 /// camera. Returns immediately. Only settings that can never work (an empty or unknown location, a
-/// rotation that is not a multiple of 90 degrees) are errors. All other problems of a camera are
-/// reported as a notice for as long as they last: the camera cannot be opened (DeviceUnavailable),
+/// rotation that is not a multiple of 90 degrees) are errors. Other problems of a camera are
+/// reported as notices for as long as they last: the camera cannot be opened (DeviceUnavailable),
 /// has stopped delivering (ConnectionLost), sends images of a different size (Mismatch), or sends
 /// images that are black, frozen, repeated, late or too few (ImageHealth). The time of a frame is
 /// its capture time as reported by the connection (LiveStream::captureTime()), or else the time

@@ -50,7 +50,7 @@ std::string unneededText(const WandRefinement& refinement);
 /// ones, and the images do not contradict the old ones. The old cameras are known more accurately
 /// in two cases. In the first case, their recorded error is smaller than that of the new positions
 /// (CameraAccuracy::positionSigma). In the second case, no error is recorded, and the recording
-/// lacks at least half of the least motion of one kind (MotionGap::severity).
+/// lacks at least half of the motion that is required of some kind (MotionGap::severity).
 ///
 /// The images contradict the old cameras if these leave at least three times the reprojection error
 /// of the new ones. A camera was then probably moved. Errors that all images share, for example
