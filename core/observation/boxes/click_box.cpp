@@ -2,8 +2,8 @@
 #include "core/observation/boxes/click_box.h"
 
 #include "core/color/color_region.h"
+#include "core/observation/boxes/box_contrast.h"
 #include "core/observation/boxes/figure_box.h"
-#include "core/observation/boxes/figure_contrast.h"
 #include "core/observation/boxes/fine_histogram.h"
 #include "core/observation/boxes/target_colors.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
 #include "core/color/color_palette.h"
+#include "core/observation/boxes/box_contrast.h"
 #include "core/observation/boxes/click_box.h"
-#include "core/observation/boxes/figure_contrast.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/observation/boxes/figure_contrast.h"
+#include "core/observation/boxes/box_contrast.h"
 
 #include <algorithm>
 #include <cmath>
