@@ -42,10 +42,14 @@ TargetSnapshot absent(const Target& target) {
   return shown;
 }
 
+bool areTargetsFound(const TrackingRun& run) {
+  return run.definition()->family().findsTargets();
+}
+
 /// Targets of the run that are not in the frame shown. Nothing is believed of them then, but they
 /// are known; those that are found are not there yet.
 void addOthers(const TrackingRun& run, TrackSnapshot& snapshot) {
-  const bool areFound = run.definition()->family().findsTargets();
+  const bool areFound = areTargetsFound(run);
   if (snapshot.tracked && !areFound) {
     return;
   }
@@ -80,7 +84,7 @@ void showPresentBoxes(const TrackingRun& run, TrackSnapshot& snapshot) {
 /// they are, and those that are found get their names from the run.
 void showPresentNames(const TrackingRun& run, TrackSnapshot& snapshot) {
   const std::vector<Target>& targets = run.targets();
-  if (run.definition()->family().findsTargets() || snapshot.targets.size() != targets.size()) {
+  if (areTargetsFound(run) || snapshot.targets.size() != targets.size()) {
     return;
   }
   for (std::size_t k = 0; k < targets.size(); ++k) {
@@ -222,7 +226,7 @@ void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot)
     addHistograms(run, snapshot);
   }
   // Of targets that were found nobody knows which true ones they are.
-  if (!run.definition()->family().findsTargets()) {
+  if (!areTargetsFound(run)) {
     for (TargetSnapshot& target : snapshot.targets) {
       target.truth = truth_.at(target.target.name, snapshot.frame);
     }

@@ -85,13 +85,13 @@ TEST_F(HostileProject, ClaimsAreBounded) {
   EXPECT_EQ(
       problemOf(changed("size = [640, 480]", "size = [1000000, 1000000]")),
       "camera 1.calibration.size: not a usable value (1000000 is not within 1 to 100000, line "
-      "45)");
+      "46)");
   EXPECT_EQ(problemOf(changed("size = [640, 480]", "size = [100000, 100000]")),
             "camera 1.calibration.size: not a usable value (100000 x 100000 pixels are more than "
-            "268435456, line 45)");
+            "268435456, line 46)");
   EXPECT_EQ(problemOf(changed("[[mark]]\nframe = 10", "[[mark]]\nframe = 9000000000000000000")),
             "mark 1.frame: not a usable value (9000000000000000000 is not within 0 to 10000000000, "
-            "line 64)");
+            "line 65)");
 }
 
 TEST_F(HostileProject, CamerasAndTargetsAreCounted) {
