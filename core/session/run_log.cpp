@@ -4,6 +4,8 @@
 #include "core/session/run/tracking_run.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -71,12 +73,33 @@ void RunLog::setThreads(int threads) {
 
 void RunLog::change(const Project& project) {
   const std::lock_guard lock(mutex_);
+  rename(project.targets);
   project_ = project;
   TrajectoryHeader header = trajectoryHeader(project);
   if (frames_.empty()) {
     trajectory_.header = std::move(header);
   } else {
     trajectory_.header.hasCorrected = header.hasCorrected;
+  }
+}
+
+void RunLog::rename(const std::vector<Target>& targets) {
+  std::map<std::string, std::string, std::less<>> names;
+  for (std::size_t k = 0; k < std::min(targets.size(), project_.targets.size()); ++k) {
+    Target earlier = project_.targets[k];
+    const std::string name = std::exchange(earlier.name, targets[k].name);
+    if (name != targets[k].name && earlier == targets[k]) { // else it is another target
+      names.emplace(name, targets[k].name);
+    }
+  }
+  if (names.empty()) {
+    return;
+  }
+  ++generation_;
+  for (TrajectorySample& sample : trajectory_.samples) {
+    if (const auto known = names.find(sample.target); known != names.end()) {
+      sample.target = known->second;
+    }
   }
 }
 

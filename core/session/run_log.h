@@ -28,8 +28,10 @@ public:
   /// Clears the log. The records appended next are results of `project` as it is now, tracked with
   /// `threads` filter threads.
   void restart(const Project& project, int threads = 1);
-  /// Sets the project after its parameters or corrections have changed. If no frame is recorded
-  /// yet, the header of the trajectory is also replaced by that of `project`.
+  /// Sets the project after its parameters, corrections or names have changed. If no frame is
+  /// recorded yet, the header of the trajectory is also replaced by that of `project`. A new name
+  /// of a target also replaces the earlier one in the samples so far, and readers then receive all
+  /// records again.
   void change(const Project& project);
   void append(const std::vector<IterationRecord>& records);
   /// Appends the samples of one frame. If this frame is already the last one in the log, its former
@@ -102,6 +104,8 @@ public:
   std::pair<Project, RunStatistics> runReportData() const;
 
 private:
+  void rename(const std::vector<Target>& targets); ///< from the names in project_
+
   mutable std::mutex mutex_;
   std::uint64_t generation_ = 1;
   ThinnedLog<IterationRecord> records_;
