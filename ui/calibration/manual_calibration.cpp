@@ -215,9 +215,13 @@ bool ManualCalibration::isCrossingAt(int camera, const Eigen::Vector2d& pixel, d
   return geometry::crossingAt(cameraAt(camera), grid(), pixel, reach).has_value();
 }
 
-void ManualCalibration::clearPins(int camera) {
-  if (static_cast<std::size_t>(camera) < pins_.size()) {
-    pins_[static_cast<std::size_t>(camera)].clear();
+bool ManualCalibration::hasPins() const {
+  return std::ranges::any_of(pins_, [](const auto& pins) { return !pins.empty(); });
+}
+
+void ManualCalibration::clearPins() {
+  if (hasPins()) {
+    pins_.clear();
     Q_EMIT changed();
   }
 }

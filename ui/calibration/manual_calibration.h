@@ -84,7 +84,10 @@ public:
   /// If there is a pin at most `reach` pixels from `pixel`, removes it. Otherwise pins the grid
   /// point there, if there is one within this distance.
   void togglePin(int camera, const Eigen::Vector2d& pixel, double reach);
-  void clearPins(int camera);
+  /// Returns whether a point is held in any image.
+  bool hasPins() const;
+  /// Releases the points that are held, in all images.
+  void clearPins();
   void beginDrag(int camera, const Eigen::Vector2d& pixel, double reach);
   void dragTo(const Eigen::Vector2d& pixel);
   void endDrag();

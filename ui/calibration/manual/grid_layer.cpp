@@ -205,7 +205,7 @@ void GridLayer::keyPressEvent(QKeyEvent* event) {
     } else if (points_.isClicking()) {
       points_.setClicking(false);
     } else {
-      manual_.clearPins(camera_);
+      manual_.clearPins();
     }
     return;
   }

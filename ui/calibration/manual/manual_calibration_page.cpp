@@ -10,6 +10,7 @@
 #include "ui/widgets/page_title.h"
 
 #include <QLabel>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 namespace dewpoint::ui {
@@ -40,7 +41,21 @@ ManualCalibrationPage::ManualCalibrationPage(ManualCalibration& manual, PointCal
     remark_->setText(QStringLiteral("⚠ ") + sentence);
     remark_->setVisible(!sentence.isEmpty());
   });
+  makeReleaseKey(manual, points);
   onRetranslate(this, [this] { retranslateUi(); });
+}
+
+void ManualCalibrationPage::makeReleaseKey(ManualCalibration& manual, PointCalibrator& points) {
+  auto* release = new QShortcut(Qt::Key_Escape, this); // of the window, while the page is shown
+  release->setAutoRepeat(false);
+  // Without a held point, Esc belongs to the rest of the window.
+  const auto follow = [release, &manual, &points] {
+    release->setEnabled(manual.takesClicks() && manual.hasPins() && !points.isClicking());
+  };
+  follow();
+  connect(&manual, &ManualCalibration::changed, release, follow);
+  connect(&points, &PointCalibrator::changed, release, follow);
+  connect(release, &QShortcut::activated, &manual, &ManualCalibration::clearPins);
 }
 
 void ManualCalibrationPage::retranslateUi() {

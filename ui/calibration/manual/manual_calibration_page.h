@@ -21,6 +21,8 @@ public:
 
 private:
   void retranslateUi();
+  /// Lets Esc release the held points of all images, whichever part of the window has the focus.
+  void makeReleaseKey(ManualCalibration& manual, PointCalibrator& points);
 
   QLabel* guide_;
   QLabel* remark_;

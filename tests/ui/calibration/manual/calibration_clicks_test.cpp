@@ -25,6 +25,7 @@ private Q_SLOTS:
   void noHintAboutColorsOnThePages();
   void aColorCanBeLearnedWhileThePanelIsOpen();
   void aDoubleClickBesideTheGridFits();
+  void escapeReleasesTheHeldPointsOfAllImages();
   void beforeShowsTheChosenCameras();
   void singleKeysStayInThePanel();
 
@@ -98,6 +99,26 @@ void CalibrationClicksTest::aDoubleClickBesideTheGridFits() {
   QVERIFY(!view(0)->isZoomed());
   QCOMPARE(manual->pins(0).size(), pins); // none is left by the first of the two clicks
   QCOMPARE(history().count(), 0);
+}
+
+void CalibrationClicksTest::escapeReleasesTheHeldPointsOfAllImages() {
+  auto* manual = window_->findChild<ManualCalibration*>();
+  const auto holdBoth = [this, manual] {
+    for (int k = 0; k < 2; ++k) {
+      click(k, seen(k, crossings(k).front()));
+      QCOMPARE(manual->pins(k).size(), std::size_t{1});
+    }
+  };
+  manual->clearPins();
+  holdBoth();
+  QTest::keyClick(layer(1), Qt::Key_Escape);
+  QVERIFY(!manual->hasPins());
+  holdBoth();
+  auto* list = find<QComboBox>("gridCompare"); // in the panel
+  QVERIFY(list->isVisible());
+  list->setFocus();
+  QTest::keyClick(list, Qt::Key_Escape);
+  QVERIFY(!manual->hasPins());
 }
 
 void CalibrationClicksTest::beforeShowsTheChosenCameras() {
