@@ -24,8 +24,15 @@ CameraReport explainByColor(const cv::Mat& image, const ColorClassifier& color,
     return {CameraStatus::Dark, 0.0};
   }
   const auto expected = projector.project(estimate.mean);
-  if (!expected || !known || !estimate.cameras[camera].inView) {
+  const bool expectedHere = expected && known && estimate.cameras[camera].inView;
+  if (!expectedHere && estimate.valid) {
     return {CameraStatus::OutOfView, 0.0};
+  }
+  // A position that is only searched from does not say that the target is outside the image.
+  if (!expected) {
+    return cv::countNonZero(matchImage(image, color)) > 0
+               ? CameraReport{} // behind the camera there is no distance to name
+               : CameraReport{CameraStatus::NoColor, 0.0};
   }
   const auto distance = distanceToNearest(matchImage(image, color), *expected);
   return distance ? CameraReport{CameraStatus::Elsewhere, *distance}

@@ -254,6 +254,27 @@ TEST(BarreraTracker, AnotherTargetColorIsNotSeen) {
   EXPECT_EQ(tracker->iterate(team).camerasSeeing, 0);
 }
 
+// The start of the paper lies outside both images, and the ball is in both.
+TEST(BarreraTracker, SearchingFromOutsideAnImageDoesNotSayThatTheTargetIsOutside) {
+  const CameraRig rig = barreraRig();
+  ThreadTeam team;
+  const auto tracker = startedBarrera(parameters(), rig);
+  tracker->beginFrame(ballFrames(rig, kBallCenter));
+  EXPECT_FALSE(tracker->iterate(team).valid);
+  for (const CameraReport& report : tracker->cameraReports()) {
+    EXPECT_EQ(report.status, CameraStatus::Elsewhere);
+    EXPECT_GT(report.pixels, 100.0);
+  }
+  Target blue = redBall();
+  blue.color.hueMin = 220.0;
+  blue.color.hueMax = 260.0;
+  tracker->setTarget(blue);
+  EXPECT_FALSE(tracker->iterate(team).valid);
+  for (const CameraReport& report : tracker->cameraReports()) {
+    EXPECT_EQ(report.status, CameraStatus::NoColor);
+  }
+}
+
 TEST(BarreraTracker, IterationsPerFrameComeFromTheParameters) {
   const auto tracker = startedBarrera(parameters({{"iterations_per_frame", 7}}), barreraRig());
   EXPECT_EQ(tracker->iterationsPerFrame(), 7);
