@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/decimal_field.h"
 
-#include <QEvent>
+#include <QFocusEvent>
+#include <QLineEdit>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QSignalBlocker>
 
 namespace dewpoint::ui {
+
+DecimalField::DecimalField(QWidget* parent) : QDoubleSpinBox(parent) {
+  lineEdit()->installEventFilter(this);
+}
 
 QString DecimalField::localized(const QString& typed) const {
   // Printed texts have the real minus sign; without this, a pasted "−5" would become 5.
@@ -33,6 +39,27 @@ void DecimalField::changeEvent(QEvent* event) {
     const QSignalBlocker quiet(this);
     setValue(value()); // writes it anew
   }
+}
+
+void DecimalField::focusInEvent(QFocusEvent* event) {
+  QDoubleSpinBox::focusInEvent(event);
+  selectsOnRelease_ = event->reason() == Qt::MouseFocusReason;
+}
+
+void DecimalField::mousePressEvent(QMouseEvent* event) {
+  selectsOnRelease_ = false; // on the arrows, not in the text
+  QDoubleSpinBox::mousePressEvent(event);
+}
+
+bool DecimalField::eventFilter(QObject* watched, QEvent* event) {
+  // Not earlier: the press sets the caret. A text that was dragged over stays selected.
+  if (watched == lineEdit() && event->type() == QEvent::MouseButtonRelease && selectsOnRelease_) {
+    selectsOnRelease_ = false;
+    if (!lineEdit()->hasSelectedText()) {
+      selectAll();
+    }
+  }
+  return QDoubleSpinBox::eventFilter(watched, event);
 }
 
 QValidator::State DecimalField::validate(QString& text, int& position) const {

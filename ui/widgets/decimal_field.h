@@ -9,19 +9,25 @@ namespace dewpoint::ui {
 
 /// Number field in the format of the selected language. It accepts a point or a comma as decimal
 /// separator and immediately shows how the input is interpreted. It does not use thousands
-/// separators.
+/// separators. The click that gives it the focus selects the number, as the Tab key does, so that
+/// typing replaces it; the next click sets the caret.
 class DecimalField : public QDoubleSpinBox {
 public:
-  using QDoubleSpinBox::QDoubleSpinBox;
+  explicit DecimalField(QWidget* parent = nullptr);
 
   QValidator::State validate(QString& text, int& position) const override;
   double valueFromText(const QString& text) const override;
 
 protected:
   void changeEvent(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   QString localized(const QString& typed) const;
+
+  bool selectsOnRelease_ = false; ///< the click in progress has given the focus
 };
 
 } // namespace dewpoint::ui

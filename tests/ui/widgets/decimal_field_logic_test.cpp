@@ -2,7 +2,12 @@
 // What a person may type into a field for a number, and how it is taken.
 #include "ui/widgets/decimal_field.h"
 
+#include <QApplication>
+#include <QFocusEvent>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QLocale>
+#include <QMouseEvent>
 #include <gtest/gtest.h>
 
 namespace dewpoint::tests {
@@ -109,6 +114,35 @@ TEST_F(DecimalFieldTest, SignsInTheUnitDoNotCount) {
   EXPECT_EQ(stateOf("2,5 p.c."), QValidator::Acceptable);
   EXPECT_EQ(shownFor("2,5 p.c."), QStringLiteral("2.5 p.c."));
   EXPECT_EQ(field_.valueFromText(QStringLiteral("2,5 p.c.")), 2.5);
+}
+
+/// A click into the text of a field, with or without the focus that it brings.
+void clickInto(DecimalField& field, bool bringsFocus) {
+  if (bringsFocus) {
+    QFocusEvent focus(QEvent::FocusIn, Qt::MouseFocusReason);
+    QApplication::sendEvent(&field, &focus);
+  }
+  auto* text = field.findChild<QLineEdit*>();
+  const QPointF place(text->rect().center());
+  for (const auto type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+    QMouseEvent event(type, place, text->mapToGlobal(place), Qt::LeftButton,
+                      type == QEvent::MouseButtonPress ? Qt::LeftButton : Qt::NoButton, {});
+    QApplication::sendEvent(text, &event);
+  }
+}
+
+TEST_F(DecimalFieldTest, TheFirstClickSelectsTheNumberAndTheNextSetsTheCaret) {
+  field_.setSuffix(QStringLiteral(" m"));
+  field_.setValue(2.55);
+  field_.resize(120, 30);
+  const auto* text = field_.findChild<QLineEdit*>();
+  clickInto(field_, true);
+  EXPECT_EQ(text->selectedText(), QStringLiteral("2.55"));
+  QKeyEvent seven(QEvent::KeyPress, Qt::Key_7, {}, QStringLiteral("7"));
+  QApplication::sendEvent(&field_, &seven);
+  EXPECT_EQ(field_.text(), QStringLiteral("7 m"));
+  clickInto(field_, false);
+  EXPECT_FALSE(text->hasSelectedText());
 }
 
 TEST_F(DecimalFieldTest, AnotherLanguageWritesTheNumberAnew) {
