@@ -55,6 +55,9 @@ std::string meters(double value, double step, const std::string& decimalPoint) {
 }
 
 constexpr double kNumberRoom = 20.0; ///< pixels from one number of an axis to the next
+/// Pixels from the last but one number to the last, which is wider by its unit, side by side.
+constexpr double kUnitRoom = 34.0;
+constexpr double kLineRoom = 14.0; ///< pixels from one line of text to the next
 // Of the extent's size: the plane lies so far below the lines, and below what is lowest.
 constexpr double kPlaneBelow = 0.0015;
 constexpr double kMarginBelow = 0.01;
@@ -135,6 +138,9 @@ void Ground::drawNumbers() {
     const auto first = static_cast<long>(std::ceil(low[axis] / step - 1e-6));
     const auto last = static_cast<long>(std::floor(high[axis] / step + 1e-6));
     for (long i = first; i <= last; ++i) {
+      if (isUnitCrowded_[static_cast<std::size_t>(axis)] && i == last - 1 && i != first) {
+        continue; // the last number, with the unit, needs its place
+      }
       const double value = static_cast<double>(i) * step;
       Eigen::Vector3d point(low.x(), low.y(), 0.0);
       point[axis] = value;
@@ -155,11 +161,13 @@ void Ground::thinNumbers(const ScreenScale& scale) {
   const Eigen::Vector3d corner(extent_.min().x(), extent_.min().y(), 0.0);
   const Eigen::Vector3d opposite(extent_.max().x(), extent_.max().y(), height_);
   Eigen::Vector3d steps = Eigen::Vector3d::Constant(numberStep_);
+  std::array<bool, 3> crowded{};
   for (int axis = 0; axis < 3; ++axis) {
     Eigen::Vector3d end = corner;
     end[axis] = opposite[axis];
     const double length = end[axis] - corner[axis];
-    const double pixels = (scale.project(end) - scale.project(corner)).norm() / scale.pixelRatio;
+    const Eigen::Vector2d edge = (scale.project(end) - scale.project(corner)) / scale.pixelRatio;
+    const double pixels = edge.norm();
     const double needed = kNumberRoom * length / std::max(pixels, 1.0);
     for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
       steps[axis] = numberStep_ * factor;
@@ -167,9 +175,13 @@ void Ground::thinNumbers(const ScreenScale& scale) {
         break;
       }
     }
+    const Eigen::Vector2d way = edge * (steps[axis] / std::max(length, 1e-9));
+    crowded[static_cast<std::size_t>(axis)] =
+        std::abs(way.x()) < kUnitRoom && std::abs(way.y()) < kLineRoom;
   }
-  if (steps != numberSteps_) {
+  if (steps != numberSteps_ || crowded != isUnitCrowded_) {
     numberSteps_ = steps;
+    isUnitCrowded_ = crowded;
     drawNumbers();
   }
 }

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <vtkPolyData.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,8 @@ private:
   double minorStep_ = 0.1;
   double numberStep_ = 1.0;                               ///< at least, meters
   Eigen::Vector3d numberSteps_ = Eigen::Vector3d::Ones(); ///< as drawn, along each axis
+  /// Along each axis, whether the last number is so near that the one before it is left out.
+  std::array<bool, 3> isUnitCrowded_{};
   bool isFromSide_ = false; ///< then the numbers along y are below the floor
   std::string decimalPoint_ = ".";
 };
