@@ -68,10 +68,7 @@ void installRunActions(const Workbench& bench) {
   bench.requireRun({"actionPlay", "actionNextFrame", "actionNextIteration", "actionRestart",
                     "actionRestartNewSeed"});
   QObject::connect(run, &SessionController::snapshotChanged, &bench.actions,
-                   [bench](const TrackSnapshotPtr& snapshot) {
-                     if (snapshot == nullptr) {
-                       return;
-                     }
+                   [bench] { // also when there is no run any more
                      QAction* play = bench.action("actionPlay");
                      bench.session.isPlaying()
                          ? bench.actions.rename(play, QT_TRANSLATE_NOOP("Actions", "Pause"),

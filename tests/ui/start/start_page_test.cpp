@@ -100,6 +100,7 @@ void StartPageTest::enterAndSpacePressTheCardWithTheFocus() {
   action("actionCloseProject")->trigger();
   QVERIFY(waitFor([card] { return card->isVisible(); }));
   QVERIFY(!card->isBusy());
+  QVERIFY(!action("actionPlay")->text().contains(QStringLiteral("Pause")));
   QVERIFY(!messages.isVisible()); // the question was about what is closed
   QTest::keyClick(card, Qt::Key_Space);
   QVERIFY(isOpen(1));
