@@ -101,6 +101,8 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
     Q_EMIT targetChosen(shown_);
   });
   connect(name_, &QLineEdit::editingFinished, this, &TargetPanel::rename);
+  // The keys go to the window again: Space plays.
+  connect(name_, &QLineEdit::returnPressed, name_, &QWidget::clearFocus);
   connect(radius_, &QDoubleSpinBox::valueChanged, this, &TargetPanel::resizeTarget);
   connect(shape_, &QComboBox::activated, this, &TargetPanel::reshapeTarget);
   connect(rows_, &TargetRowDelegate::eyeClicked, this, &TargetPanel::toggleShown);

@@ -197,8 +197,10 @@ void StartAndActionsTest::namesAndSizesAreUndoable() {
   openDemo();
   auto* name = find<QLineEdit>("targetName");
   find<QDockWidget>("targetDock")->raise();
+  name->setFocus();
   name->setText(QStringLiteral("my ball"));
   QTest::keyClick(name, Qt::Key_Return);
+  QVERIFY(!name->hasFocus()); // the keys go to the window
   QCOMPARE(window_->document().project().targets[0].name, std::string("my ball"));
   // The session follows: what it publishes next is called so.
   QVERIFY(waitFor([this] { return window_->shown()->targets.at(0).target.name == "my ball"; }));
