@@ -11,6 +11,7 @@
 #include "ui/text/retranslation.h"
 
 #include <QKeyEvent>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -322,16 +323,45 @@ void GridLayer::drawMagnifier(QPainter& painter) {
   }
 }
 
+bool GridLayer::isGridInSight() const {
+  const QRectF area = view_->shownArea();
+  // A line that crosses the area also crosses one of its diagonals.
+  const QLineF diagonals[] = {{area.topLeft(), area.bottomRight()},
+                              {area.topRight(), area.bottomLeft()}};
+  for (const auto& stroke : projectGrid(manual_.shownCamera(camera_), manual_.grid()).strokes) {
+    for (std::size_t k = 0; k < stroke.points.size(); ++k) {
+      const QPointF to = widgetPosition(stroke.points[k], view_->placement());
+      const QLineF part(widgetPosition(stroke.points[k == 0 ? 0 : k - 1], view_->placement()), to);
+      if (area.contains(to) || std::ranges::any_of(diagonals, [&part](const QLineF& diagonal) {
+            return part.intersects(diagonal) == QLineF::BoundedIntersection;
+          })) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+QString GridLayer::shownLabel() const {
+  return !manual_.isEarlierShown() ? QString()
+         : isGridInSight()         ? tr("before")
+                           : tr("before: the grid is outside the visible part of the image");
+}
+
 void GridLayer::drawLabel(QPainter& painter) {
-  if (!manual_.isEarlierShown()) {
+  const QString text = shownLabel();
+  if (text.isEmpty()) {
     return;
   }
-  const QString text = tr("before");
-  const QRectF box = painter.fontMetrics().boundingRect(text).toRectF().adjusted(-8, -4, 8, 4);
+  const int room = std::max(1, static_cast<int>(view_->shownArea().width()) - 32);
+  const QRectF box = painter.fontMetrics()
+                         .boundingRect(QRect(0, 0, room, height()), Qt::TextWordWrap, text)
+                         .toRectF()
+                         .adjusted(-8, -4, 8, 4);
   const QRectF label(view_->shownArea().topLeft() + QPointF(8.0, 8.0), box.size());
   painter.fillRect(label, QColor(0, 0, 0, 180));
   painter.setPen(QColor("#f0e442"));
-  painter.drawText(label, Qt::AlignCenter, text);
+  painter.drawText(label, Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
 void GridLayer::paintEvent(QPaintEvent*) {

@@ -29,6 +29,8 @@ public:
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   int camera() const { return camera_; }
+  /// Returns the text in the corner while earlier cameras are shown; otherwise nothing.
+  QString shownLabel() const;
   /// Returns whether the edges drawn over the image were detected in the newest image. Also true
   /// while no edges are shown.
   bool isDrawn() const;
@@ -62,6 +64,8 @@ private:
   void drawPoints(QPainter& painter);
   void drawMagnifier(QPainter& painter);
   void drawLabel(QPainter& painter);
+  /// Returns whether a line of the grid runs through the visible part of the image.
+  bool isGridInSight() const;
   FramePtr frame() const;
   Eigen::Vector2d pixelAt(QPointF position) const;
   bool isInside(const Eigen::Vector2d& pixel) const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What clicks and single keys mean while the calibration panel is open, and what "Before" shows.
+#include "core/base/angle.h"
 #include "tests/ui/calibration/calibration_window.h"
 #include "tests/ui/window_test.h"
 #include "ui/calibration/manual_calibration.h"
@@ -27,6 +28,7 @@ private Q_SLOTS:
   void aDoubleClickBesideTheGridFits();
   void escapeReleasesTheHeldPointsOfAllImages();
   void beforeShowsTheChosenCameras();
+  void beforeSaysThatItsGridIsOutOfSight();
   void singleKeysStayInThePanel();
 
 private:
@@ -119,6 +121,21 @@ void CalibrationClicksTest::escapeReleasesTheHeldPointsOfAllImages() {
   list->setFocus();
   QTest::keyClick(list, Qt::Key_Escape);
   QVERIFY(!manual->hasPins());
+}
+
+void CalibrationClicksTest::beforeSaysThatItsGridIsOutOfSight() {
+  auto* manual = window_->findChild<ManualCalibration*>();
+  const Camera facing = camera(0);
+  QVERIFY(manual->setGrid(QStringLiteral("grid"), grid_, {}));
+  QVERIFY(layer(0)->shownLabel().isEmpty());
+  manual->showEarlier(EarlierCameras::LastChange);
+  QCOMPARE(layer(0)->shownLabel(), QStringLiteral("before"));
+  manual->showEarlier({});
+  manual->change(0, QStringLiteral("away"),
+                 rotated(facing, {0.0, 0.0, 180.0 * base::kDegree}, NudgeFrame::World));
+  manual->change(0, QStringLiteral("back"), facing);
+  manual->showEarlier(EarlierCameras::LastChange);
+  QVERIFY(layer(0)->shownLabel().contains(QStringLiteral("outside")));
 }
 
 void CalibrationClicksTest::beforeShowsTheChosenCameras() {
