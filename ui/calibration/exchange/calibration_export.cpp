@@ -225,7 +225,7 @@ void CalibrationExportDialog::finish(const Result<CalibrationConversion>& writte
     files << QString::fromStdString(one.string());
   }
   const QString sentence = tr("Saved %1.").arg(files.join(QStringLiteral(", ")));
-  showPreview(sentence, false); // until an answer changes: there is nothing else to write
+  showResult(sentence); // until an answer changes: there is nothing else to write
   Q_EMIT done(sentence);
 }
 

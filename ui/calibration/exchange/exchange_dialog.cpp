@@ -35,6 +35,7 @@ ExchangeDialog::ExchangeDialog(const QString& name, QWidget* parent)
   accept_->setObjectName(name + QStringLiteral("Accept"));
   close_->setObjectName(name + QStringLiteral("Close"));
   preview_->setObjectName(name + QStringLiteral("Preview"));
+  previewLabel_->setObjectName(name + QStringLiteral("PreviewTitle"));
   preview_->setReadOnly(true);
   preview_->setTabChangesFocus(true);
   preview_->setMinimumSize(460, 200);
@@ -94,7 +95,7 @@ void ExchangeDialog::begin() {
     choose_->setText(tr("Choose…"));
     choose_->setAccessibleName(tr("Choose the file"));
     choose_->setToolTip(tr("Choose the file to read or write"));
-    previewLabel_->setText(tr("Preview"));
+    setShowsResult(showsResult_);
     preview_->setAccessibleName(previewLabel_->text());
     preview_->setPlaceholderText(
         tr("Choose a file. A preview of the result is shown here before anything changes."));
@@ -174,9 +175,20 @@ void ExchangeDialog::showPreview(const QString& text, bool ready) {
   if (rerunPreview_) {
     return; // of answers that have changed since
   }
+  setShowsResult(false);
   preview_->setPlainText(text);
   ready_ = ready;
   accept_->setEnabled(ready);
+}
+
+void ExchangeDialog::showResult(const QString& text) {
+  showPreview(text, false);
+  setShowsResult(!rerunPreview_);
+}
+
+void ExchangeDialog::setShowsResult(bool shows) {
+  showsResult_ = shows;
+  previewLabel_->setText(shows ? tr("Result") : tr("Preview"));
 }
 
 } // namespace dewpoint::ui

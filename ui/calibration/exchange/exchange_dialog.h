@@ -58,6 +58,9 @@ protected:
   /// Runs a long task in another thread. The dialog cannot be accepted until the task ends.
   void runTask(const Preview& task);
   void showPreview(const QString& text, bool ready);
+  /// Shows the result of the task in place of the preview. The dialog cannot be accepted again
+  /// before a new preview.
+  void showResult(const QString& text);
   QComboBox* addChoice(const char* name);
   QLabel* addRow(QWidget* field);
   void addButton(QPushButton* button);
@@ -69,11 +72,13 @@ protected:
 private:
   void start();
   void refreshPreview();
+  void setShowsResult(bool shows);
 
   QLineEdit* file_;
   QFormLayout* form_;
   QHBoxLayout* fileRow_;
   QLabel* previewLabel_;
+  bool showsResult_ = false; ///< instead of a preview
   QPlainTextEdit* preview_;
   QPushButton* close_;
   BackgroundJob* job_;

@@ -248,6 +248,7 @@ void CalibrationImportTest::whatIsExportedComesBack() {
       [&] { return find<MessageBar>("messageBar")->text().contains(QStringLiteral("Saved")); }));
   QVERIFY(out->isVisible()); // for another format, as the export of a trajectory
   QVERIFY(preview("calibrationExportPreview").contains(QStringLiteral("Saved")));
+  QCOMPARE(find<QLabel>("calibrationExportPreviewTitle")->text(), QStringLiteral("Result"));
   // Cameras elsewhere; then they come back from the file.
   QVERIFY(window_->document().edit(QStringLiteral("elsewhere"), [](Project& project) {
     for (ProjectCamera& one : project.cameras) {
