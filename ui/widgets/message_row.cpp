@@ -9,6 +9,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QCursor>
+#include <QDockWidget>
 #include <QEvent>
 #include <QLayout>
 #include <QLineEdit>
@@ -38,6 +39,14 @@ bool isTextField(const QWidget* widget) {
 /// Whether one who leaves a field for this widget goes on filling in a form.
 bool isInForm(const QWidget* widget) {
   return isTextField(widget) || qobject_cast<const QComboBox*>(widget) != nullptr;
+}
+
+/// The dock that contains a widget; null outside of docks.
+const QDockWidget* dockOf(const QWidget* widget) {
+  while (widget != nullptr && qobject_cast<const QDockWidget*>(widget) == nullptr) {
+    widget = widget->parentWidget();
+  }
+  return static_cast<const QDockWidget*>(widget);
 }
 
 } // namespace
@@ -194,6 +203,14 @@ bool MessageRow::eventFilter(QObject* watched, QEvent* event) {
     if (QWidget* focus = QApplication::focusWidget();
         focus != nullptr && focus->window() == window() && isTextField(focus)) {
       typedIn_ = focus;
+    }
+  }
+  if (event->type() == QEvent::Wheel && typedIn_ != nullptr) {
+    // Who turns the wheel elsewhere, as to zoom an image, has left the form. The room goes now, not
+    // after the press that begins a drag.
+    const auto* under = qobject_cast<const QWidget*>(watched);
+    if (under != nullptr && under->window() == window() && dockOf(under) != dockOf(typedIn_)) {
+      typedIn_ = nullptr;
     }
   }
   if (watched != bar_ && watched != notices_) {

@@ -5,7 +5,9 @@
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/message_row.h"
 
+#include <QApplication>
 #include <QDoubleSpinBox>
+#include <QWheelEvent>
 
 #include <cstdlib>
 
@@ -18,6 +20,7 @@ private Q_SLOTS:
   void init() { openCalibration(); }
   void cleanup() { window_.reset(); }
   void aMessageThatGoesLeavesItsRoom();
+  void theWheelOverAnImageEndsTheRoom();
   void aFieldThatIsLeftMayEndTheMessage();
   void aMessageThatComesLiesOverTheViews();
 
@@ -51,6 +54,26 @@ void MessageRoomTest::aMessageThatGoesLeavesItsRoom() {
   layer(0)->setFocus();
   QVERIFY(waitFor([this] { return roomHeight() == 0; }));
   QVERIFY(waitFor([&] { return top() < before - kStill; }));
+}
+
+// Not only the press on the image, when a drag begins.
+void MessageRoomTest::theWheelOverAnImageEndsTheRoom() {
+  messages()->showError(QStringLiteral("something is wrong"));
+  QVERIFY(waitFor([this] { return roomHeight() > kStill; }));
+  auto* field = typeInTheForm();
+  messages()->dismiss();
+  const auto turn = [](QWidget* under) {
+    const QPointF at(under->rect().center());
+    QWheelEvent event(at, under->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(under, &event);
+  };
+  turn(find<QWidget>("handPage")); // scrolls the form
+  letTimePass(1000);
+  QVERIFY(roomHeight() > kStill);
+  turn(layer(0));
+  QVERIFY(waitFor([this] { return roomHeight() == 0; }));
+  QVERIFY(field->hasFocus());
 }
 
 void MessageRoomTest::aFieldThatIsLeftMayEndTheMessage() {
