@@ -6343,6 +6343,10 @@ Position x, y, z: %4, %5, %6</translation>
         <source>Close without changing anything</source>
         <translation>Schließen, ohne etwas zu ändern</translation>
     </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ExperimentDialog</name>
@@ -7012,6 +7016,10 @@ Position x, y, z: %4, %5, %6</translation>
     <message>
         <source>before</source>
         <translation>vorher</translation>
+    </message>
+    <message>
+        <source>before: the grid is outside the visible part of the image</source>
+        <translation>vorher: Das Gitter liegt außerhalb des sichtbaren Teils des Bildes</translation>
     </message>
 </context>
 <context>

@@ -6343,6 +6343,10 @@ Posición x, y, z: %4, %5, %6</translation>
         <source>Close without changing anything</source>
         <translation>Cerrar sin cambiar nada</translation>
     </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ExperimentDialog</name>
@@ -7012,6 +7016,10 @@ Posición x, y, z: %4, %5, %6</translation>
     <message>
         <source>before</source>
         <translation>antes</translation>
+    </message>
+    <message>
+        <source>before: the grid is outside the visible part of the image</source>
+        <translation>antes: la cuadrícula está fuera de la parte visible de la imagen</translation>
     </message>
 </context>
 <context>

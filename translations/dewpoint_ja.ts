@@ -6333,6 +6333,10 @@ Position x, y, z: %4, %5, %6</source>
         <source>Close without changing anything</source>
         <translation>何も変更せずに閉じる</translation>
     </message>
+    <message>
+        <source>Result</source>
+        <translation>結果</translation>
+    </message>
 </context>
 <context>
     <name>dewpoint::ui::ExperimentDialog</name>
@@ -7000,6 +7004,10 @@ Position x, y, z: %4, %5, %6</source>
     <message>
         <source>before</source>
         <translation>前</translation>
+    </message>
+    <message>
+        <source>before: the grid is outside the visible part of the image</source>
+        <translation>前: 格子は画像の見えている部分の外にあります</translation>
     </message>
 </context>
 <context>
