@@ -20,8 +20,8 @@ double upperMedianInPlace(std::span<double> values);
 /// Returns 0 if there are no values.
 double median(std::vector<double> values);
 
-/// Returns the quantile `fraction` (0 to 1) of at least one value, interpolated linearly between
-/// neighboring values. `sorted` contains the values in ascending order.
+/// Returns the quantile `fraction` (0 to 1) of values, interpolated linearly between neighboring
+/// values. `sorted` contains the values in ascending order; there must be at least one.
 double quantile(const std::vector<double>& sorted, double fraction);
 
 /// Returns the value that the absolute value of Student's t exceeds with a probability of 5 %

@@ -30,7 +30,7 @@ namespace dewpoint::tracking {
 class Configurable {
 public:
   virtual ~Configurable() = default;
-  /// Sets other parameters of the same method from the next iteration on.
+  /// Sets new values of the method's parameters, which apply from the next iteration on.
   virtual void configure(const ParameterValues& parameters) = 0;
 };
 

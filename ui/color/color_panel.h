@@ -69,8 +69,8 @@ private:
   /// Returns the hint about what to click, shown over the images.
   QString hint() const;
   void connectLearner();
-  /// Returns whether a plain click is expected although the button is off, because there is nothing
-  /// to track yet.
+  /// Returns whether there is nothing to track yet. The panel then expects a click on the object to
+  /// track, even if the user has not turned on *Learn*.
   bool expectsClick() const;
   void showBox();
   void handlePick(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);

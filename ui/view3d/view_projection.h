@@ -24,8 +24,8 @@ public:
     const Eigen::Vector2d place = picture / view_.devicePixelRatioF();
     return {view_.width() / 2.0 + place.x(), view_.height() / 2.0 - place.y()};
   }
-  /// Returns the position in the rendered image of a widget position: device pixels to the right of
-  /// and above the center.
+  /// Converts a position in the widget to a position in the rendered image, given in device pixels
+  /// to the right of its center and above it.
   Eigen::Vector2d toRenderedImage(QPointF position) const {
     const QPointF middle(view_.width() / 2.0, view_.height() / 2.0);
     const QPointF offset = (position - middle) * view_.devicePixelRatioF();

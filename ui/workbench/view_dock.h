@@ -67,7 +67,7 @@ protected:
 Q_SIGNALS:
   /// Emitted when the user wants to maximize this dock or restore the other views.
   void maximizeRequested();
-  /// Emitted when the user hides or shows the dock in the list of views.
+  /// Emitted when the user hides or shows the dock in the list of views, or closes its window.
   void toggledByUser(bool shown);
 
 private:

@@ -32,7 +32,7 @@ Result<Paper> paperNamed(const std::string& name, const std::string& field = "--
 Status printBoard(const BoardDescription& board, const Paper& paper,
                   const std::filesystem::path& file);
 
-/// Returns the number of sheets on which printBoard() splits a board, without the plan; 1 if the
+/// Returns the number of sheets into which printBoard() splits a board, without the plan; 1 if the
 /// board fits on the paper. Error: BadValue, as above.
 Result<int> sheetsToPrint(const BoardDescription& board, const Paper& paper);
 

@@ -8,9 +8,10 @@
 
 namespace dewpoint::calibration {
 
-/// How a board that is larger than the paper is split on several sheets of equal orientation. All
-/// lengths are in millimeters. Positions on the board count from the upper left corner of its
-/// squares, positions on a page from its upper left corner; y points down.
+/// How a board that is larger than the paper is split into parts, one per sheet. All sheets are
+/// portrait, or all are landscape. All lengths are in millimeters. Positions on the board are
+/// measured from the upper left corner of its whole grid of squares, positions on a page from the
+/// upper left corner of the page; y points down.
 struct BoardSheets {
   int columns = 1; ///< sheets side by side
   int rows = 1;    ///< sheets below each other

@@ -46,8 +46,9 @@ public:
   static constexpr double kPrior = 1.0;
   /// Number of observed pixels that count as much as the prior.
   static constexpr double kPriorPixels = 20.0;
-  /// Density below which a color counts as never seen, relative to colors spread evenly over all
-  /// cells.
+  /// u in the formula above, as a multiple of the density of evenly spread colors. Where both t and
+  /// k r are much smaller than this, a color counts as never seen, and its value is about the
+  /// prior.
   static constexpr double kUnseenDensity = 0.3;
   /// Margins between the range and the limits. The hue margin is at least twice the effect of other
   /// light on a hue (withLightVariations()); the other margins are about equal to that effect,

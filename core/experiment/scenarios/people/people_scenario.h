@@ -16,10 +16,10 @@ enum class PeopleClothes { Different, Similar };
 /// People in the simulated office, drawn from a seed.
 struct PeopleScenario {
   OfficeScene scene;
-  /// Time before the people meet, seconds. From then until `after`, a method must keep the
-  /// identities of all people.
+  /// An instant before the people meet, in seconds from the start; 0 if identities are not compared
+  /// in this scenario. The identities at `after` must be the same as at this instant.
   double before = 0.0;
-  double after = 0.0; ///< time after the people have met, seconds
+  double after = 0.0; ///< an instant after they have met, in seconds from the start
 };
 
 /// Returns the names of all scenarios. The scenarios of Mohedano et al. 2009 come first:
