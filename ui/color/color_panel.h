@@ -70,7 +70,7 @@ private:
   QString hint() const;
   void connectLearner();
   /// Returns whether there is nothing to track yet. The panel then expects a click on the object to
-  /// track, even if the user has not turned on *Learn*.
+  /// track, even if the user has not pressed *Learn*.
   bool expectsClick() const;
   void showBox();
   void handlePick(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers);
