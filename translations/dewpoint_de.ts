@@ -6995,8 +6995,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Kameras vor der letzten Änderung</translation>
     </message>
     <message>
-        <source>Cameras that Before shows</source>
-        <translation>Frühere Kameras, die Vorher zeigt</translation>
+        <source>Earlier state that the button Before shows</source>
+        <translation>Früherer Stand, den die Schaltfläche Vorher zeigt</translation>
     </message>
     <message>
         <source>The cameras as they were when you opened this panel, or as they were before the last step that changed a camera</source>

@@ -6995,8 +6995,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>cámaras antes del último cambio</translation>
     </message>
     <message>
-        <source>Cameras that Before shows</source>
-        <translation>Cámaras anteriores que muestra Antes</translation>
+        <source>Earlier state that the button Before shows</source>
+        <translation>Estado anterior que muestra el botón Antes</translation>
     </message>
     <message>
         <source>The cameras as they were when you opened this panel, or as they were before the last step that changed a camera</source>

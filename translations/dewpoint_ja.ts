@@ -6983,8 +6983,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>最後の変更前のカメラ</translation>
     </message>
     <message>
-        <source>Cameras that Before shows</source>
-        <translation>「前の状態」で表示するカメラ</translation>
+        <source>Earlier state that the button Before shows</source>
+        <translation>ボタン「前の状態」で表示する状態</translation>
     </message>
     <message>
         <source>The cameras as they were when you opened this panel, or as they were before the last step that changed a camera</source>

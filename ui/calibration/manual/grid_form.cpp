@@ -167,7 +167,7 @@ void GridForm::retranslateUi() {
   compareLabel_->setText(tr("Before shows"));
   setChoices(*compare_,
              {tr("cameras when the panel was opened"), tr("cameras before the last change")});
-  name(compare_, tr("Cameras that Before shows"),
+  name(compare_, tr("Earlier state that the button Before shows"),
        tr("The cameras as they were when you opened this panel, or as they were before the last "
           "step that changed a camera"));
   refresh();
