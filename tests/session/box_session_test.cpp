@@ -225,7 +225,7 @@ TEST_P(BoxSessionTest, SavesBoxesInPlaceOfATrajectory) {
   Session session(patchInputs(GetParam(), {boxTarget("the patch", patchBox(0))}, 5));
   session.play();
   ASSERT_TRUE(reaches(session, PlayState::Ended));
-  const auto folder = std::filesystem::path(testing::TempDir()) / "boxes_saved";
+  const auto folder = std::filesystem::path(testing::TempDir()) / "boxes_saved" / GetParam();
   std::filesystem::remove_all(folder);
   ASSERT_TRUE(session.saveRun(folder));
   EXPECT_FALSE(std::filesystem::exists(folder / "trajectory.csv"));

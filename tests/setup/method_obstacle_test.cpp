@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 /// A new project of so many cameras without a calibration: where they stand is a guess.
 Project guessed(std::size_t count) {
   NewProject wanted;
-  const fs::path root = fs::path(testing::TempDir()) / "obstacles";
+  // Not the folder of another test, which may run at the same time.
+  const fs::path root = fs::path(testing::TempDir()) / "obstacles" /
+                        testing::UnitTest::GetInstance()->current_test_info()->name();
   for (std::size_t k = 0; k < count; ++k) {
     const fs::path folder = root / std::to_string(k);
     fs::create_directories(folder);
