@@ -6,6 +6,7 @@
 #include "ui/broadcast/output_dialog.h"
 #include "ui/broadcast/page_text.h"
 #include "ui/document/document.h"
+#include "ui/jobs/job_thread.h"
 #include "ui/text/error_sentence.h"
 #include "ui/text/retranslation.h"
 #include "ui/widgets/message_bar.h"
@@ -92,7 +93,6 @@ void OutputController::toggle(bool send) {
 }
 
 void OutputController::open() {
-  using Opened = Result<std::unique_ptr<broadcast::Broadcaster>>;
   const Project& project = bench_.document.project();
   opened_ = project.output;
   if (!opened_.any()) {
@@ -110,33 +110,62 @@ void OutputController::open() {
         self, [self, command] { self->receive(command); }, Qt::QueuedConnection);
     return {};
   };
+  // Ports and files are free again when the outputs before have ended, which may wait for a disk.
+  const std::shared_future<void> before = ended_;
+  const auto end = std::make_shared<std::promise<void>>();
+  ended_ = end->get_future().share();
   // Names of other computers are looked up, which takes time.
-  job_->start([this, inputs](const BackgroundJob::Progress&) -> std::function<void()> {
-    auto opened = std::make_shared<Opened>(broadcast::Broadcaster::open(inputs));
-    return [this, opened] {
-      if (!*opened) {
+  job_->start([this, inputs, before, end,
+               opener = opener_](const BackgroundJob::Progress& isNeeded) -> std::function<void()> {
+    if (before.valid()) {
+      before.wait();
+    }
+    if (!isNeeded(-1.0)) {
+      end->set_value();
+      return {};
+    }
+    auto opened = opener(inputs);
+    if (!opened) {
+      end->set_value();
+      return [this, error = opened.error()] {
         wanted_ = false;
-        bench_.messages.showError(errorText(opened->error()));
-      } else if (wanted_) {
-        broadcaster_ = std::move(**opened);
-        broadcaster_->setPageTexts(pageTexts()); // the language may have changed meanwhile
-        broadcaster_->offer(bench_.session.shown());
-        timer_.start(kUpdate);
-        showStatus();
-      }
-      updateAction();
-      Q_EMIT changed();
-    };
+        bench_.messages.showError(errorText(error));
+        updateAction();
+        Q_EMIT changed();
+      };
+    }
+    // Its destructor waits for its threads. Whoever releases it last does not.
+    const std::shared_ptr<broadcast::Broadcaster> broadcaster(
+        opened->release(), [end](broadcast::Broadcaster* sending) {
+          runDetached([sending, end] {
+            delete sending;
+            end->set_value();
+          });
+        });
+    return [this, broadcaster] { startSending(broadcaster); };
   });
 }
 
+void OutputController::startSending(std::shared_ptr<broadcast::Broadcaster> broadcaster) {
+  if (wanted_) {
+    broadcaster_ = std::move(broadcaster);
+    broadcaster_->setPageTexts(pageTexts()); // the language may have changed meanwhile
+    broadcaster_->offer(bench_.session.shown());
+    timer_.start(kUpdate);
+    showStatus();
+  }
+  updateAction();
+  Q_EMIT changed();
+}
+
 void OutputController::close() {
-  const auto closing = std::exchange(broadcaster_, nullptr);
+  job_->abandon();
+  const bool wasSending = std::exchange(broadcaster_, nullptr) != nullptr;
   timer_.stop();
   label_->hide();
   opened_ = {};
   updateAction();
-  if (closing != nullptr) {
+  if (wasSending) {
     Q_EMIT changed();
   }
 }

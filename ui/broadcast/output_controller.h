@@ -9,7 +9,10 @@
 #include <QString>
 #include <QTimer>
 
+#include <functional>
+#include <future>
 #include <memory>
+#include <utility>
 #include <vector>
 
 class QLabel;
@@ -23,11 +26,17 @@ namespace dewpoint::ui {
 class OutputController : public QObject {
   Q_OBJECT
 public:
+  /// Opens outputs, in a thread of its own; Broadcaster::open() unless set.
+  using Opener = std::function<Result<std::unique_ptr<broadcast::Broadcaster>>(
+      const broadcast::BroadcastInputs&)>;
+
   explicit OutputController(const Workbench& bench);
 
   bool isSending() const { return broadcaster_ != nullptr; }
   /// Returns how each output is doing; empty while nothing is sent.
   std::vector<broadcast::OutletReport> reports() const;
+  /// Replaces the function that opens outputs.
+  void setOpener(Opener opener) { opener_ = std::move(opener); }
 
 Q_SIGNALS:
   /// Emitted when sending has begun or ended, or when the outputs could not be opened.
@@ -38,6 +47,7 @@ Q_SIGNALS:
 private:
   void toggle(bool send);
   void open();
+  void startSending(std::shared_ptr<broadcast::Broadcaster> broadcaster);
   void close();
   void receive(const broadcast::RemoteCommand& command);
   void showStatus();
@@ -48,9 +58,11 @@ private:
   QLabel* label_;
   QTimer timer_; ///< updates the label
   BackgroundJob* job_;
-  std::shared_ptr<broadcast::Broadcaster> broadcaster_;
-  OutputSettings opened_; ///< settings of the open outputs
-  bool wanted_ = false;   ///< the user has switched sending on
+  Opener opener_ = broadcast::Broadcaster::open;
+  std::shared_ptr<broadcast::Broadcaster> broadcaster_; ///< deleted in a thread of its own
+  std::shared_future<void> ended_; ///< ready when the last outputs that were opened have ended
+  OutputSettings opened_;          ///< settings of the open outputs
+  bool wanted_ = false;            ///< the user has switched sending on
 };
 
 } // namespace dewpoint::ui

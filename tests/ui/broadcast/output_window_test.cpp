@@ -2,6 +2,7 @@
 // Results that leave the real window while it tracks: the dialog, the switch, and what arrives.
 #include "core/base/text_file.h"
 #include "core/broadcast/transport/file_descriptor.h"
+#include "tests/ui/gate.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/window_test.h"
 #include "ui/broadcast/output_controller.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <arpa/inet.h>
+#include <memory>
 #include <netinet/in.h>
 #include <string>
 #include <sys/socket.h>
@@ -27,18 +29,28 @@
 namespace dewpoint::tests {
 namespace {
 
-/// What a browser gets from a page of this computer.
-std::string loadedPage(const std::string& address) {
+/// Connects to a port of this computer, sends a text, and returns the connection; its number is -1
+/// if that failed.
+broadcast::FileDescriptor connected(const std::string& address, const std::string& text) {
   const auto colon = address.rfind(':');
   sockaddr_in place{};
   place.sin_family = AF_INET;
   place.sin_port = htons(static_cast<std::uint16_t>(std::stoi(address.substr(colon + 1))));
   place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  const broadcast::FileDescriptor browser(::socket(AF_INET, SOCK_STREAM, 0));
-  const std::string request = "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n";
+  broadcast::FileDescriptor connection(::socket(AF_INET, SOCK_STREAM, 0));
+  if (::connect(connection.number(), reinterpret_cast<const sockaddr*>(&place), sizeof place) !=
+          0 ||
+      ::send(connection.number(), text.data(), text.size(), 0) <= 0) {
+    connection.close();
+  }
+  return connection;
+}
+
+/// What a browser gets from a page of this computer.
+std::string loadedPage(const std::string& address) {
+  const auto browser = connected(address, "GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n");
   std::string page;
-  if (::connect(browser.number(), reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0 &&
-      ::send(browser.number(), request.data(), request.size(), 0) > 0) {
+  if (browser.number() >= 0) {
     char part = 0;
     while (::recv(browser.number(), &part, 1, 0) == 1) {
       page += part;
@@ -60,6 +72,7 @@ private Q_SLOTS:
   void aWrongAddressIsSaidInTheDialog();
   void anotherProjectSendsNothing();
   void thePageHasTheLanguageOfTheWindow();
+  void outputsThatHangHoldNobodyUp();
 
 private:
   OutputController& outputs() { return *window_->findChild<OutputController*>(); }
@@ -156,6 +169,46 @@ void OutputWindowTest::thePageHasTheLanguageOfTheWindow() {
   QVERIFY(
       waitFor([&] { return loadedPage(address).find("<html lang=\"de") != std::string::npos; }));
   window_->setLanguage(QStringLiteral("en"));
+}
+
+// A thread of the outputs that does not return: the window neither waits for it nor opens the port
+// that it still has.
+void OutputWindowTest::outputsThatHangHoldNobodyUp() {
+  QVERIFY(document().edit(QStringLiteral("Set outputs"), [](Project& project) {
+    project.output.tcp = 0;
+    project.output.token = "secret";
+  }));
+  const auto gate = std::make_shared<test::Gate>();
+  outputs().setOpener([gate](broadcast::BroadcastInputs inputs) {
+    inputs.receiver = [gate](const broadcast::RemoteCommand&) -> Status {
+      gate->pass();
+      return {};
+    };
+    return broadcast::Broadcaster::open(inputs);
+  });
+  QSignalSpy changed(&outputs(), &OutputController::changed);
+  auto* send = action("actionSendResults");
+  send->trigger();
+  QVERIFY(outputs().isSending() || changed.wait(kTimeoutMs));
+  const auto client = connected(outputs().reports().at(0).address,
+                                "{\"token\":\"secret\",\"command\":\"start\"}\n");
+  QVERIFY(client.number() >= 0);
+  QVERIFY(waitFor([&] { return gate->waiting() == 1; }));
+  send->trigger();
+  QVERIFY(!outputs().isSending());
+  QVERIFY(send->isEnabled());
+  send->trigger(); // on again, which has to wait
+  QTest::qWait(50);
+  QVERIFY(!outputs().isSending());
+  QCOMPARE(gate->waiting(), 1);
+  open(); // another project takes the place of the one whose outputs hang
+  QVERIFY(send->isEnabled());
+  QVERIFY(!send->isChecked());
+  QVERIFY(document().edit(QStringLiteral("Set outputs"),
+                          [](Project& project) { project.output.tcp = 0; }));
+  send->trigger();
+  gate->open();
+  QVERIFY(waitFor([&] { return outputs().isSending(); }));
 }
 
 DEWPOINT_WINDOW_TEST(OutputWindowTest)
