@@ -25,9 +25,9 @@ template <std::size_t Count>
   return sum;
 }
 
-/// Returns the natural logarithm of x, which must be positive and normal. Method: x = 2^k m with m
-/// between sqrt(1/2) and sqrt(2), and the series of log m = 2 artanh((m - 1) / (m + 1)). The
-/// omitted terms of the series are below 1e-17.
+/// Returns the natural logarithm of x, which must be a positive normal number (not subnormal,
+/// infinite or NaN). Method: x = 2^k m with m between sqrt(1/2) and sqrt(2), and the series of log
+/// m = 2 artanh((m - 1) / (m + 1)). The omitted terms of the series are below 1e-17.
 [[gnu::always_inline]] inline double logarithm(double x) {
   constexpr std::array<double, 11> kArtanh{1.0,        1.0 / 3.0,  1.0 / 5.0,  1.0 / 7.0,
                                            1.0 / 9.0,  1.0 / 11.0, 1.0 / 13.0, 1.0 / 15.0,
@@ -51,9 +51,9 @@ struct CosineSine {
   double sine;
 };
 
-/// Returns the cosine and sine of an angle, which is given as the fraction turn / 2^32 of a full
-/// turn. The nearest multiple of a quarter turn is subtracted exactly, using integers. The
-/// remainder is at most an eighth of a turn. For such an angle, the omitted terms of the Taylor
+/// Returns the cosine and sine of the angle turn / 2^32, measured in full turns. Method: the
+/// nearest multiple of a quarter turn is subtracted exactly, using integers, and a Taylor series is
+/// evaluated for the remainder, which is at most an eighth of a turn. The omitted terms of the
 /// series are below 1e-16.
 [[gnu::always_inline]] inline CosineSine cosineSine(std::uint32_t turn) {
   constexpr std::array<double, 9> kSine{1.0,

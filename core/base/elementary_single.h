@@ -25,7 +25,8 @@ template <std::size_t Count>
   return sum;
 }
 
-/// Returns the natural logarithm of a positive normal number; see the double-precision version.
+/// Returns the natural logarithm of x, which must be a positive normal number. This is the
+/// single-precision version of logarithm(double) in elementary.h.
 [[gnu::always_inline]] inline float logarithm(float x) {
   constexpr std::array<float, 5> kArtanh{1.0F, 1.0F / 3.0F, 1.0F / 5.0F, 1.0F / 7.0F, 1.0F / 9.0F};
   constexpr auto kRootHalf = std::bit_cast<std::uint32_t>(std::numbers::sqrt2_v<float> / 2.0F);
@@ -43,8 +44,8 @@ struct CosineSineSingle {
   float sine;
 };
 
-/// Returns the cosine and sine of the angle turn / 2^32 of a full turn; see the double-precision
-/// version.
+/// Returns the cosine and sine of the angle turn / 2^32, measured in full turns. This is the
+/// single-precision version of cosineSine() in elementary.h.
 [[gnu::always_inline]] inline CosineSineSingle cosineSineSingle(std::uint32_t turn) {
   constexpr std::array<float, 5> kSine{1.0F, -1.0F / 6.0F, 1.0F / 120.0F, -1.0F / 5040.0F,
                                        1.0F / 362880.0F};
@@ -65,9 +66,9 @@ struct CosineSineSingle {
   return {std::bit_cast<float>(first ^ cosineSign), std::bit_cast<float>(second ^ sineSign)};
 }
 
-/// Returns (word + 1/2) / 2^32, rounded. The result is above 0 and at most 1. It is computed from
-/// two halves of the word because all vector units can convert such small integers to floating
-/// point.
+/// Returns (word + 1/2) / 2^32, rounded. The result is above 0 and at most 1. The two halves of the
+/// word are converted separately, because all vector units can convert such small integers to
+/// floating point.
 [[gnu::always_inline]] inline float toUnitInterval(std::uint32_t word) {
   const auto high = static_cast<float>(static_cast<std::int32_t>(word >> 16U));
   const auto low = static_cast<float>(static_cast<std::int32_t>(word & 0xFFFFU));

@@ -21,22 +21,22 @@ enum class ErrorCode {
   MissingKey,
   WrongType,
   BadValue,
-  Mismatch,
-  EndedEarly,
+  Mismatch,   ///< data does not match other data
+  EndedEarly, ///< a file or recording ended before its expected end
   DeviceUnavailable,
-  ConnectionLost,
-  NotFound,
-  Undetermined,
-  Canceled,
+  ConnectionLost, ///< the camera stopped delivering images
+  NotFound,       ///< the requested item does not exist
+  Undetermined,   ///< the observations do not determine the result
+  Canceled,       ///< stopped at the user's request
   ImagesBlack,
-  ImagesFrozen,
-  ImagesRepeat,
-  ImagesLate,
-  ImagesFew,
+  ImagesFrozen, ///< the images do not change
+  ImagesRepeat, ///< the camera sends some images repeatedly
+  ImagesLate,   ///< the images arrive late
+  ImagesFew,    ///< the camera sends fewer images than it should
 };
 
-/// Failure, described by the file (or the device or network address), the field in the file, and
-/// details. `file` and `field` are empty if they do not apply.
+/// Description of a failure: its kind, the file (or the device or network address), the field in
+/// the file, and details. `file` and `field` are empty if they do not apply.
 struct Error {
   ErrorCode code = ErrorCode::BadValue;
   std::string file;

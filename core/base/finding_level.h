@@ -8,7 +8,7 @@
 
 namespace dewpoint::base {
 
-/// Severity of a finding (a result of a check), in ascending order.
+/// Severity of a finding, which is one result of a check. The levels are in ascending order.
 enum class FindingLevel {
   Ok,     ///< no problem
   Note,   ///< works, but may not be what you want

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The floors of the program as namespaces: each floor sees the names of the floors below it
-// (docs/architecture.md).
+// Namespaces of the floors, which are the layers of the program. Each floor can use the names of
+// the floors below it without qualification (docs/architecture.md).
 #pragma once
 
 namespace dewpoint::base {} // namespace dewpoint::base

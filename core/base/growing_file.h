@@ -17,7 +17,7 @@ namespace dewpoint::base {
 /// FileUnwritable with the reason, for instance a full disk.
 class GrowingFile {
 public:
-  /// Creates the file, or truncates an existing one.
+  /// Creates the file, or empties an existing file.
   static Result<GrowingFile> create(const std::filesystem::path& path);
 
   /// Appends text and passes it to the operating system immediately.

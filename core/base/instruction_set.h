@@ -14,8 +14,8 @@ enum class InstructionSet { Baseline, Avx2, Avx512 };
 /// InstructionSetLimit sets, whichever is lower.
 InstructionSet instructionSet();
 
-/// Limits kernels to an instruction set for the lifetime of this object. Tests and benchmarks use
-/// it to compare the compiled versions of a kernel.
+/// Prevents all kernels from using wider instructions than `limit` while this object exists. Tests
+/// and benchmarks use this class to compare the compiled versions of a kernel.
 class InstructionSetLimit {
 public:
   explicit InstructionSetLimit(InstructionSet limit);

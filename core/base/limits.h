@@ -18,12 +18,13 @@ inline constexpr std::uintmax_t kMaxTextBytes = std::uintmax_t{64} << 20U;
 /// takes 0.5 GiB.
 inline constexpr std::uintmax_t kMaxTableBytes = std::uintmax_t{4} << 30U;
 /// Maximum size of a calibration, in bytes. A calibration of 1000 cameras takes less than 1 MiB,
-/// but the objects that parsers build from text take up to 200 times its size. Files from mrcal
-/// also contain the data from which the calibration was computed. This data does not count towards
-/// the limit: a file that contains it may have up to kMaxTextBytes.
+/// but the objects that a parser builds from a text take up to 200 times the size of the text.
+/// Files from mrcal, a calibration program, also contain the data from which the calibration was
+/// computed. This data does not count towards the limit: a file with such data may have up to
+/// kMaxTextBytes.
 inline constexpr std::uintmax_t kMaxCalibrationBytes = std::uintmax_t{4} << 20U;
-/// Maximum size of a JSON file about one run or take, in bytes. Such files have some kilobytes;
-/// what the parser makes of them takes up to 30 times their size.
+/// Maximum size of a JSON file about one run or take, in bytes. Such files have some kilobytes. The
+/// objects that the parser builds from a file take up to 30 times the size of the file.
 inline constexpr std::uintmax_t kMaxRecordBytes = std::uintmax_t{4} << 20U;
 
 /// Maximum number of cameras in a project, calibration or scene. The largest motion capture stages
@@ -31,7 +32,8 @@ inline constexpr std::uintmax_t kMaxRecordBytes = std::uintmax_t{4} << 20U;
 inline constexpr std::size_t kMaxCameras = 1000;
 /// Maximum number of targets in a project, or of balls and lights in a scene.
 inline constexpr std::size_t kMaxTargets = 1000;
-/// Maximum number of particles of all targets of a project. Their filters take some gigabytes.
+/// Maximum total number of particles of all targets in a project. The filters for this number of
+/// particles take some gigabytes of memory.
 inline constexpr double kMaxParticles = 2e7;
 /// Maximum width or height of an image, in pixels. Line-scan cameras reach 32,768.
 inline constexpr int kMaxImageSide = 100'000;

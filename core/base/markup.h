@@ -7,7 +7,8 @@
 
 namespace dewpoint::base {
 
-/// Escapes text for HTML and SVG, including attributes in double quotes.
+/// Returns the text with its special characters escaped for HTML and SVG. The result can be used as
+/// content or as an attribute value in double quotes.
 std::string htmlEscaped(const std::string& text);
 
 } // namespace dewpoint::base

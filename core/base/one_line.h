@@ -13,8 +13,8 @@ namespace dewpoint::base {
 /// are not valid UTF-8.
 std::size_t utf8Bytes(std::string_view text);
 
-/// Makes part of a message fit on one line. Line breaks, other control characters and invalid
-/// UTF-8, which files may contain, become question marks. Text of more than 4000 bytes is
+/// Returns the text as a single line, for use in a message. Line breaks, other control characters
+/// and bytes that are not valid UTF-8 become question marks. Text of more than 4000 bytes is
 /// truncated.
 std::string toSingleLine(std::string_view text);
 

@@ -3,8 +3,8 @@
 
 namespace dewpoint::base {
 
-/// Visitor with one function per alternative of a variant. If an alternative has no function,
-/// compilation fails with an error that names the alternative.
+/// Visitor for std::visit, built from one function per alternative of a variant. If an alternative
+/// has no function, compilation fails with an error that names the alternative.
 template <class... Functions> struct Overloaded : Functions... { using Functions::operator()...; };
 template <class... Functions> Overloaded(Functions...) -> Overloaded<Functions...>; // for Clang 14
 

@@ -17,9 +17,9 @@ struct Philox {
   static constexpr int kRounds = 10;
 
   /// Replaces the four words `c0` to `c3` of a counter with four random words. `Word` may be a
-  /// 64-bit type in which the upper half of each word is zero. Each product then has the size of a
-  /// `Word`, which suits vector units with 64-bit multiplication. On return, only the lower halves
-  /// are valid.
+  /// 64-bit type, which suits vector units with 64-bit multiplication. The upper halves of such
+  /// words must be zero at the call, and are not valid afterwards. `Round` is used only by the
+  /// function itself.
   template <class Word, int Round = 0>
   [[gnu::always_inline]] static inline void mix(Word& c0, Word& c1, Word& c2, Word& c3,
                                                 std::uint32_t key0, std::uint32_t key1) {

@@ -12,16 +12,17 @@ namespace dewpoint::base {
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                     std::array<std::uint32_t, 2> key);
 
-/// Purpose of random numbers. Each purpose has its own stream.
+/// Purpose for which random numbers are drawn. Each purpose has its own stream, so numbers for
+/// different purposes are independent.
 enum class RandomPurpose : std::uint32_t {
-  Start,
-  Motion,
+  Start,  ///< initial states
+  Motion, ///< motion model
   Resampling,
-  Simulation,
-  Noise,
-  Resize,
-  Proposal,
-  Search
+  Simulation, ///< simulated images and observations
+  Noise,      ///< noise tables
+  Resize,     ///< changes of the number of particles
+  Proposal,   ///< proposal distribution of a particle filter
+  Search      ///< search for a target whose position is unknown
 };
 
 /// Random numbers for one filter iteration. Element i of a stream is a pure function of (seed,
@@ -31,16 +32,16 @@ public:
   RandomStream(std::uint64_t seed, std::uint32_t frame, std::uint32_t iteration,
                RandomPurpose purpose);
 
-  /// Returns four uniform words for element `index`. Other values of `block` yield additional words
-  /// for the same element.
+  /// Returns four uniformly distributed 32-bit words for element `index`. Each value of `block`
+  /// yields four different words for the same element.
   std::array<std::uint32_t, 4> words(std::uint32_t index, std::uint32_t block = 0) const;
   /// Returns a uniform number in [0, 1) with 53 random bits, computed from words(index, block).
   double uniform(std::uint32_t index, std::uint32_t block = 0) const;
   /// Returns three uniform numbers in [0, 1) with 32 random bits each, computed from words(index,
   /// block).
   std::array<double, 3> uniform3(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Returns four independent standard normal numbers (Box-Muller, with the functions of
-  /// elementary.h).
+  /// Returns four independent standard normal numbers, computed from words(index, block) by the
+  /// Box-Muller method (box_muller.h).
   std::array<double, 4> normal4(std::uint32_t index, std::uint32_t block = 0) const;
 
   /// Returns the first three numbers of normal4(), computed in single precision.
@@ -71,7 +72,8 @@ private:
   std::uint32_t purpose_;
 };
 
-/// Derives a seed for part `index` of a computation with seed `seed`. Part 0 uses `seed` unchanged.
+/// Returns the seed for part `index` of a computation whose seed is `seed`. The seed for part 0 is
+/// `seed` itself.
 std::uint64_t derivedSeed(std::uint64_t seed, std::uint32_t index);
 
 } // namespace dewpoint::base

@@ -13,7 +13,7 @@ namespace dewpoint::base {
 /// are no values.
 double upperMedian(std::vector<double> values);
 
-/// Returns the upper median without making a copy; reorders `values`.
+/// Returns the same as upperMedian(), but reorders `values` instead of copying them.
 double upperMedianInPlace(std::span<double> values);
 
 /// Returns the median of the values. For an even count, this is the mean of the two central values.
@@ -26,7 +26,7 @@ double quantile(const std::vector<double>& sorted, double fraction);
 
 /// Returns the value that the absolute value of Student's t exceeds with a probability of 5 %
 /// (Cornish-Fisher expansion; Abramowitz & Stegun 26.7.5). `freedoms`: degrees of freedom, at least
-/// 3; if infinite, returns that of the normal distribution, 1.96.
+/// 3. If `freedoms` is infinite, the result is 1.96, the value for the normal distribution.
 double studentQuantile95(double freedoms);
 
 } // namespace dewpoint::base

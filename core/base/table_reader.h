@@ -27,10 +27,10 @@ inline std::optional<double> tomlNumber(const toml::node& node) {
   return real != nullptr ? std::optional(real->get()) : std::nullopt;
 }
 
-/// Reads the known keys of a TOML table and keeps the first error, with its line. A key that is in
-/// the table but was never requested is an error, because it is probably a typing mistake. If a
-/// requested key is absent, the value stays unchanged; use require() for mandatory keys. Errors
-/// name the file and, as the field, `prefix` followed by the key.
+/// Reads values from a TOML table and keeps the first error, with the line number. If a requested
+/// key is absent, the value stays unchanged; use require() for mandatory keys. finish() reports
+/// keys that are in the table but were never requested, because they are probably typing mistakes.
+/// Errors name the file and, as the field, `prefix` followed by the key.
 class TableReader {
 public:
   TableReader(const toml::table& table, std::string file, std::string prefix)
@@ -38,8 +38,8 @@ public:
 
   bool has(const char* key) const { return table_.contains(key); }
 
-  /// Reads a finite number between `low` and `high`, inclusive, into `value`. Any other value under
-  /// the key is an error.
+  /// Reads a finite number between `low` and `high`, inclusive, into `value`. Records an error if
+  /// the key has any other value. Leaves `value` unchanged if the key is absent.
   void number(const char* key, double& value, double low, double high) {
     const toml::node* node = find(key);
     if (node == nullptr) {
@@ -53,8 +53,8 @@ public:
     }
   }
 
-  /// Reads an integer between `low` and `high`, inclusive, into `value`. Any other value under the
-  /// key is an error.
+  /// Reads an integer between `low` and `high`, inclusive, into `value`. Records an error if the
+  /// key has any other value. Leaves `value` unchanged if the key is absent.
   template <class Integer>
   void integer(const char* key, Integer& value, std::int64_t low, std::int64_t high) {
     const toml::node* node = find(key);
@@ -93,8 +93,8 @@ public:
     }
   }
 
-  /// Returns the table under a key, or null if the key is absent. A value that is not a table is an
-  /// error, and null is returned.
+  /// Returns the table under a key, or null if the key is absent. If the value is not a table,
+  /// records an error and returns null.
   const toml::table* table(const char* key) {
     const toml::node* node = find(key);
     if (node != nullptr && !node->is_table()) {
@@ -103,8 +103,8 @@ public:
     return node != nullptr ? node->as_table() : nullptr;
   }
 
-  /// Returns the node under a key, or null if the key is absent. Use it for values that no other
-  /// function can read. The key then counts as requested.
+  /// Returns the node under a key, or null if the key is absent, and counts the key as requested.
+  /// Use this function for values that no other function can read.
   const toml::node* node(const char* key) { return find(key); }
 
   bool failed() const { return error_.has_value(); }
@@ -118,8 +118,8 @@ public:
   }
 
   /// Reads an array of exactly `count` finite numbers between `low` and `high`, inclusive, into
-  /// `values`. Returns true on success. Returns false, without an error, if the key is absent. Any
-  /// other value is an error, and false is returned.
+  /// `values`. Returns true on success. Returns false, without an error, if the key is absent. If
+  /// the key has any other value, records an error and returns false.
   bool numbers(const char* key, double* values, std::size_t count, double low = -1e6,
                double high = 1e6) {
     const toml::node* node = find(key);
@@ -141,8 +141,8 @@ public:
     return true;
   }
 
-  /// Returns the tables in an array of tables; empty if the key is absent. An array of more than
-  /// `most` tables is an error.
+  /// Returns the tables in an array of tables; empty if the key is absent. If the value is not such
+  /// an array, or has more than `most` tables, records an error and returns an empty list.
   std::vector<const toml::table*> tables(const char* key,
                                          std::size_t most = std::size_t{1} << 20U) {
     std::vector<const toml::table*> result;

@@ -8,7 +8,8 @@
 
 namespace dewpoint::base {
 
-/// Reads a whole text file. Errors: FileMissing, FileUnreadable.
+/// Reads a whole text file, without a UTF-8 byte order mark. Errors: FileMissing; FileUnreadable,
+/// also if the file is larger than limits::kMaxTextBytes.
 Result<std::string> readTextFile(const std::filesystem::path& file);
 
 /// Writes a text file atomically: writes a temporary file in the same folder, flushes it to disk

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Number of threads that share a job. It never affects results.
+// Number of threads that share a job. Results never depend on this number.
 #pragma once
 
 #include "core/base/floors.h"

@@ -13,7 +13,8 @@ namespace dewpoint::base {
 /// on how a range is split, it does not depend on the number of threads either.
 class ThreadTeam {
 public:
-  /// Starts the threads. `threadCount` includes the calling thread, so 1 starts none.
+  /// Starts the additional threads. `threadCount` includes the calling thread, so no thread is
+  /// started if it is 1.
   explicit ThreadTeam(int threadCount = 1);
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
@@ -22,7 +23,7 @@ public:
   int threadCount() const { return threadCount_; }
 
   /// Calls `body(begin, end)` for contiguous pieces that cover [0, count), and returns when all
-  /// calls are done. Not reentrant; `body` must not throw.
+  /// calls are done. `body` must not call this function, and must not throw.
   void forEachRange(std::int64_t count,
                     const std::function<void(std::int64_t, std::int64_t)>& body);
 

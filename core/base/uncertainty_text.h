@@ -17,8 +17,8 @@ std::string twoDigitsText(double value);
 /// not finite.
 std::string uncertaintyText(double value, std::string_view unit);
 
-/// Returns the text of the uncertainty of a length, rounded like uncertaintyText(). The unit is the
-/// millimeter below one meter, and otherwise the meter: "+-3.1 mm", "+-1.2 m".
+/// Returns the text of the uncertainty of a length, rounded as by uncertaintyText(). The unit is
+/// millimeters below one meter and meters otherwise: "+-3.1 mm", "+-1.2 m".
 std::string lengthUncertaintyText(double meters);
 
 } // namespace dewpoint::base

@@ -3,8 +3,8 @@
 
 #include "core/base/instruction_set.h"
 
-/// Marks the function `run` of a kernel. The function must be inlined into each of the versions
-/// that are compiled for different instruction sets.
+/// Declares the function `run` of a kernel: the loop that runKernel() runs. The function must be
+/// inlined, because it is compiled once for each instruction set.
 #define DEWPOINT_KERNEL [[gnu::always_inline]] static inline
 
 #if defined(__x86_64__)
@@ -31,9 +31,9 @@ template <class Kernel, class... Arguments>
 
 /// Runs `Kernel::run(arguments...)`, which is a plain loop without intrinsics. The loop is compiled
 /// once for each instruction set, and the version for this processor is chosen at run time. All
-/// versions give bit-identical floating-point results. The reason is that the compiler may neither
-/// reorder sums nor contract products (-ffp-contract=off), and that kernels use only operations
-/// whose rounding is defined by IEEE 754: the basic ones and the square root.
+/// versions give bit-identical floating-point results for two reasons. The compiler may neither
+/// reorder sums nor contract products (-ffp-contract=off). Kernels use only operations whose
+/// rounding IEEE 754 defines: the basic operations and the square root.
 template <class Kernel, class... Arguments> void runKernel(Arguments... arguments) {
 #if defined(__x86_64__)
   switch (instructionSet()) {
