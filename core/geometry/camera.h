@@ -47,8 +47,7 @@ struct Camera {
 /// All cameras of a project, in a fixed order.
 using CameraRig = std::vector<Camera>;
 
-/// Returns the camera with its pose replaced by the identity: it is at the world origin, with its
-/// axes along the world axes.
+/// Returns the same camera at the world origin, with its axes along the world axes.
 Camera withoutPose(Camera camera);
 
 /// Returns the pose (camera from world) of a camera at `position` that looks at `target`. The

@@ -23,10 +23,10 @@ struct ConvexHull {
 };
 
 /// Computes the convex hull of points by incremental insertion (de Berg et al. 2008, "Computational
-/// Geometry", chapter 11). It uses a plain search instead of conflict lists and is intended for up
-/// to a few thousand points. Vertices keep the order of the points. A point counts as on a face if
-/// its distance to the face is at most 1e-9 times the size of the point cloud. Points in one plane
-/// give vertices without faces.
+/// Geometry", chapter 11). The function is intended for up to a few thousand points, because it
+/// searches all faces for each point. Vertices keep the order of the points. A point is taken to
+/// lie on a face if its distance to the face is at most 1e-9 times the size of the point cloud.
+/// Points in one plane give vertices without faces.
 ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points);
 
 /// Computes the convex hull of points in a plane (Andrew's monotone chain, 1979). The corners are
@@ -34,9 +34,9 @@ ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points);
 /// are returned unchanged.
 std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points);
 
-/// Returns the outline of a hull in a camera's image, in pixels. It may extend outside the image.
-/// It is the convex hull of the projected vertices, which is exact for a pinhole. Vertices that
-/// cannot be projected are left out.
+/// Returns the outline of a hull in a camera's image, in pixels. The outline may extend outside the
+/// image. It is computed as the convex hull of the projected vertices, which is exact for a
+/// pinhole. Vertices that cannot be projected are left out.
 std::vector<Eigen::Vector2d> projectedHull(const Projector& projector, const ConvexHull& hull);
 
 } // namespace dewpoint::geometry

@@ -15,7 +15,7 @@ struct Ellipsoid {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters
   /// Extent (m²): a symmetric matrix whose eigenvalues are the squares of the semi-axes and whose
   /// eigenvectors are the directions of the axes. The covariance of the points inside is one fifth
-  /// of it.
+  /// of this matrix.
   Eigen::Matrix3d extent = Eigen::Matrix3d::Zero();
 
   /// Returns the radius of a ball with the same volume, meters.
@@ -29,7 +29,7 @@ Eigen::Matrix3d ballExtent(double radius);
 struct EllipseImage {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< pixels
   /// Extent (px²): a symmetric matrix whose eigenvalues are the squares of the semi-axes. The
-  /// covariance of the pixels inside is one quarter of it.
+  /// covariance of the pixels inside is one quarter of this matrix.
   Eigen::Matrix2d extent = Eigen::Matrix2d::Zero();
 
   /// Returns the enclosed area, px².
@@ -39,8 +39,8 @@ struct EllipseImage {
   double squaredDistance(const Eigen::Vector2d& pixel) const;
 };
 
-/// Projects ellipsoids into one camera by their tangent cone. The result is exact for a pinhole.
-/// Lens distortion is linearized over the outline.
+/// Projects ellipsoids into the image of one camera. Method: the tangent cone from the optical
+/// center, which is exact for a pinhole. Lens distortion is linearized over the outline.
 class EllipsoidProjector {
 public:
   explicit EllipsoidProjector(const Camera& camera);

@@ -24,13 +24,13 @@ struct ImageBox {
   bool isEmpty() const { return !(width > 0.0 && height > 0.0); }
   bool operator==(const ImageBox&) const = default;
 
-  /// Returns the box with this size around a center, pixels.
+  /// Returns the box of the given size around a center, all in pixels.
   static ImageBox around(const Eigen::Vector2d& center, double width, double height) {
     return {center.x() - 0.5 * width, center.y() - 0.5 * height, width, height};
   }
 };
 
-/// Returns the area of the intersection of two boxes, px². 0 if they do not intersect.
+/// Returns the area of the intersection of two boxes, px², or 0 if they do not intersect.
 inline double intersectionArea(const ImageBox& one, const ImageBox& other) {
   const double across =
       std::min(one.x + one.width, other.x + other.width) - std::max(one.x, other.x);
@@ -39,7 +39,8 @@ inline double intersectionArea(const ImageBox& one, const ImageBox& other) {
   return std::max(0.0, across) * std::max(0.0, down);
 }
 
-/// Returns the intersection over union, in [0, 1]. 0 if a box is empty.
+/// Returns the area of the intersection of two boxes divided by the area of their union, in [0, 1].
+/// Returns 0 if a box is empty.
 inline double intersectionOverUnion(const ImageBox& one, const ImageBox& other) {
   const double common = intersectionArea(one, other);
   return common > 0.0 ? common / (one.area() + other.area() - common) : 0.0;

@@ -23,8 +23,8 @@ struct ImageMargins {
 /// Returns the margins that cut off the same pixels after `symmetry` was applied to the image.
 ImageMargins transformed(const ImageSymmetry& symmetry, ImageMargins margins);
 
-/// Returns the camera for images that are cropped by `after` instead of `before`. Its image size
-/// and its principal point change; everything else stays.
+/// Returns the camera after a change of its cropping margins from `before` to `after`. Only the
+/// image size and the principal point change.
 Camera recropped(Camera camera, const ImageMargins& before, const ImageMargins& after);
 
 } // namespace dewpoint::geometry

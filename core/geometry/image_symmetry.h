@@ -19,7 +19,8 @@ struct ImageSymmetry {
   bool operator==(const ImageSymmetry&) const = default;
 };
 
-/// Returns all eight symmetries: first the identity, then the rotations, then those with mirroring.
+/// Returns all eight symmetries: first the identity, then the pure rotations, then the symmetries
+/// with mirroring.
 const std::array<ImageSymmetry, 8>& imageSymmetries();
 
 /// Returns the position of a pixel after `symmetry` is applied to an image of `width` x `height`
@@ -27,10 +28,10 @@ const std::array<ImageSymmetry, 8>& imageSymmetries();
 Eigen::Vector2d transformed(const ImageSymmetry& symmetry, const Eigen::Vector2d& pixel, int width,
                             int height);
 
-/// Returns the same camera after `symmetry` is applied to its images: with new intrinsics and
-/// distortion coefficients. A rotation also rotates the pose, so that every world point moves
-/// together with the image content. No pose can describe a mirrored image, so mirroring leaves the
-/// pose unchanged.
+/// Returns the camera that matches the images after `symmetry` is applied to them. The intrinsics
+/// and distortion coefficients change accordingly. A rotation also rotates the pose, so that every
+/// world point moves together with the image content. No pose can describe a mirrored image, so
+/// mirroring leaves the pose unchanged.
 Camera transformed(const ImageSymmetry& symmetry, const Camera& camera);
 
 /// Returns the symmetry that equals `first` followed by `second`.

@@ -22,12 +22,13 @@ struct GroundGrid {
 using LevelCurve = std::vector<Eigen::Vector2d>;
 
 /// Returns the curves on which the function equals `level`. The function is interpolated linearly
-/// along the grid edges. Method: marching squares (Lorensen & Cline 1987 in two dimensions). The
-/// mean of the four corners determines how a saddle is cut.
+/// along the grid edges. Method: marching squares (Lorensen & Cline 1987 in two dimensions). If the
+/// corners of a grid cell allow two ways to connect the curve (a saddle), the mean of the four
+/// corners decides.
 std::vector<LevelCurve> levelCurves(const GroundGrid& grid, double level);
 
-/// Returns the level for which the values above it add up to the fraction `probability` of the sum
-/// of all values. The curve at this level is the border of the smallest region with this
+/// Returns the level at which the grid values above this level add up to the fraction `probability`
+/// of the sum of all values. The curve at this level is the border of the smallest region with this
 /// probability. Returns 0 if the sum is zero.
 double levelForProbability(const GroundGrid& grid, double probability);
 

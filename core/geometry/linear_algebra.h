@@ -10,9 +10,9 @@
 
 namespace dewpoint::geometry {
 
-/// Returns the least-squares solution x of `matrix` * x = `right`. It has one column for each
-/// column of `right`. Method: QR with column pivoting. If the matrix does not determine x, the
-/// result is a basic solution.
+/// Returns the least-squares solution x of `matrix` * x = `right`. x has one column for each column
+/// of `right`. Method: QR decomposition with column pivoting. If several x are equally good, the
+/// result is one of them, in general not the smallest.
 Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 Eigen::VectorXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
@@ -24,6 +24,7 @@ struct SymmetricEigen {
 };
 
 /// Computes the eigendecomposition of a symmetric matrix. Only the lower triangle is read.
+/// `converged` is false in the result if the iteration failed.
 SymmetricEigen symmetricEigen(const Eigen::MatrixXd& matrix);
 
 /// Returns the solution x of `matrix` * x = `right` for a positive or negative semidefinite matrix.
@@ -34,12 +35,12 @@ Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& matrix, const Eigen::Matri
 /// nothing for any other matrix.
 std::optional<Eigen::MatrixXd> inversePositiveDefinite(const Eigen::MatrixXd& matrix);
 
-/// Returns the inverse of a square matrix, by LU decomposition with partial pivoting. Elements are
-/// not finite if the matrix is singular.
+/// Returns the inverse of a square matrix, by LU decomposition with partial pivoting. If the matrix
+/// is exactly singular, the result has elements that are not finite.
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
 
-/// The LDLT decomposition of a symmetric matrix, for several right sides. Only the lower triangle
-/// of the matrix is read.
+/// LDLT decomposition of a symmetric matrix, for solving equations with several right sides. Only
+/// the lower triangle of the matrix is read.
 class SymmetricFactor {
 public:
   explicit SymmetricFactor(const Eigen::MatrixXd& matrix);
@@ -57,11 +58,11 @@ private:
   std::unique_ptr<Decomposition> decomposition_;
 };
 
-/// Singular value decomposition by Jacobi rotations.
+/// Singular value decomposition of a matrix, computed by Jacobi rotations.
 class SingularValues {
 public:
-  /// Singular vectors to compute. solve() requires `Thin` or `Full`. With `Full`, matrixV() has all
-  /// columns, with those of the null space last.
+  /// Which singular vectors to compute. solve() requires `Thin` or `Full`. With `Full`, matrixV()
+  /// is square, and its last columns span the null space.
   enum class Vectors { None, Thin, Full };
 
   SingularValues(const Eigen::MatrixXd& matrix, Vectors vectors);
@@ -69,13 +70,14 @@ public:
   SingularValues& operator=(const SingularValues&) = delete;
   ~SingularValues();
 
-  /// Returns the singular values in descending order. Their number is the shorter side of the
-  /// matrix.
+  /// Returns the singular values in descending order. Their number is the number of rows or columns
+  /// of the matrix, whichever is smaller.
   const Eigen::VectorXd& values() const;
   /// Returns the right singular vectors as columns.
   const Eigen::MatrixXd& matrixV() const;
-  /// Returns the least-squares solution x of `matrix` * x = `right`; if there are several, the one
-  /// with the smallest norm. `matrix` is the decomposed matrix.
+  /// Returns the least-squares solution x of `matrix` * x = `right`, where `matrix` is the
+  /// decomposed matrix. If there are several solutions, returns the solution with the smallest
+  /// norm.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
 private:

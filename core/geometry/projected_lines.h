@@ -20,16 +20,16 @@ using ImageLine = std::vector<Eigen::Vector2d>;
 /// Returns the twelve edges of a box, each from corner to corner. World frame, meters.
 std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const WorldBox& box);
 
-/// Projects the straight line between two world points (meters). Left out are the parts behind the
-/// camera, the parts beyond the angle at which the lens model folds back (Projector::project()),
-/// and the parts more than 10,000 pixels away from the image. If such parts lie between visible
-/// parts of the line, the result has several pieces.
+/// Projects the straight line between two world points (meters). Some parts of the line are left
+/// out: parts behind the camera, parts beyond the angle at which the lens model folds back
+/// (Projector::project()), and parts more than 10,000 pixels away from the image. If such parts lie
+/// between visible parts, the result has several pieces.
 std::vector<ImageLine> projectedLine(const Projector& projector, const Eigen::Vector3d& from,
                                      const Eigen::Vector3d& to);
-/// Projects all edges of a box as projectedLine() does.
+/// Projects all edges of a box, each like projectedLine().
 std::vector<ImageLine> projectedEdges(const Projector& projector, const WorldBox& box);
-/// Projects a ray up to 1000 m from its origin. If the ray belongs to a pixel of another camera,
-/// the result is the epipolar line of that pixel.
+/// Projects a ray like projectedLine(), up to 1000 m from the origin of the ray. If the ray belongs
+/// to a pixel of another camera, the result is the epipolar line of that pixel.
 std::vector<ImageLine> projectedRay(const Projector& projector, const Ray& ray);
 
 } // namespace dewpoint::geometry

@@ -10,7 +10,7 @@ namespace dewpoint::geometry {
 
 /// Model of lens distortion, without its coefficients.
 enum class LensModel {
-  Pinhole, ///< OpenCV: rational radial and tangential, k1 k2 p1 p2 k3 k4 k5 k6
+  Pinhole, ///< OpenCV's rational radial and tangential distortion: k1 k2 p1 p2 k3 k4 k5 k6
   Fisheye  ///< OpenCV's cv::fisheye (Kannala and Brandt 2006, odd powers of the angle): k1 k2 k3 k4
 };
 
@@ -20,7 +20,8 @@ struct Projection {
   std::array<double, 3> translation{}; ///< camera from world, meters
   double focalX = 0.0, focalY = 0.0, centerX = 0.0, centerY = 0.0; ///< pixels
   std::array<double, 8> distortion{}; ///< in the order of the lens model
-  /// Largest squared normalized radius at which the distorted radius still increases.
+  /// Largest squared normalized radius at which the distorted radius still increases. The
+  /// normalized radius of a point is its distance from the optical axis divided by its depth.
   double radiusSquaredLimit = 0.0;
 
   /// Minimum depth in front of the camera, meters. Nearer points are not projected.
@@ -33,8 +34,9 @@ struct Projection {
     bool visible; ///< in front of the camera and within the valid angle of the distortion
   };
 
-  /// Projects the world point (x, y, z), meters. The function has no branches, so that loops over
-  /// it can be vectorized. Column and row are meaningless if the point is not visible.
+  /// Projects the world point (x, y, z), meters, with LensModel::Pinhole. `Distorted` is false to
+  /// skip the distortion terms. The function has no branches, so that loops over calls can be
+  /// vectorized. Column and row are meaningless if the point is not visible.
   template <bool Distorted> [[gnu::always_inline]] Pixel pixel(double x, double y, double z) const {
     const auto& r = rotation;
     const double xCamera = r[0] * x + r[1] * y + r[2] * z + translation[0];
@@ -59,8 +61,8 @@ struct Projection {
     return {focalX * u + centerX, focalY * v + centerY, visible};
   }
 
-  /// Projects a world point with LensModel::Fisheye. A point at angle t from the optical axis
-  /// appears at the normalized radius t (1 + k1 t² + k2 t⁴ + k3 t⁶ + k4 t⁸).
+  /// Projects the world point (x, y, z), meters, with LensModel::Fisheye. A point at angle t from
+  /// the optical axis appears at the normalized radius t (1 + k1 t² + k2 t⁴ + k3 t⁶ + k4 t⁸).
   Pixel fisheyePixel(double x, double y, double z) const {
     const auto& r = rotation;
     const double xCamera = r[0] * x + r[1] * y + r[2] * z + translation[0];

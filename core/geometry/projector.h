@@ -11,15 +11,16 @@
 
 namespace dewpoint::geometry {
 
-/// Projects world points into one camera with OpenCV's models (see LensModel). Construction is done
-/// once per camera; projecting a point is then fast.
+/// Projects world points into one camera with OpenCV's models (see LensModel). Create one object
+/// per camera and reuse it: construction prepares data that makes projecting a point fast.
 class Projector {
 public:
   explicit Projector(const Camera& camera);
 
-  /// Returns the pixel (column, row) of a world point in meters. It may lie outside the image.
-  /// Returns nothing for points behind the camera, or beyond the angle where the distortion
-  /// polynomial folds back and would produce a false image.
+  /// Returns the pixel (column, row) of a world point in meters. The pixel may lie outside the
+  /// image. Returns nothing for a point behind the camera. Also returns nothing for a point beyond
+  /// the angle at which the distortion polynomial folds back, because its computed pixel would be
+  /// wrong.
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& pointWorld) const;
 
   /// Projects `count` points given as three columns, meters. The pixels are written to two more

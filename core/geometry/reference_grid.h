@@ -38,14 +38,14 @@ struct ReferenceGrid {
   Eigen::Vector3d center() const;
 };
 
-/// Maximum number of lines along one side.
+/// Maximum number of grid lines along one side of a grid.
 inline constexpr int kMostGridLines = 200;
 
 /// Checks whether a grid can be drawn. The error is BadValue and names the field (`size`, `step`,
 /// `origin`).
 Status checkGrid(const ReferenceGrid& grid);
 
-/// Role of a line or text in a grid. It determines the color and line width for drawing.
+/// Role of a line or text in a grid. The role determines the color and line width for drawing.
 enum class GridRole { Line, Border, AxisX, AxisY, AxisZ };
 
 /// Straight line of a grid. World frame, meters.
@@ -57,7 +57,8 @@ struct GridLine {
 /// Returns the lines of a grid.
 std::vector<GridLine> gridLines(const ReferenceGrid& grid);
 
-/// Text at a position: the name of an axis, or a distance along it in meters.
+/// Text label of a grid: the name of an axis, or a distance in meters along an axis. `at` is a
+/// world position in meters if `Dimension` is 3, and a pixel if `Dimension` is 2.
 template <int Dimension> struct GridText {
   GridRole role = GridRole::Line;
   Eigen::Matrix<double, Dimension, 1> at;
@@ -66,8 +67,8 @@ template <int Dimension> struct GridText {
 /// Returns the axis names and distance labels of a grid, at world positions (meters).
 std::vector<GridText<3>> gridLabels(const ReferenceGrid& grid);
 
-/// Grid line as it appears in one image: pixels, clipped at the image border and bent by the lens.
-/// It deviates by less than 0.2 px from the true curve.
+/// Grid line as it appears in one image, bent by the lens and clipped at the image border. The line
+/// through `points` (pixels) deviates by less than 0.2 px from the true curve.
 struct GridStroke {
   GridRole role = GridRole::Line;
   std::vector<Eigen::Vector2d> points;
@@ -84,7 +85,7 @@ struct ProjectedGrid {
 ProjectedGrid projectGrid(const Camera& camera, const ReferenceGrid& grid);
 
 /// Returns the intersection of grid lines (world frame, meters) that is nearest to `pixel` in the
-/// image, or nothing if none is within `reach` pixels.
+/// image, or nothing if no intersection is within `reach` pixels.
 std::optional<Eigen::Vector3d> crossingAt(const Camera& camera, const ReferenceGrid& grid,
                                           const Eigen::Vector2d& pixel, double reach);
 

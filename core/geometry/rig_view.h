@@ -10,15 +10,16 @@ namespace dewpoint::geometry {
 
 /// Returns the point at which a rig is aimed: the point nearest to all optical axes (world,
 /// meters). If the axes do not determine the distance (a single camera, or parallel axes), the
-/// point is two meters in front of the cameras. If no camera has a pose, it is the origin.
+/// point is two meters in front of the cameras. If no camera has a pose, the point is the world
+/// origin.
 Eigen::Vector3d rigAimPoint(const CameraRig& rig);
 
-/// Returns a box (world, meters) around the cameras and the point at which they are aimed. Empty if
-/// no camera has a pose.
+/// Returns a box (world, meters) around the cameras and the point at which the cameras are aimed.
+/// The box is empty if no camera has a pose.
 Eigen::AlignedBox3d rigBounds(const CameraRig& rig);
 
-/// How much a rig differs from an earlier calibration of it. This determines whether the user's 3D
-/// view of the earlier rig still suits the new one.
+/// How much a rig differs from an earlier calibration of the same project. This determines whether
+/// the user's 3D view of the earlier rig still suits the new one.
 enum class RigChange {
   /// At most one camera was adjusted. The size and position of the rig are about the same.
   OneCamera,

@@ -10,10 +10,10 @@
 
 namespace dewpoint::geometry {
 
-/// Returns the rotation nearest to a matrix that is a rotation up to rounding to six digits, as in
-/// published files. A matrix that is a rotation to double precision is returned unchanged. If the
-/// matrix is no rotation, the error message explains why: its rows are not orthonormal, or it is a
-/// reflection.
+/// Returns the rotation nearest to `matrix`, which may be inexact because published files often
+/// round to six digits. A matrix that is a rotation to double precision is returned unchanged. If
+/// the matrix is not even roughly a rotation, returns a message that explains why: its rows are not
+/// orthonormal, or it is a reflection.
 tl::expected<Eigen::Matrix3d, std::string> checkedRotation(const Eigen::Matrix3d& matrix);
 
 /// Returns the smallest rotation that maps the direction of `from` to the direction of `to`.

@@ -25,12 +25,12 @@ public:
   explicit SphereProjector(const Camera& camera);
 
   /// Returns the outline of a sphere whose center is `centerWorld` (world frame) and whose radius
-  /// is `radius`, both in meters. It may lie outside the image. Returns nothing if the sphere
-  /// reaches behind the camera or beyond the valid range of the lens model.
+  /// is `radius`, both in meters. The outline may lie outside the image. Returns nothing if the
+  /// sphere reaches behind the camera or beyond the valid range of the lens model.
   std::optional<SphereImage> project(const Eigen::Vector3d& centerWorld, double radius) const;
 
-  /// Returns the distance of a point in front of the camera, measured along the optical axis,
-  /// meters.
+  /// Returns the distance (meters) of a world point from the camera along the optical axis. The
+  /// result is negative for a point behind the camera.
   double depth(const Eigen::Vector3d& pointWorld) const {
     return (pointWorld - cameraCenter_).dot(axis_);
   }

@@ -13,7 +13,7 @@ struct WorldBox {
   Eigen::Vector3d max = Eigen::Vector3d::Zero(); ///< corner with the largest coordinates
 
   Eigen::Vector3d center() const { return 0.5 * (min + max); }
-  /// Half of the size along each axis, meters.
+  /// Returns half of the size along each axis, meters.
   Eigen::Vector3d halfSize() const { return 0.5 * (max - min); }
   /// Returns whether a point lies in the box, or within `margin` meters of it along each axis.
   bool contains(const Eigen::Vector3d& point, double margin = 0.0) const {
