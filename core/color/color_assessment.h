@@ -39,7 +39,7 @@ enum class ColorWord : std::uint8_t {
 /// Returns the common name of a color.
 ColorWord colorWord(const BgrColor& color);
 
-/// Region of an image that is not the target but matches its color: a distractor.
+/// Distractor: a region of an image that matches the target's color but is not the target.
 struct DistractorRegion {
   int camera = 0;
   cv::Rect box;
@@ -76,16 +76,16 @@ struct ColorAssessment {
   double separability = 0.0;
   double targetShare = 0.0;     ///< fraction of the sampled colors that match, 0 to 1
   double backgroundShare = 0.0; ///< fraction of the other pixels that match as well, 0 to 1
-  /// The backgroundShare that a range would have if it covered the whole target. It shows the user
-  /// why the learned range covers so little of the target: a range that covers more would match too
+  /// The backgroundShare that a range would have if it covered the whole target. This value shows
+  /// the user why the learned range covers so little of the target: a wider range would match too
   /// much of the background. Empty while missesTarget() is false.
   std::optional<double> backgroundShareOfFullRange;
   std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
   /// Number of objects with the target's color and about its size, including the target, in the
   /// image that shows the most of them.
   int similarObjectCount = 1;
-  /// True if there are several samples, and the ranges match hardly anything of at least one of
-  /// them.
+  /// True if there are several samples, and the ranges match almost no color of at least one
+  /// sample.
   bool sampleLeftOut = false;
   Suggestion suggestion = Suggestion::None;
 
@@ -105,7 +105,7 @@ struct ColorAssessment {
   bool missesTarget() const { return targetKnown && targetShare < kMinTargetShare; }
 };
 
-/// Assesses color ranges using evidence collected from these images.
+/// Returns the assessment of color ranges, based on evidence that was collected from `images`.
 ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evidence,
                             const std::vector<cv::Mat>& images);
 

@@ -38,8 +38,8 @@ struct EvidenceCost {
 /// everything else (the rest). A target color is learned from this evidence. Weights are in pixels.
 struct ColorEvidence {
   std::vector<WeightedHsiColor> target;
-  /// `target`, divided by the separate colors of the samples (groupSamplesByColor()). Empty if the
-  /// samples have only one color.
+  /// `target`, split into one list for each separate color of the samples (groupSamplesByColor()).
+  /// Empty if the samples have only one color.
   std::vector<std::vector<WeightedHsiColor>> targetByColor;
   std::vector<WeightedHsiColor> rest;
   double targetWeight = 0.0;

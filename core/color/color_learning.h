@@ -38,15 +38,17 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
 ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images);
 
-/// Same as learnColor(), for trackers that use background images. `backgroundImages` has the same
-/// order as `images`; see withoutBackgroundColors(). Pixels that are marked in `undecided` are
-/// ignored; see colorEvidence().
+/// Learns a color like learnColor(), but for trackers that use background images: for the
+/// assessment, background pixels with the learned color are painted black
+/// (withoutBackgroundColors()). `backgroundImages` has the same order as `images`. Pixels that are
+/// marked in `undecided` are ignored; see colorEvidence().
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
                                               const std::vector<cv::Mat>& backgroundImages,
                                               const std::vector<cv::Mat>& undecided = {});
 
-/// Same as assessColor(), for trackers that use background images.
+/// Assesses color ranges like assessColor(), but for trackers that use background images:
+/// background pixels that match `ranges` are painted black first (withoutBackgroundColors()).
 ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
                                           const std::vector<ColorSample>& samples,
                                           const std::vector<cv::Mat>& images,

@@ -19,9 +19,9 @@ public:
   static constexpr std::size_t kColors = 24;
   using Shares = std::array<double, kColors>; ///< one value per color
 
-  /// Computes the palette of an image (CV_8UC3, not empty) by k-means. The first start color is
-  /// that of the pixel `first` (clamped to the image). Each further start color is the one farthest
-  /// from all earlier ones (Gonzalez 1985).
+  /// Computes the palette of an image (CV_8UC3, not empty) by k-means clustering. The first initial
+  /// color is the color of the pixel `first` (clamped to the image). Each further initial color is
+  /// the image color that is farthest from all earlier initial colors (Gonzalez 1985).
   ColorPalette(const cv::Mat& bgr, cv::Point first);
 
   /// Returns the index of the closest palette color for each pixel: CV_8UC1 with the size of the

@@ -5,9 +5,9 @@
 
 namespace dewpoint::color {
 
-/// Target color as a range in HSI (Gonzalez & Woods). Hue is circular, in degrees [0, 360): hueMin
-/// > hueMax wraps around through 0. Saturation and intensity are in [0, 1]. All bounds are
-/// inclusive.
+/// Target color as a range in HSI (Gonzalez & Woods). Hue is circular, in degrees [0, 360). If
+/// hueMin > hueMax, the range contains hue 0. Saturation and intensity are in [0, 1]. All bounds
+/// are inclusive.
 struct ColorRange {
   double hueMin = 0.0;
   double hueMax = 0.0;
@@ -19,16 +19,16 @@ struct ColorRange {
   bool operator==(const ColorRange&) const = default;
 };
 
-/// Returns whether the range spans every hue (0 to 360). If it does, hue is ignored, so gray, which
+/// Returns whether the range spans every hue (0 to 360). Such a range ignores hue, so gray, which
 /// has no hue, matches as well.
 bool spansEveryHue(const ColorRange& range);
 
 /// Maps any angle in degrees to the equivalent hue in [0, 360).
 double normalizedHue(double angle);
 
-/// Checks a range. BadValue names "hue", "saturation" or "intensity" if a bound is not finite or
-/// out of bounds, or if no color could ever match. A hue bound of 360 is allowed: 0 to 360 is every
-/// hue.
+/// Checks a range. Error: BadValue with the field "hue", "saturation" or "intensity" if a bound is
+/// not finite or outside its limits, or if no color could ever match. A hue bound of 360 is
+/// allowed, because 0 to 360 means every hue.
 Status checkColorRange(const ColorRange& range);
 
 } // namespace dewpoint::color

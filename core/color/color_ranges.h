@@ -9,11 +9,11 @@
 
 namespace dewpoint::color {
 
-/// Colors of a target. A color belongs to the target if it lies in any of these ranges. Most
-/// targets have one color, hence the implicit conversion from a single range.
+/// Color ranges of a target. A color belongs to the target if it lies in any of the ranges. Most
+/// targets have only one range, so a single range converts implicitly to ColorRanges.
 class ColorRanges {
 public:
-  /// Creates an empty list, which nothing matches.
+  /// Creates an empty list of ranges. No color matches an empty list.
   ColorRanges() = default;
   ColorRanges(const ColorRange& range) : ranges_{range} {}
   ColorRanges(const ColorRange& first, const std::vector<ColorRange>& others) : ranges_{first} {

@@ -19,8 +19,8 @@ double colorDistance(const BgrColor& one, const BgrColor& other);
 
 /// Segments the object at a pixel. Returns CV_8UC1 with the size of the image, 255 on the object.
 ///
-/// For a given tolerance, the region consists of all pixels that a path from the click can reach
-/// over pixels whose colorDistance() to the clicked color is at most the tolerance. The regions of
+/// For a given tolerance, the region consists of all pixels that are connected to the clicked pixel
+/// by pixels whose colorDistance() to the clicked color is at most the tolerance. The regions of
 /// all tolerances are nested, and they are found in one pass. The function selects the region whose
 /// outline has the strongest edge compared with the differences inside it (Fisher's criterion), is
 /// not ragged, and whose overall color is close to the clicked one. As with maximally stable
@@ -32,8 +32,8 @@ double colorDistance(const BgrColor& one, const BgrColor& other);
 /// the box has a clear outline, the region is the box itself.
 cv::Mat growRegion(const cv::Mat& bgr, cv::Point click, cv::Rect within = {});
 
-/// Minimum fraction of a dragged box that an object must fill. If it fills less, the region is the
-/// box itself. A judgment.
+/// Minimum fraction of a dragged box that an object must fill. If the object fills less, the region
+/// is the box itself. The value was chosen by judgment.
 inline constexpr double kMinBoxFill = 0.35;
 
 /// Returns the region of a sample in an image, as grown by takeSample(). If a box contains no clear

@@ -40,9 +40,9 @@ struct ColorSample {
   bool operator==(const ColorSample&) const = default;
 };
 
-/// Completes a sample with the area and the colors of the region grown from it in `bgr` (CV_8UC3).
-/// BadValue names "pixel" or "box" if the sample is outside the image, or "image" if the image has
-/// another type.
+/// Returns `sample`, completed with the area and the colors of the region grown from the sample in
+/// `bgr` (CV_8UC3). Error: BadValue with the field "pixel" or "box" if the sample is outside the
+/// image, or "image" if the image is empty or has another type.
 Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample sample);
 
 } // namespace dewpoint::color

@@ -11,8 +11,8 @@
 namespace dewpoint::color {
 
 /// Tolerance of inclusive bounds, in degrees for hue and as a fraction for saturation and
-/// intensity. Because of it, a color exactly on a bound always matches, regardless of rounding. It
-/// is much smaller than the distance between any two 8-bit colors.
+/// intensity. With this tolerance, a color exactly on a bound always matches, regardless of
+/// rounding. The tolerance is much smaller than the distance between any two 8-bit colors.
 inline constexpr double kBoundSlack = 1e-10;
 
 /// Color in the HSI model of Gonzalez & Woods, Digital Image Processing, section 6.2 (RGB to HSI).
@@ -28,12 +28,12 @@ inline double radiansToHueDegrees(double radians) {
   return radians * 180.0 / std::numbers::pi;
 }
 
-/// Returns the HSI color of an 8-bit pixel, using the book's arc cosine. Exact but slow: the
-/// reference for testing ColorClassifier.
+/// Returns the HSI color of an 8-bit pixel, computed with the arc cosine formula of Gonzalez &
+/// Woods. The function is exact but slow. It is the reference for testing ColorClassifier.
 Hsi hsiFromBgr(std::uint8_t b, std::uint8_t g, std::uint8_t r);
 
-/// Inverse of hsiFromBgr(). Returns blue, green and red in gray levels, not rounded. If a value is
-/// above 255, no 8-bit color corresponds to `color`.
+/// Returns blue, green and red of an HSI color in gray levels, not rounded. This is the inverse of
+/// hsiFromBgr(). If a value is above 255, no 8-bit color corresponds to `color`.
 std::array<double, 3> bgrFromHsi(const Hsi& color);
 
 /// Returns whether the color lies in the range. Black never matches. Gray matches only ranges that

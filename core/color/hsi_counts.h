@@ -23,8 +23,8 @@ class HsiCounts {
 public:
   HsiCounts();
   /// Counts the pixels in `image` (CV_8UC3; images of other types are ignored) where `skip`
-  /// (CV_8UC1 of the same size, or empty) is 0. Each pixel adds `weight`. A negative weight removes
-  /// pixels that were counted earlier.
+  /// (CV_8UC1 of the same size) is 0, or all pixels if `skip` is empty. Each pixel adds `weight`. A
+  /// negative weight removes pixels that were counted earlier.
   void add(const cv::Mat& image, const cv::Mat& skip, double weight = 1.0);
   void add(const BgrColor& color, double weight);
   double total() const { return total_; }

@@ -9,10 +9,10 @@ namespace dewpoint::color {
 
 /// Tests whether y > slope * x for small integers x and y, using 16-bit products:
 ///   scale * y > floor(factor * x / 65536).
-/// All slopes between two neighboring fractions y / x of these integers produce the same results.
-/// The fractions are more than 1 / (65536 * scale) apart. The slope can therefore be replaced with
-/// one of the two nearest multiples of this step. When a line is created, the results are checked
-/// to be the same for every x.
+/// All slopes between two neighboring fractions y / x of these integers give the same results.
+/// Neighboring fractions differ by more than the step 1 / (65536 * scale). The slope can therefore
+/// be replaced with one of the two nearest multiples of this step. When a line is created, a check
+/// makes sure that the results are the same for every x.
 template <class Factor> struct IntegerLine {
   Factor factor = 0; ///< slope * scale * 65536, 16 bits
   std::uint16_t scale = 1;
@@ -28,8 +28,8 @@ using HueLine = IntegerLine<std::int16_t>;
 HueLine hueLine(double slope);
 
 /// Two ways to express a bound on the ratio of two integers >= 0 as a line with a slope below 1.
-/// The integers are the least of the three channels and the excess: the sum of the channels minus
-/// three times the least one.
+/// The integers are the least channel, which is the smallest of blue, green and red, and the
+/// excess, which is the sum of the channels minus three times the least channel.
 enum class RatioAxes {
   LeastPerExcess, ///< x: excess, y: least channel; x <= 510, y <= (510 - x) / 2
   ExcessPerLeast, ///< x: least channel, y: excess; x <= 255, y <= 510 - 2 x

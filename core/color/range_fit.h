@@ -9,7 +9,7 @@
 
 namespace dewpoint::color {
 
-/// How much of the target colors and of the other colors is matched by one or more ranges.
+/// Measure of how well color ranges match the target colors but no other colors.
 struct RangeScore {
   double target = 0.0; ///< weight of the matching target colors
   double rest = 0.0;   ///< weight of the matching other colors

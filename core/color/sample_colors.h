@@ -13,7 +13,7 @@ namespace dewpoint::color {
 
 struct ColorEvidence;
 
-/// Maximum number of separate colors that samples can give a target.
+/// Maximum number of separate colors of a target that are learned from samples.
 inline constexpr std::size_t kMostColorsOfTarget = 3;
 
 /// Groups the samples that show the target by color. Returns the sample indices for each color, in

@@ -22,11 +22,11 @@ enum class ExposureFault : std::uint8_t { None, Overexposed, TooDark };
 struct TargetExposure {
   static constexpr std::size_t kBins = 32; ///< number of bins, of 8 brightness values each
   static constexpr int kDarkest = 20;      ///< brightness below which a pixel has no useful color
-  /// If at least this fraction of the pixels is clipped, fault() returns Overexposed. A judgment:
-  /// the highlights of a well exposed ball are smaller.
+  /// If at least this fraction of the pixels is clipped, fault() returns Overexposed. Chosen by
+  /// judgment: the highlights of a well exposed ball are smaller.
   static constexpr double kMostClipped = 0.2;
-  /// If at least this fraction of the pixels is dark, fault() returns TooDark. A judgment: the
-  /// shaded side of a well exposed ball is smaller.
+  /// If at least this fraction of the pixels is dark, fault() returns TooDark. Chosen by judgment:
+  /// the shaded side of a well exposed ball is smaller.
   static constexpr double kMostDark = 0.5;
 
   std::array<std::int64_t, kBins> histogram{}; ///< number of pixels by brightness
@@ -40,7 +40,7 @@ struct TargetExposure {
   double clippedShare() const;
   /// Returns the fraction of all pixels that is dark, 0 to 1; 0 without pixels.
   double darkShare() const;
-  /// Returns what is wrong; Overexposed if both faults apply.
+  /// Returns the fault of the exposure, or None. Returns Overexposed if both faults apply.
   ExposureFault fault() const;
 
   bool operator==(const TargetExposure&) const = default;

@@ -10,13 +10,13 @@
 
 namespace dewpoint::color {
 
-/// Log likelihood ratio of a pixel's color in one camera, log p(color | target) / p(color | not
-/// target) (natural logarithm), stored as a table over the cells of color_cells.h. It is learned by
-/// TargetColorModel. Immutable; copies share the table.
+/// Log likelihood ratio of a pixel's color in one camera: ln(p(color | target) / p(color | not
+/// target)). The ratio is stored as a table over the cells of color_cells.h, which TargetColorModel
+/// learns. The table never changes, and copies share it.
 class ColorLikelihood {
 public:
-  /// Step size of table entries, in nats. It is a power of two, and smaller than the error of any
-  /// learned table.
+  /// Step size of table entries, in nats (units of the natural logarithm). It is a power of two,
+  /// and smaller than the error of any learned table.
   static constexpr double kStep = 1.0 / 16.0;
   /// Largest absolute log ratio of a color, in steps. 72 steps are 4.5 nats, which is ln(0.9 /
   /// 0.01): nine in ten target pixels are assumed to have the target's color, and one in a hundred
@@ -25,8 +25,8 @@ public:
   static constexpr int kMostSteps = 72;
   static constexpr double kMost = kMostSteps * kStep; ///< nats
 
-  /// Creates a table from the log ratio of each cell in nats: kColorCellCount finite numbers. They
-  /// are rounded to steps and clamped to [-kMost, kMost].
+  /// Creates a table from the log ratio of each cell in nats: kColorCellCount finite numbers. The
+  /// numbers are rounded to steps and clamped to [-kMost, kMost].
   explicit ColorLikelihood(const std::vector<double>& logRatios);
 
   /// Returns the log ratio of a color, in steps.
@@ -42,8 +42,8 @@ public:
   /// overlap the pixels. Runs of pixels that cannot belong to the target are skipped without a
   /// table lookup.
   void logRatioRow(const std::uint8_t* bgr, std::int64_t count, std::int8_t* out) const noexcept;
-  /// Same as ColorClassifier::matchRow(), but uses this table: 255 where the log ratio exceeds
-  /// `threshold` (nats), 0 elsewhere.
+  /// Classifies `count` adjacent pixels like ColorClassifier::matchRow(). Writes 255 where the log
+  /// ratio exceeds `threshold` (nats), and 0 elsewhere.
   void matchRow(const std::uint8_t* bgr, std::int64_t count, std::uint8_t* out,
                 double threshold = 0.0) const noexcept;
 

@@ -12,10 +12,10 @@ namespace dewpoint::color {
 
 struct ColorEvidence;
 
-/// Color response of a camera relative to the reference camera. The response consists of factors
-/// for the gray levels, each > 0, that result from exposure (equal for all channels) and white
-/// balance. This also holds if gray levels are proportional to a power of the light (gamma): a
-/// constant factor of the light is then still a constant factor of the gray levels.
+/// Color response of a camera relative to the reference camera: a factor > 0 for the gray levels of
+/// each channel. The factors result from exposure (equal for all channels) and white balance. Gray
+/// levels may also be proportional to a power of the light (gamma), because a constant factor of
+/// the light is then still a constant factor of the gray levels.
 struct ColorGain {
   double blue = 1.0;
   double green = 1.0;
@@ -33,10 +33,10 @@ struct ColorGain {
 ///   (1 - w) prior + w ln((t + u exp(prior / 2)) / (k r + u exp(-prior / 2))),   w = n / (n + 20).
 /// Here t and r are the densities of the colors of the target and of the rest (ColorDensity,
 /// relative to colors spread evenly), u is kUnseenDensity, and k is restPerTarget. n is the number
-/// of pixels of the target or of the rest, whichever is smaller. If one of them has no pixels, n is
-/// the number of the other. With few pixels, the result is close to the prior. Colors that were
-/// never seen have the prior. The value is about 0 for colors that are k times as dense in the
-/// target as in the rest.
+/// of pixels of the target or of the rest, whichever is smaller. If one of the two has no pixels, n
+/// is the number of pixels of the other. With few pixels, the result is close to the prior. For
+/// colors that were never seen, the result is the prior. It is about 0 for colors that are k times
+/// as dense in the target as in the rest.
 class TargetColorModel {
 public:
   // The constants below are judgments, not measurements.
@@ -84,7 +84,8 @@ private:
   std::vector<WeightedBgrColor> target_; ///< in the colors of the reference camera
 };
 
-/// Returns the number of pixels of the rest per target pixel; 1 if either has none.
+/// Returns the number of pixels of the rest (everything except the target) per target pixel.
+/// Returns 1 if the target or the rest has no pixels.
 double pixelRatio(const ColorEvidence& evidence);
 
 /// Learns the table for one camera, or for several with the same color response, from samples and
