@@ -10,8 +10,8 @@
 namespace dewpoint::filter {
 
 /// Copies at most `limit` particles for display, evenly spaced in the order of the set. Copies the
-/// first `columns` columns of their states, and their weights, which are not normalized again.
-/// `Weights` is any type with operator[].
+/// first `columns` columns of the states, and the weights without normalizing them again. `Weights`
+/// is any type with operator[].
 template <class States, class Weights>
 void pickEvenly(const States& states, const Weights& weights, int limit, Eigen::Index columns,
                 Eigen::ArrayXXd& shownStates, Eigen::ArrayXd& shownWeights) {

@@ -38,13 +38,13 @@ struct RandomKey {
 };
 
 /// Particle filter that resamples at every iteration (CONDENSATION; Barrera et al. 2005, section
-/// 2). It owns the particles; the models are passed to each call. All results are bit-identical for
-/// any number of threads.
+/// 2). The filter owns the particles; the models are passed to each call. All results are
+/// bit-identical for any number of threads.
 ///
 /// With many particles, memory access takes most of the time, so each state is written once per
-/// iteration. Resampling only lists ancestors. The next iteration copies the states of these
-/// ancestors, moves them, weighs them and sums them up, block by block, so that all these steps
-/// find the block in the cache.
+/// iteration. Resampling only stores the index of each particle's ancestor. The next iteration
+/// copies the states of the ancestors, moves, weighs and sums them, block by block, so that each
+/// block stays in the cache.
 class ParticleFilter {
 public:
   /// Restarts with the given states, which get equal weights. At least one state is required.

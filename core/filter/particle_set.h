@@ -15,7 +15,7 @@ namespace dewpoint::filter {
 using StateRows = Eigen::Ref<Eigen::ArrayXXd, 0, Eigen::OuterStride<>>;
 /// Read-only view of consecutive particles, in the layout of StateRows.
 using ConstStateRows = const Eigen::Ref<const Eigen::ArrayXXd, 0, Eigen::OuterStride<>>&;
-/// Log weights (or log likelihoods) of the same particles.
+/// Log weights or log likelihoods of consecutive particles, one per particle.
 using LogWeightSegment = Eigen::Ref<Eigen::ArrayXd>;
 
 /// For each particle of the next set, the index of its ancestor in the weighted set. A set has

@@ -12,7 +12,8 @@ namespace dewpoint::filter {
 
 /// Motion model of Mohedano et al. 2009, equations 14 and 15: constant velocity and, in states with
 /// color, constant color. Position, velocity and color have independent normal noise. States: x y z
-/// (m) vx vy vz (m/s), optionally followed by h s (in [0, 1]; the hue is circular).
+/// (m) vx vy vz (m/s), optionally followed by hue h and saturation s, both in [0, 1], where the hue
+/// is circular.
 struct PersonMotion {
   double interval = 0.0;       ///< seconds since the last step
   double positionSigma = 0.03; ///< standard deviation, m per step

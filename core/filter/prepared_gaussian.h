@@ -8,8 +8,8 @@
 
 namespace dewpoint::filter {
 
-/// Normal distribution of a position. Its matrix factors are computed once, so that many draws and
-/// evaluations are fast.
+/// Normal distribution of a position (meters), prepared for many draws and evaluations: the matrix
+/// factors are computed only once.
 class PreparedGaussian3 {
 public:
   explicit PreparedGaussian3(const Gaussian3& gaussian);
@@ -20,7 +20,7 @@ public:
   }
   /// Draws `count` samples, one per row: x y z. Sample i uses element i of the stream.
   Eigen::ArrayXXd draw(Eigen::Index count, const RandomStream& stream) const;
-  /// Returns the squared Mahalanobis distance from the mean.
+  /// Returns the squared Mahalanobis distance of a position from the mean.
   double squaredDistance(const Eigen::Vector3d& position) const {
     return (inverseFactor_ * (position - mean_)).squaredNorm();
   }
