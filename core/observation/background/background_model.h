@@ -11,10 +11,10 @@
 
 namespace dewpoint::observation {
 
-/// Background of one camera: a running mean color per pixel, learned during the recording. It
-/// distinguishes pixels that show the background from pixels that show something new. A new object
-/// that stays becomes background after a while, so the model recovers after the camera is moved or
-/// a lamp is switched on or off.
+/// Background of one camera: a running mean color per pixel, learned during the recording. The
+/// model distinguishes pixels that show the background from pixels that show something new. A new
+/// object that stays becomes background after a while, so the model recovers after the camera is
+/// moved or a lamp is switched on or off.
 class BackgroundModel {
 public:
   /// Circle in an image, in pixels. Nothing is learned inside it, because it may show a target.
@@ -23,13 +23,13 @@ public:
     double radius = 0.0;
   };
 
-  /// Number of agreeing observations after which the background color of a pixel is known. Chosen
-  /// by judgment. They take 12 frames, because each frame updates every fourth row. With fewer
-  /// observations, a passing object would be mistaken for background.
+  /// Number of agreeing observations after which the background color of a pixel is known. Three
+  /// observations take 12 frames, because each frame updates every fourth row. With fewer
+  /// observations, a passing object would be mistaken for background. Chosen by judgment.
   static constexpr int kLearned = 3;
   /// Tolerance in gray levels: five standard deviations of usual sensor noise. A color agrees with
   /// the mean if the difference in each channel is at most this tolerance plus one eighth of the
-  /// mean (mean >> kToleranceShift). The second term allows for small light changes.
+  /// mean (mean >> kToleranceShift). The eighth allows for small light changes.
   static constexpr int kTolerance = kBackgroundTolerance;
   static constexpr int kToleranceShift = kBackgroundToleranceShift;
 
@@ -41,9 +41,9 @@ public:
   ~BackgroundModel() = default;
 
   /// Sets the background image, which shows the scene without targets (CV_8UC3; empty if there is
-  /// none). It is learned at the next reset(). If a pixel of this image matches a target's color,
-  /// later matches at that pixel are attributed to the background (PixelLabel::Explained), until a
-  /// new object stays there.
+  /// none). The model learns the image at the next reset(). If a pixel of this image matches a
+  /// target's color, later matches at that pixel are attributed to the background
+  /// (PixelLabel::Explained), until a new object stays there.
   void setBackgroundImage(const cv::Mat& image) { backgroundImage_ = image.clone(); }
   /// Discards everything except the background image.
   void reset();
@@ -53,20 +53,21 @@ public:
   void adaptToLight(const cv::Mat& image);
   /// Learns from every fourth row of an image (CV_8UC3), starting at a different row each time. An
   /// image of another size restarts the model. Nothing is learned inside the circles `hidden`. Set
-  /// `noTargetElsewhere` if there certainly is no target outside these circles. A pixel outside
-  /// them that has a target's color then counts as background. After several such observations, the
-  /// pixel is treated as if the background image contained its color.
+  /// `noTargetElsewhere` if there certainly is no target outside these circles. A pixel outside the
+  /// circles that has a target's color then counts as background. After several such observations,
+  /// the pixel is treated as if the background image contained its color.
   void learn(const cv::Mat& image, const std::vector<ExcludedCircle>& hidden,
              bool noTargetElsewhere = false);
   /// Discards what learn() with `noTargetElsewhere` has learned about target colors in the
-  /// background. The version with a circle discards it only inside the circle. Call it if the
-  /// circle did contain a target.
+  /// background, because a target was there after all. The version with a circle discards only what
+  /// was learned inside the circle.
   void forgetFamiliarPixels();
   void forgetFamiliarPixels(const ExcludedCircle& circle);
   /// Returns the size of the model's images, bytes.
   std::size_t memoryBytes() const;
   /// Returns the fraction of known pixels, 0 to 1, that disagreed with the background in the last
-  /// call of learn(). It is near 1 if the camera is covered, receives no light, or was moved.
+  /// call of learn(). The fraction is near 1 if the camera is covered, receives no light, or was
+  /// moved.
   double novelShare() const { return novelShare_; }
 
   /// Returns the light of the last image relative to the reference light, per channel (blue, green,
@@ -79,10 +80,12 @@ public:
   /// to the reference light. Such a pixel belongs to the target unless it agrees with the
   /// background.
   static constexpr std::uint8_t kInReferenceLight = 1;
-  /// Computes the labels (PixelLabel) of `count` pixels in one row, from `column` on. If `matched`
-  /// is 255 for a pixel, its label is Target, or Explained if the background image is known to show
-  /// the same color there. If `matched` is 0, the label is Unlearned, Background or Unknown. For
-  /// other values, see kInReferenceLight.
+  /// Computes the labels (PixelLabel) of `count` pixels in one row, from `column` on, and writes
+  /// them to `labels`. `matched` says for each pixel whether it has the target color. If `matched`
+  /// is 255, the label is Target, or Explained if the background image is known to show the same
+  /// color there. If `matched` is 0, the label is Unlearned, Background or Unknown. If `matched` is
+  /// kInReferenceLight, the pixel has the target color only after conversion to the reference
+  /// light.
   void labelRow(const cv::Mat& image, int column, int row, int count, const std::uint8_t* matched,
                 std::uint8_t* labels) const;
 

@@ -22,8 +22,8 @@ struct ForegroundSettings {
   BackgroundMethod method = BackgroundMethod::Running;
   /// Number of frames at the start that are used only for learning.
   int learningFrames = 15;
-  /// Number of frames after which the background at a new object that does not move has changed
-  /// halfway to the object.
+  /// Number of frames after which the background color behind a new, motionless object has changed
+  /// halfway to the color of the object.
   double memoryFrames = 600.0;
   /// Lowest brightness, as a fraction of the usual brightness, at which a pixel still counts as a
   /// shadow.
@@ -38,9 +38,9 @@ public:
   /// Learns from an image (CV_8UC3) of the scene without people. All images must have the same
   /// size.
   virtual void learn(const cv::Mat& image) = 0;
-  /// Computes the motion mask of an image. `mask` is CV_8UC1: 255 where an object differs from the
-  /// background, and 0 elsewhere. Shadows count as background. The model then adapts slowly to the
-  /// image, except where `keep` (CV_8UC1, or empty) is nonzero.
+  /// Computes the motion mask of an image (CV_8UC3). `mask` becomes CV_8UC1: 255 where an object
+  /// differs from the background, and 0 elsewhere. Shadows count as background. The model then
+  /// adapts slowly to the image, except where `keep` (CV_8UC1, or empty) is nonzero.
   virtual void subtract(const cv::Mat& image, const cv::Mat& keep, cv::Mat& mask) = 0;
   /// Returns a new, untrained model with the same settings.
   virtual std::unique_ptr<ForegroundModel> makeUntrained() const = 0;

@@ -14,8 +14,8 @@ namespace dewpoint::observation {
 
 /// What a pixel shows, as evidence for or against a target. "Matches" means that the pixel has the
 /// target's color. An `Unknown` pixel neither matches nor agrees with the background, so something
-/// may hide the target there. Such a pixel is evidence neither for nor against the target. The same
-/// applies to pixels outside the image, and to pixels that are explained by another target.
+/// may hide the target there. Such a pixel is evidence neither for nor against the target. Pixels
+/// outside the image and pixels that another target explains are no evidence either.
 enum class PixelLabel : std::uint8_t {
   Unlearned,  ///< does not match; the background is not known yet
   Background, ///< does not match and agrees with the background
@@ -30,8 +30,8 @@ inline constexpr std::size_t kPixelLabelCount = 5;
 class LabelImage {
 public:
   /// Starts with a new image (CV_8UC3), without any labels. The image, background and classifiers
-  /// must outlive the labels. `classifier` tests for the target's color in the light of the image,
-  /// `usual` in the reference light (BackgroundModel::light()).
+  /// must stay valid until the next call of begin() or clear(). `classifier` tests for the target's
+  /// color in the light of the image, `usual` in the reference light (BackgroundModel::light()).
   void begin(const cv::Mat& image, const BackgroundModel& background,
              const ColorClassifier& classifier, const ColorClassifier& usual);
   void begin(const cv::Mat& image, const BackgroundModel& background,
@@ -56,12 +56,12 @@ public:
     double radius = 0.0;
   };
   /// Labels matching pixels within the circle `other` as Explained, because another target is
-  /// there. Pixels within the circle `except` keep their labels. This also applies to labels
-  /// computed later.
+  /// there. Pixels within the circle `except` keep their labels. The circles also apply to labels
+  /// that are computed later.
   void markExplained(const Circle& other, const Circle& except);
 
-  /// Returns the label of a pixel. Outside labeledArea(), the result is Explained, which is no
-  /// evidence.
+  /// Returns the label of a pixel. Returns Explained, which is no evidence, for a pixel outside
+  /// labeledArea().
   PixelLabel at(int column, int row) const noexcept {
     if (column < covered_.x || row < covered_.y || column >= covered_.x + covered_.width ||
         row >= covered_.y + covered_.height) {
@@ -69,8 +69,8 @@ public:
     }
     return static_cast<PixelLabel>(labels_.ptr<std::uint8_t>(row)[column]);
   }
-  /// Returns all labels as PixelLabel values: CV_8UC1 with the size of the image. They are valid
-  /// only inside labeledArea().
+  /// Returns all labels as PixelLabel values: CV_8UC1 with the size of the image. The labels are
+  /// valid only inside labeledArea().
   const cv::Mat& labels() const { return labels_; }
 
 private:

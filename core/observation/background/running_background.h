@@ -12,7 +12,7 @@ namespace dewpoint::observation {
 /// Background model with one Gaussian per pixel (Wren et al. 1997, "Pfinder"): a mean per channel,
 /// and one mean absolute difference for all three channels. Shadows are recognized by their color:
 /// all channels are darker by about the same factor, as in Horprasert et al. 1999. The model is
-/// deliberately simple and costs only a fraction of a mixture model.
+/// deliberately simple and takes only a fraction of the computing time of a mixture model.
 class RunningBackground final : public ForegroundModel {
 public:
   explicit RunningBackground(const ForegroundSettings& settings) : settings_(settings) {}

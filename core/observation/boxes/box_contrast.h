@@ -8,19 +8,20 @@
 
 namespace dewpoint::observation {
 
-/// Computes the color contrast between a box and its surroundings, for many boxes in one image, by
-/// comparing their color histograms. Liu et al. (Learning to detect a salient object, CVPR 2007)
-/// compare a rectangle with its ring in the same way.
+/// Computes the color contrast between a box and its surroundings, for many boxes in one image. The
+/// contrast compares the color histograms of the box and of a ring around it, as in Liu et al.
+/// (Learning to detect a salient object, CVPR 2007).
 class BoxContrast {
 public:
-  /// Prepares an image (CV_8UC3). `pixel` must show the object (the figure) whose box is sought.
+  /// Prepares an image (CV_8UC3). The object whose box is sought must be visible at `pixel`.
   BoxContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel);
 
   /// Returns the contrast of a box, at most 1. Let f(c) be the smoothed fraction of color c in the
-  /// oval that touches the sides of the box, and b(c) its fraction in a ring around this oval that
-  /// is 1.6 times as large. The contrast is a product of two means of (f - b) / (f + b): over the
-  /// pixels in the oval, and at the pixel passed to the constructor. It is 0 if the color at that
-  /// pixel is more typical of the ring, or if no part of the ring is in the image.
+  /// oval that touches the sides of the box, and b(c) the fraction of c in a ring that surrounds
+  /// this oval and is 1.6 times as large. The contrast is a product of two means of (f - b) / (f +
+  /// b): the mean over the pixels in the oval, and the mean at the pixel passed to the constructor.
+  /// The contrast is 0 if the color at that pixel is more typical of the ring, or if no part of the
+  /// ring is in the image.
   double at(const ImageBox& box) const;
 
 private:

@@ -9,10 +9,10 @@
 
 namespace dewpoint::observation {
 
-/// Computes the weighted color histogram of a box in an image (CV_8UC3), by equations 7 and 8 of
-/// Sugandi et al. 2009. It has 8 x 8 x 8 RGB bins, numbered as by rgbBin(). The box is rounded to
-/// whole pixels, as in the method `sugandi`. Only pixels of the box that lie inside the image are
-/// counted, and the histogram sums to 1. It is empty if there are no such pixels.
+/// Returns the weighted color histogram of a box in an image (CV_8UC3), by equations 7 and 8 of
+/// Sugandi et al. 2009. The histogram has 8 x 8 x 8 RGB bins, numbered by rgbBin(), and sums to 1.
+/// The box is rounded to whole pixels, as in the `sugandi` method. Only pixels inside the image are
+/// counted; if the box has none, the result is empty.
 std::vector<double> boxHistogram(const cv::Mat& bgr, const ImageBox& box);
 
 } // namespace dewpoint::observation

@@ -10,19 +10,19 @@
 
 namespace dewpoint::observation {
 
-/// Returns the kernel profile g(r): 1 - r² for r < 1, otherwise 0 (Sugandi et al. 2009, equation
-/// 6). The argument is r².
+/// Returns the kernel profile g(r) for the argument r²: 1 - r² for r < 1, otherwise 0 (Sugandi et
+/// al. 2009, equation 6).
 inline double kernelProfile(double rSquared) {
   return rSquared < 1.0 ? 1.0 - rSquared : 0.0;
 }
 
 /// Weights g(|y - x_j| / a) of the pixels x_j of a rectangle with center y. The weights are
 /// integers with a common scale, so their sums are exact and do not depend on the order. `a` is
-/// half the diagonal of the rectangle, so every pixel has a positive weight. The paper calls `a`
-/// the normalization factor without giving its value.
+/// half the diagonal of the rectangle, so every pixel has a positive weight. Sugandi et al. 2009
+/// call `a` the normalization factor without giving its value.
 class BoxKernel {
 public:
-  /// Creates a kernel of this size in pixels, at least 1 x 1.
+  /// Creates a kernel for a rectangle of this size in pixels, at least 1 x 1.
   BoxKernel(int width, int height);
   /// Creates the kernel for a box that is rounded to whole pixels.
   explicit BoxKernel(const ImageBox& box);
@@ -31,7 +31,7 @@ public:
   int height() const { return height_; }
   /// Returns the sum of all weights.
   double sum() const { return sum_; }
-  /// Returns the weights of one row; there are width() of them.
+  /// Returns the width() weights of one row.
   const std::uint32_t* row(int row) const {
     return weights_.data() + std::size_t(row) * std::size_t(width_);
   }
@@ -43,7 +43,7 @@ private:
   double sum_ = 0.0;
 };
 
-/// Placement of a kernel over an image, with the part of the kernel that lies inside the image.
+/// Position of a kernel over an image, and the part of the kernel that lies inside the image.
 /// Pixels.
 struct KernelPlacement {
   int left = 0;        ///< left edge of the whole kernel, in the image
@@ -56,8 +56,9 @@ struct KernelPlacement {
   bool isEmpty() const { return endColumn <= firstColumn || endRow <= firstRow; }
 };
 
-/// Places a kernel on an image with `columns` x `rows` pixels. The kernel's center is as near to
-/// (x, y) as whole pixels allow. (x, y) is in pixels from the corner of the image.
+/// Places a kernel on an image with `columns` x `rows` pixels. The center of the kernel is as near
+/// to (x, y) as whole pixels allow, where (x, y) is in pixels from the upper left corner of the
+/// image.
 KernelPlacement placeKernel(const BoxKernel& kernel, double x, double y, int columns, int rows);
 
 } // namespace dewpoint::observation

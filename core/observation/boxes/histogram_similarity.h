@@ -10,22 +10,23 @@
 
 namespace dewpoint::observation {
 
-/// Computes the weighted histogram p of the bins (CV_16UC1, each below `binCount`) under a kernel
-/// with center (x, y), by equations 7 and 8 of Sugandi et al. 2009. It sums to 1 over the pixels
-/// inside the image, or is all zero if there are none.
+/// Returns the weighted histogram p of the color bins under a kernel with center (x, y), by
+/// equations 7 and 8 of Sugandi et al. 2009. `bins` is an image of bin numbers (CV_16UC1, each
+/// below `binCount`). The histogram sums to 1, or is all zero if no pixel under the kernel lies
+/// inside the image.
 std::vector<double> weightedHistogram(const cv::Mat& bins, int binCount, const BoxKernel& kernel,
                                       double x, double y);
 
-/// Returns the Bhattacharyya coefficient rho[p, q] (equation 10): 1 for equal histograms, 0 for
-/// histograms without a common bin.
+/// Returns the Bhattacharyya coefficient rho[p, q] (equation 10 of Sugandi et al. 2009): 1 for
+/// equal histograms, 0 for histograms without a common bin.
 double bhattacharyyaCoefficient(const std::vector<double>& p, const std::vector<double>& q);
 
-/// Computes the similarity rho between a reference histogram and the histogram at many positions in
-/// an image. A color that is not in the reference adds nothing to rho. Each image is therefore
-/// reduced once to the pixels whose colors are in the reference, and only these pixels are counted.
-/// For each of them, the reference bin (slot) is stored instead of the color. Pixels are added to
-/// eight sets of accumulators in turn. With a single set, neighboring pixels of the same color
-/// would be added to the same number, and each addition would have to wait for the previous one.
+/// Computes the similarity rho (bhattacharyyaCoefficient()) between a reference histogram and the
+/// histogram at many positions in an image. A color that is not in the reference adds nothing to
+/// rho. Each image is therefore reduced once to the pixels whose colors are in the reference, and
+/// only these pixels are counted. For each such pixel, the reference bin (slot) is stored instead
+/// of the color. Pixels are added to eight sets of accumulators in turn, because with a single set,
+/// an addition would often have to wait for the previous addition to the same number.
 class HistogramSimilarity {
 public:
   HistogramSimilarity(const std::vector<double>& reference, BoxKernel kernel);
@@ -35,8 +36,9 @@ public:
   void loadBins(const cv::Mat& bins, const cv::Rect& part);
   /// Reads the colors of a part of an image (CV_8UC3) as bins of rgbBin().
   void loadColors(const cv::Mat& bgr, const cv::Rect& part);
-  /// Returns the similarity rho with the kernel's center at (x, y), in pixels from the image
-  /// corner. The result is 0 if no pixel is inside the image. May be called from several threads.
+  /// Returns the similarity rho with the kernel's center at (x, y), in pixels from the upper left
+  /// corner of the image. Returns 0 if no pixel under the kernel is inside the image. May be called
+  /// from several threads at the same time.
   double at(double x, double y) const;
   /// Returns the approximate size of a copy, bytes.
   std::size_t memoryBytes() const {

@@ -10,8 +10,8 @@
 
 namespace dewpoint::observation {
 
-/// Minimum number of matching pixels in an image. Fewer pixels are noise. The origin of this value
-/// is not recorded.
+/// Minimum number of matching pixels in an image; fewer pixels are treated as noise. The reason for
+/// this value is not recorded.
 inline constexpr int kLeastMassPixels = 4;
 
 /// Returns the center of mass of all matching pixels in an image (CV_8UC3), in pixels (column, row)

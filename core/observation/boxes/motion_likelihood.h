@@ -14,18 +14,20 @@ namespace dewpoint::observation {
 /// count as not moving.
 void motionLikelihood(const cv::Mat& mask, double sigma, double floor, cv::Mat& likelihood);
 
-/// Color cue of Mohedano et al. 2009, equations 10 to 13.
+/// Color likelihood of a pixel for a person with a given hue and saturation (Mohedano et al. 2009,
+/// equations 10 to 13).
 struct ColorCue {
   double hueSigma = 0.04;        ///< sigma_h, for a hue in [0, 1]
   double saturationSigma = 0.08; ///< sigma_s
   double hueFloor = 0.3;         ///< h_B
   double saturationFloor = 0.3;  ///< s_B
 
-  /// Returns the log likelihood log p(H | h) p(S | s) of a pixel (BGR). A gray pixel has no hue.
-  /// For such a pixel, p(H) is the mean over all hues: h_B + (1 - h_B) = 1.
+  /// Returns the log likelihood log(p(H | h) p(S | s)) of a pixel (BGR) with hue H and saturation
+  /// S, where h is `hue` and s is `saturation`. A gray pixel has no hue. For such a pixel, p(H) is
+  /// the mean over all hues: h_B + (1 - h_B) = 1.
   double logLikelihood(const unsigned char* bgr, double hue, double saturation) const;
-  /// Returns the smallest value of logLikelihood(), that of a color that does not match at all:
-  /// log(h_B s_B).
+  /// Returns the smallest value of logLikelihood(), which is log(h_B s_B) for a color that does not
+  /// match at all.
   double logFloor() const;
 };
 

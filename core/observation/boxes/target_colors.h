@@ -10,13 +10,13 @@
 namespace dewpoint::observation {
 
 /// One value per color bin: max(0, 2 P - 1) in units of 1 / TargetColors::kWhole, where P is the
-/// probability that a pixel of that color belongs to the target. The value is 0 if the color is at
+/// probability that a pixel of this color belongs to the target. The value is 0 if the color is at
 /// least as frequent in the surroundings as on the target.
 using BinShares = std::vector<std::uint16_t>;
 
 /// Color histograms of a target and of its surroundings. The target's box is divided into parts,
-/// each with its own histogram. The histograms adapt to slow changes. Those of the target adapt
-/// only halfway, because the first image always keeps half of the weight.
+/// each with its own histogram. All histograms adapt to slow changes. The histograms of the target
+/// adapt only halfway, because the first image always keeps half of the weight.
 class TargetColors {
 public:
   static constexpr int kColumns = 2;
@@ -36,7 +36,7 @@ public:
 
   /// Returns max(0, 2 P(target | color) - 1) per color bin for a part. Parts are numbered row by
   /// row from the upper left. P is q² / (q² + b²), where q is the histogram of the part and b is
-  /// that of the surroundings.
+  /// the histogram of the surroundings.
   BinShares shares(int part) const;
 
   /// Returns the similarity between a box and the target as first learned, in [0, 1]: the mean of

@@ -30,8 +30,8 @@ struct BodySilhouette {
 /// pieces are the legs (two pieces), hips, trunk, shoulders and head.
 double bodyHalfWidth(int piece, double height);
 
-/// Computes silhouettes in one camera. Construction is done once; computing a silhouette is then
-/// fast.
+/// Computes silhouettes in one camera. Create one object per camera and reuse it, because computing
+/// a silhouette is then fast.
 class SilhouetteProjector {
 public:
   explicit SilhouetteProjector(const Camera& camera);
@@ -39,8 +39,8 @@ public:
   /// Returns the silhouette of a person of `height` meters who stands at `position` (world x and y,
   /// meters) on a floor at z = `floor` (meters).
   BodySilhouette project(const Eigen::Vector2d& position, double floor, double height) const;
-  /// Returns the distance of a point (world, meters) in front of the camera along its optical axis,
-  /// meters.
+  /// Returns the distance (meters) of a world point from the camera along the optical axis. The
+  /// result is negative for a point behind the camera.
   double depth(const Eigen::Vector3d& point) const { return axis_.dot(point - center_); }
 
 private:
@@ -50,11 +50,11 @@ private:
   double focal_ = 0.0;
 };
 
-/// Integral image of scores: the sum over any rectangle takes four reads (Crow 1984). The score of
-/// a pixel measures how much better (above 0) or worse (below 0) the pixel fits a person than no
-/// person. CV_32SC1, with one more row and column than the image.
+/// Integral image of scores, from which the sum over any rectangle takes four reads (Crow 1984).
+/// The score of a pixel is above 0 if the pixel fits a person better than no person, and below 0 if
+/// it fits worse. `sums` is CV_32SC1, with one more row and column than the image.
 struct ScoreSums {
-  static constexpr int kUnit = 40;     ///< difference in byte value for a difference in score of 1
+  static constexpr int kUnit = 40;     ///< change of the byte value for a change of the score by 1
   static constexpr int kNothing = 100; ///< byte value of a score of 0
   cv::Mat sums;
 
@@ -78,14 +78,14 @@ struct ScoreSums {
   }
 };
 
-/// Returns the score of a camera for a person with this silhouette. A fully visible person, all of
-/// which is foreground, has a score of 1. The score of each piece is limited to at least `floor`,
-/// which must be at most 0. This is necessary because furniture may hide the piece, or because the
-/// piece may look like the background.
+/// Returns the score of a camera for a person with this silhouette. The score is 1 for a fully
+/// visible person whose whole silhouette is foreground. The score of each piece of the body is
+/// limited to at least `floor`, which must be at most 0, because furniture may hide the piece, or
+/// the piece may look like the background.
 double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
-/// Returns the score of the upper half of the body only, computed like bodyScore(). Use it where
-/// legs may be hidden, which happens more often than for heads.
+/// Returns the score of the upper half of the body only, computed like bodyScore(). Use this
+/// function where the legs may be hidden.
 double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor);
 
 } // namespace dewpoint::observation

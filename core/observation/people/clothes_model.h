@@ -18,16 +18,17 @@ inline constexpr std::size_t kClothesBins = 8 * 8 * 3 + 1;
 std::size_t clothesBin(const std::uint8_t* bgr);
 
 /// Log ratio log(p(color | one person) / p(color | other person)) for each color bin, limited to
-/// [-1, 1]. Index 0 is from the waist down, and index 1 is above the waist.
+/// [-1, 1]. Element 0 is for the body from the waist down, and element 1 for the body above the
+/// waist.
 using ClothesRatio = std::array<std::array<float, kClothesBins>, 2>;
 
-/// Clothes of a person below and above the waist: color histograms over all cameras, learned while
-/// the person is seen separately from others.
+/// Color histograms of a person's clothes below and above the waist, over all cameras. They are
+/// learned while the person is seen separately from others.
 class ClothesModel {
 public:
-  /// Learns the colors of the moving pixels (nonzero in `mask`) of a silhouette that are not
-  /// covered by other people. `covered` is CV_8UC1, nonzero at pixels that other people cover, or
-  /// empty.
+  /// Learns the colors of those pixels of a silhouette in `image` (BGR) that move (nonzero in
+  /// `mask`) and are not covered by other people (zero in `covered`). `covered` is CV_8UC1, or
+  /// empty if no pixel is covered.
   void learn(const cv::Mat& image, const cv::Mat& mask, const BodySilhouette& silhouette,
              const cv::Mat& covered);
   /// Ends a frame. All images that were learned since the last call, usually one per camera, count
@@ -37,8 +38,9 @@ public:
   bool known() const { return updateCount_ >= kEnoughUpdates; }
   /// Returns the log ratio of this person's colors against the colors of another person.
   ClothesRatio logRatioAgainst(const ClothesModel& other) const;
-  /// Returns the mean log ratio of the moving pixels of a silhouette that are not covered by other
-  /// people. Returns 0 if there are no such pixels.
+  /// Returns the mean of `ratio` over those pixels of a silhouette that move (nonzero in `mask`)
+  /// and are not covered by other people (zero in `covered`). Returns 0 if there are no such
+  /// pixels.
   static double meanRatio(const ClothesRatio& ratio, const cv::Mat& image, const cv::Mat& mask,
                           const BodySilhouette& silhouette, const cv::Mat& covered);
 

@@ -15,26 +15,28 @@
 
 namespace dewpoint::observation {
 
-/// What one camera contributes to a frame in the methods of Mohedano et al. 2009.
+/// Input from one camera in a frame, for the methods of Mohedano et al. 2009.
 struct PersonCamera {
   const Projector* projector = nullptr;
-  cv::Mat likelihood; ///< D, CV_32FC1; empty if the camera has no image
-  cv::Mat image;      ///< CV_8UC3 of the same size; used by the color cue only
+  /// Motion likelihood image D, CV_32FC1; see motionLikelihood(). Empty if the camera has no image.
+  cv::Mat likelihood;
+  cv::Mat image; ///< CV_8UC3 of the same size; used by the color cue only
 };
 
-/// Observation model of Mohedano et al. 2009: the product over all cameras of D at the particle's
-/// projection (MS) and, with a color cue, of the color likelihood at this pixel (MS+C). The columns
-/// of a state are x y z vx vy vz (meters, m/s). With a color cue, hue and saturation follow, both
-/// in [0, 1]. If the projection of a particle is outside a camera's image, each cue has its lowest
-/// value: D = `floor` (p_B), and h_B s_B for the color. The paper does not specify this case.
-/// Without the color factor, a particle outside the image would get a higher likelihood than a
-/// particle inside it at pixels of the wrong color.
+/// Observation model of Mohedano et al. 2009. The likelihood of a particle is the product over all
+/// cameras of D at the particle's projection (MS), with a color cue also of the color likelihood at
+/// this pixel (MS+C). D is the motion likelihood image. The columns of a state are x y z vx vy vz
+/// (meters, m/s). With a color cue, hue and saturation follow, both in [0, 1]. If the projection of
+/// a particle is outside a camera's image, each cue has its lowest value: D = `floor` (p_B), and
+/// h_B s_B for the color. The paper does not specify this case. Without the color factor, a
+/// particle outside the image would get a higher likelihood than a particle inside it at pixels of
+/// the wrong color.
 class PersonObservation {
 public:
   PersonObservation(std::vector<PersonCamera> cameras, double floor, std::optional<ColorCue> color)
       : cameras_(std::move(cameras)), floor_(floor), color_(color) {}
 
-  /// Adds the log likelihood of each state.
+  /// Adds the log likelihood of each state to `logLikelihood`.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const {
     constexpr Eigen::Index kBlock = 128;
     std::array<double, kBlock> column;

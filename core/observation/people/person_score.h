@@ -7,11 +7,11 @@
 
 namespace dewpoint::observation {
 
-/// Scores of a moving pixel and of a still pixel within a person's silhouette. 1 is the score of a
-/// fully visible body. Motion is evidence for a person, and no motion is evidence against a person.
-/// The two values are approximately proportional to log(0.6 / 0.03) and log(0.4 / 0.97): a pixel is
-/// assumed to move with a probability of 0.6 on a person, because masks have holes, and of 0.03
-/// elsewhere.
+/// Scores of a moving pixel and of a still pixel within a person's silhouette. Motion is evidence
+/// for a person, and no motion is evidence against a person. The scale is chosen so that a fully
+/// visible body has the score 1. The two values are approximately proportional to log(0.6 / 0.03)
+/// and log(0.4 / 0.97): a pixel is assumed to move with a probability of 0.6 on a person, because
+/// masks have holes, and of 0.03 elsewhere.
 inline constexpr double kMovingPixel = 1.0;
 inline constexpr double kStillPixel = -0.3;
 
@@ -19,10 +19,10 @@ inline constexpr double kStillPixel = -0.3;
 /// `explained` (CV_8UC1, or empty) is nonzero get a score of 0.
 cv::Mat maskScores(const cv::Mat& mask, const cv::Mat& explained);
 
-/// Adds to the scores of the moving pixels in `area` how much better their colors fit one person
-/// than other people: the log ratio of the pixel's color, multiplied by `weight`. The log ratio is
-/// that of `ratio[1]` for image rows above the row `waist`, and that of `ratio[0]` for the row
-/// `waist` and the rows below it.
+/// Adds the log ratio of the pixel's color, multiplied by `weight`, to the scores of the moving
+/// pixels (nonzero in `mask`) in `area`. The log ratio says how much better the color fits one
+/// person than other people. It is taken from `ratio[1]` for image rows above the row `waist`, and
+/// from `ratio[0]` for the row `waist` and the rows below.
 void addColorScores(const cv::Mat& image, const cv::Mat& mask, const cv::Rect& area, int waist,
                     const ClothesRatio& ratio, double weight, cv::Mat& scores);
 

@@ -16,7 +16,7 @@ struct ColorRegion {
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< covariance of its pixels, px²
   cv::Rect box;                                         ///< bounding box
-  int rim = 0; ///< number of pixels of which at least one of the four neighbors has another color
+  int rim = 0;       ///< number of rim pixels: at least one of the four neighbors has another color
   int cutRim = 0;    ///< number of rim pixels at the image border
   int hiddenRim = 0; ///< number of rim pixels next to an object that may hide the target
 
@@ -27,13 +27,13 @@ struct ColorRegion {
   }
 };
 
-/// Finds the regions with the target color inside `window`, largest first. Pieces at most four
-/// pixels apart form one region. Regions of fewer than `leastArea` pixels are noise and left out.
-/// The function computes the labels of the window as needed. If a region extends beyond the window,
-/// only the part inside counts.
+/// Returns the regions with the target color inside `window`, largest first. Pieces at most four
+/// pixels apart form one region. Regions of fewer than `leastArea` pixels are treated as noise and
+/// left out. The function computes the labels of the window as needed. If a region extends beyond
+/// the window, only the part inside counts.
 std::vector<ColorRegion> findRegions(LabelImage& labels, const cv::Rect& window, double leastArea);
 
-/// Joins two regions into one.
+/// Returns the union of two regions that have no pixel in common.
 ColorRegion joined(const ColorRegion& one, const ColorRegion& other);
 
 } // namespace dewpoint::observation

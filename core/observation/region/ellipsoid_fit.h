@@ -16,7 +16,8 @@ struct EllipsoidPrior {
   /// Information matrix (inverse covariance) of the center, 1/m²; zero if nothing is known.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s
-  /// Standard deviation of each element of the extent, as a fraction of its trace.
+  /// Standard deviation of each element of the extent matrix, as a fraction of the trace of the
+  /// matrix.
   double extentSigma = 1.0;
 };
 
@@ -31,13 +32,13 @@ struct EllipsoidFit {
   /// Information matrix of the center from the images alone, 1/m². Singular if only one camera sees
   /// the target.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  /// One per camera, measured near the outline that was expected before the last step of the fit.
+  /// Measurements, one per camera, near the outline that was expected before the last step of the
+  /// fit.
   std::vector<RegionMeasurement> views;
   int seeing = 0; ///< number of cameras that see the target
-  /// Disagreement between the cameras: each residual of the center is divided by its standard
-  /// deviation (including kShapeShare) and squared; this is the sum. `degreesOfFreedom` is the
-  /// number of residuals minus the number of unknowns. Both are 0 if only one camera sees the
-  /// target.
+  /// Disagreement between the cameras: the sum of the squared residuals of the center, each divided
+  /// by its standard deviation (including kShapeShare). `degreesOfFreedom` is the number of
+  /// residuals minus the number of unknowns. Both are 0 if only one camera sees the target.
   double disagreement = 0.0;
   int degreesOfFreedom = 0;
 };
@@ -52,13 +53,13 @@ inline constexpr double kShapeShare = 0.15;
 /// Fits an ellipsoid to the regions with the target color. The method alternates between
 /// Gauss-Newton steps for the center, based on the region centroids, and linear least squares for
 /// the extent, based on the region covariances. If a target is partly hidden or outside an image,
-/// its region is compared with the visible part of the expected outline. Its center then gets less
-/// weight, and its covariance is not used.
+/// its region is compared with the visible part of the expected outline. The center of this region
+/// then gets less weight, and the covariance of the region is not used.
 EllipsoidFit fitEllipsoid(RegionObservation& observation, const EllipsoidPrior& prior);
 
-/// Returns the extent whose outlines best match the covariances of the fully visible regions. The
-/// prior extent is changed no more than necessary, because two cameras leave one of its six numbers
-/// undetermined.
+/// Returns the extent (m²) whose outlines best match the covariances of the fully visible regions.
+/// The prior extent is changed no more than necessary, because two cameras leave one of the six
+/// numbers of the extent undetermined.
 Eigen::Matrix3d fitExtent(const RegionObservation& observation,
                           const std::vector<RegionMeasurement>& views, const Ellipsoid& before,
                           const EllipsoidPrior& prior);

@@ -24,8 +24,9 @@ struct RegionMeasurement {
   /// Vector from the centroid of the visible part to the outline's center, pixels.
   Eigen::Vector2d centerFromVisible = Eigen::Vector2d::Zero();
 
-  /// Returns the outline's center as measured by the region: the region's centroid, corrected for
-  /// the expected hidden part. `region` must not be empty.
+  /// Returns the center of the outline as measured in the image: the centroid of the region,
+  /// corrected for the part of the outline that is expected to be hidden. `region` must not be
+  /// empty.
   Eigen::Vector2d center() const { return region->centroid + centerFromVisible; }
   /// Returns the fraction of the target, 0 to 1, that is hidden or outside the image.
   double missing() const { return 1.0 - visible; }
@@ -38,10 +39,11 @@ RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected
                                 const Eigen::Matrix2d& centerCovariance);
 
 /// Returns the log likelihood ratio of one image for a target of any shape: "the target is at the
-/// expected outline" against "it is not there". The ratio depends on two fractions: how much of the
-/// expected outline has the target color, and how much of a ring around it. `fill` is the fraction
-/// of the outline that a visible target fills. The largest ratio equals that of SphereEvidence, so
-/// that an image has the same influence for a target of any shape as for a ball.
+/// expected outline" against "the target is not there". The ratio depends on two fractions with the
+/// target color: the fraction of the expected outline, and the fraction of a ring around the
+/// outline. `fill` is the fraction of the outline that a visible target fills. The largest ratio
+/// equals that of SphereEvidence, so that an image has the same influence for a target of any shape
+/// as for a ball.
 double regionEvidence(const RegionMeasurement& measurement, double fill);
 /// Returns the value of regionEvidence() for an image that shows the whole target.
 double fullRegionEvidence();

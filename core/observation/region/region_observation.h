@@ -32,7 +32,8 @@ public:
   std::vector<View>& views() { return views_; }
   const std::vector<View>& views() const { return views_; }
 
-  /// Sets the image of a camera, like SphereObservation::setImage().
+  /// Sets the image of a camera, taken `timeOffset` seconds after the frame's time. The arguments
+  /// have the same meaning as for SphereObservation::setImage().
   void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
                 const BackgroundModel& background, const ColorClassifier& classifier,
                 const ColorClassifier& usual) {

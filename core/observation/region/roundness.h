@@ -13,12 +13,13 @@ struct Roundness {
   /// Logarithm of the ratio of the region's axes, relative to the outline of the ball; at least 0.
   double elongation = 0.0;
   /// Area by which the region is smaller than the ellipse with the same pixel covariance, as a
-  /// fraction of that ellipse. It is 0 for any ellipse, 0.05 for a square and 0.17 for a triangle.
+  /// fraction of the area of the ellipse. The value is 0 for any ellipse, 0.05 for a square and
+  /// 0.17 for a triangle.
   double hollowness = 0.0;
   /// Logarithm of the factor by which the region is larger than the outlines of two touching balls
-  /// of the expected size; the factor is the square root of the area ratio. It is 0 if the region
-  /// is not larger. A ball, possibly touching another object of its color and size, then explains
-  /// the whole region.
+  /// of the expected size. The factor is the square root of the area ratio. The value is 0 if the
+  /// region is not larger, because a ball that touches another object of its color and size then
+  /// explains the whole region.
   double excess = 0.0;
 };
 

@@ -15,50 +15,51 @@
 
 namespace dewpoint::observation {
 
-/// Color ranges of a target as each camera sees them while the light changes slowly. The bounds of
-/// the learned ranges follow the quantiles of the colors on the target. Bounds of hue and
-/// saturation are shifted by the difference between the current and the initial quantiles. Bounds
-/// of intensity are multiplied by the ratio of these quantiles. In the current light, the
-/// background may also have the target color; in darkness, for example, noise has any hue. A bound
-/// then moves closer to its quantile, as long as this raises the F1 score of the matching pixels.
-/// Only frames in which the target is certain and not covered may be used for learning.
+/// Color ranges of a target, adapted in each camera to slow changes of the light. The bounds of the
+/// ranges follow the quantiles of the colors on the target. Bounds of hue and saturation are
+/// shifted by the difference between the current and the initial quantiles. Bounds of intensity are
+/// multiplied by the ratio of these quantiles. In the current light, the background may also have
+/// the target color, because noise in dark images has any hue, for example. A bound then moves
+/// closer to its quantile, as long as this raises the F1 score: the harmonic mean of the fraction
+/// of matching pixels that show the target, and the fraction of target pixels that match. Learn
+/// only from frames in which the position of the target is certain and nothing covers the target.
 class AdaptiveColor {
 public:
   /// Starts with at least one range. All ranges must have passed checkColorRange().
   AdaptiveColor(const ColorRanges& learned, std::size_t cameras);
 
-  /// Returns the classifier for the color as first learned. Label images keep pointers to it and to
-  /// inUse(), so neither address changes when the object is moved.
+  /// Returns the classifier for the color as first learned. Label images keep pointers to this
+  /// classifier and to inUse(), so their addresses stay the same when the AdaptiveColor is moved.
   const ColorClassifier& learned() const { return *learnedClassifier_; }
   /// Returns the classifier currently used in one camera.
   const ColorClassifier& inUse(std::size_t camera) const { return cameras_.at(camera).classifier; }
   ColorRanges rangesInUse(std::size_t camera) const;
-  /// Returns the ranges in use in all cameras. Empty while every camera uses the ranges as first
-  /// learned.
+  /// Returns the ranges in use, one entry per camera. The list is empty while every camera uses the
+  /// ranges as first learned.
   std::vector<ColorRanges> rangesInUse() const;
 
   /// Restores the learned ranges in all cameras.
   void restoreLearned();
-  /// Restores in each camera the ranges for the initial light. This undoes all calls of adapt(),
-  /// but not those of extendToLight().
+  /// Restores the ranges for the initial light in each camera. Undoes all calls of adapt(), but no
+  /// calls of extendToLight().
   void undoAdaptation();
-  /// Adjusts the ranges to the light in a camera's image, see extendRangeToLight(). It is meant for
-  /// a target that is not tracked. If a range changes, all changes by adapt() in this camera are
-  /// lost.
+  /// Adjusts the ranges of a camera to the light in its image (extendRangeToLight()). Use it for a
+  /// target that is not tracked at present. If a range changes, all changes by adapt() in this
+  /// camera are lost.
   void extendToLight(std::size_t camera, const cv::Mat& image);
   /// Updates the color in one camera from an image (CV_8UC3) in which the target is completely
   /// visible and not covered. The ranges move toward the colors on the target by the fraction
   /// `share` (0 to 1) of the difference. A range with too few visible pixels stays unchanged. The
-  /// first kReferenceUpdates updates of a range do not change it; they measure the colors in the
-  /// initial light. `others` are outlines of other objects with the same color.
+  /// first kReferenceUpdates updates of a range do not change the range; they measure the colors in
+  /// the initial light. `others` are outlines of other objects with the same color.
   ///
-  /// The color does not change if too few pixels inside the outline have approximately the color in
-  /// use, or if the new ranges would match too much of the ring around the target or of the rest of
-  /// the image. Returns whether the color was updated.
+  /// Returns whether the ranges were moved. They are not moved if too few pixels inside the outline
+  /// have approximately the color in use, or if the new ranges would match too much of the ring
+  /// around the target or of the rest of the image.
   bool adapt(std::size_t camera, const cv::Mat& image, const SphereImage& outline,
              const std::vector<SphereImage>& others, double share);
 
-  /// Number of updates at the start that do not change a range: they only measure the colors of the
+  /// Number of updates at the start that do not change a range, but measure the colors of the
   /// target in the initial light. Ten updates take a third of a second at 30 images per second.
   /// Chosen by judgment (docs/method-dewpoint.md, section 8).
   static constexpr int kReferenceUpdates = 10;

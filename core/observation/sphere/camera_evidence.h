@@ -11,14 +11,14 @@ namespace dewpoint::observation {
 struct CameraEvidence {
   bool inView = false;        ///< the camera has an image into which the position projects
   double logLikelihood = 0.0; ///< from the method's observation model; 0 if not in view
-  /// Posterior probability that the target is there, with even prior odds.
+  /// Probability that the target is at the position, if it was one half before the image was seen.
   double existenceProbability = 0.5;
   /// Fraction of the target's outline (or of the window of ColorWindow) that has the target color,
   /// 0 to 1.
   double visible = 0.0;
 };
 
-/// Returns the posterior probability of a hypothesis with even prior odds: 1 / (1 +
+/// Returns the posterior probability of a hypothesis whose prior probability is one half: 1 / (1 +
 /// exp(-logLikelihoodRatio)).
 inline double probabilityFromLogOdds(double logLikelihoodRatio) {
   return 1.0 / (1.0 + std::exp(-logLikelihoodRatio));

@@ -31,16 +31,16 @@ public:
 
   std::size_t cameraCount() const { return views_.size(); }
   void setClassifier(const ColorClassifier& classifier);
-  /// Sets the current image (CV_8UC3, blue green red) of a camera; an empty image means that there
-  /// is none.
+  /// Sets the current image (CV_8UC3, blue green red) of a camera. An empty image means that the
+  /// camera has no image.
   void setImage(std::size_t camera, const cv::Mat& image);
-  /// Chooses the faster way to count the matching pixels of windows: individually for each window,
-  /// or with counts that are computed once for the whole image. Both give the same result.
-  /// `windowCount` is the expected number of windows on the current images (particles of all
-  /// iterations). Must not be called while other threads use the model.
+  /// Chooses the faster of two ways to count the matching pixels of windows: individually for each
+  /// window, or once for the whole image. Both ways give the same result. `windowCount` is the
+  /// expected number of windows on the current images (particles of all iterations). Must not be
+  /// called while other threads use the model.
   void prepare(std::int64_t windowCount);
 
-  /// Adds the log likelihood of each state.
+  /// Adds the log likelihood of each state to `logLikelihood`.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
 
   /// Returns the number of matching pixels, 0 to 25, in the window around the projection of a world

@@ -9,8 +9,8 @@
 
 namespace dewpoint::observation {
 
-/// Color range of a target in one camera while the light changes slowly (AdaptiveColor). Its bounds
-/// follow the quantiles of the colors on the target.
+/// Color range of a target in one camera, for light that changes slowly (AdaptiveColor). The bounds
+/// of the range follow the quantiles of the colors on the target.
 class FollowedRange {
 public:
   /// Number of bounds of a range. Each bound follows a quantile of the colors on the target. There
@@ -24,15 +24,15 @@ public:
 
   const ColorRange& base() const { return base_; }
   const ColorRange& inUse() const { return inUse_; }
-  /// Returns the range in use with all bounds moved outward. Colors inside are approximately the
-  /// target color.
+  /// Returns the range in use with all bounds moved outward. Colors inside this wider range are
+  /// considered approximately the target color.
   ColorRange widened() const;
   /// Returns the coordinates of a color: hue in degrees from the center of the base range (0 for
   /// gray), saturation, and the logarithm of the intensity, which must not be 0.
   std::array<double, 3> coordinatesOf(const Hsi& color) const;
 
-  /// Includes measured quantiles in the mean quantiles of the initial light. This applies to the
-  /// first `updates` calls, which return true. Later calls change nothing and return false.
+  /// Includes measured quantiles in the mean quantiles of the initial light and returns true. Calls
+  /// after the first `updates` calls change nothing and return false.
   bool addReference(const Quantiles& measured, int updates);
   /// Returns the quantiles at the fraction `share` (0 to 1) of the way from the current to the
   /// measured quantiles.
@@ -51,7 +51,7 @@ public:
   /// Sets the slack of one bound and updates the range in use.
   void setSlack(std::size_t bound, double slack);
 
-  /// Returns whether a computed range can contain any color.
+  /// Returns whether a computed range can match any color.
   static bool isUsable(const ColorRange& range);
 
 private:

@@ -10,19 +10,19 @@
 
 namespace dewpoint::observation {
 
-/// Finds a ball for calibration, by its color alone, with an accuracy of a fraction of a pixel. It
-/// returns nothing rather than an uncertain result.
+/// Finds a ball for calibration by its color alone, with an accuracy of a fraction of a pixel.
+/// Reports no ball rather than an uncertain result.
 class MarkerDetector {
 public:
   explicit MarkerDetector(const ColorClassifier& classifier) : classifier_(classifier) {}
 
-  /// Finds the ball in an image (CV_8UC3): the largest patch with its color, with the outline
-  /// fitted to the colors (fitBallEdge()). Returns nothing if the patch is not as round as a
-  /// complete ball, touches the image border, has a radius below kLeastRadius, or has less than
-  /// twice the total area of all other patches.
+  /// Returns the ball in an image (CV_8UC3): the largest patch with the ball's color, with an
+  /// outline fitted by fitBallEdge(). Returns nothing if the patch is not as round as a complete
+  /// ball, touches the image border, has a radius below kLeastRadius, or has less than twice the
+  /// total area of all other patches.
   std::optional<MarkerImage> find(const cv::Mat& bgr);
 
-  static constexpr double kLeastRadius = 2.0; ///< pixels; the origin of this value is not recorded
+  static constexpr double kLeastRadius = 2.0; ///< pixels; the reason for this value is not recorded
 
 private:
   ColorClassifier classifier_;

@@ -15,16 +15,16 @@ namespace dewpoint::observation {
 struct OutlineView {
   const SphereProjector* projector = nullptr;
   /// Labels of the camera's image. Missing labels are computed as needed. A camera without an image
-  /// (empty labels) is not used.
+  /// has empty labels and is not used.
   LabelImage* labels = nullptr;
   /// Displacement of the sphere (meters, world) from the frame time to this camera's exposure: the
   /// velocity of the sphere times the time difference.
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
 };
 
-/// Information that the image of one camera alone gives about the center of a fit, linearized at
-/// the fit. If this camera sees the sphere displaced by d (meters, world) from OutlineFit::center,
-/// the expected value of `vector` is information * d.
+/// Information about the center of the sphere from the image of one camera alone, linearized at
+/// OutlineFit::center. If this camera sees the sphere displaced by d (meters, world) from that
+/// center, the expected value of `vector` is information * d.
 struct CameraPull {
   /// Inverse covariance of the center, 1/m²; zero if the camera does not show the outline.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -41,17 +41,17 @@ struct OutlineFit {
   bool found = false; ///< true if enough of the outline was seen; if false, no other field is valid
   /// Disagreement between the cameras. For each camera, the position is also computed from this
   /// camera alone. The disagreement is the sum of the squared Mahalanobis distances of these
-  /// positions from `center`. On average, it equals `degreesOfFreedom` if the edge errors are as
-  /// assumed. It is much larger if a camera was moved.
+  /// positions from `center`. The disagreement is `degreesOfFreedom` on average if the edge errors
+  /// are as assumed, and much larger if a camera was moved.
   double disagreement = 0.0;
   int degreesOfFreedom = 0; ///< 0 if only one camera sees the outline
-  /// Deviation of the outline from its expected size. In each camera, the offset that is common to
-  /// all edges is squared and divided by its variance. The deviation is the sum over the cameras.
+  /// Deviation of the outlines from their expected size: the mean offset of all edges in a camera,
+  /// squared and divided by its variance, summed over the cameras.
   double sizeMisfit = 0.0;
   std::vector<CameraPull> pulls; ///< per camera
 };
 
-/// Prior knowledge for the fit. World frame.
+/// Prior knowledge about the sphere, for the fit. World frame.
 struct OutlinePrior {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< start of the fit, meters
   double radius = 0.0;
@@ -67,12 +67,12 @@ enum class OutlineReach {
 };
 
 /// Fits a sphere jointly to its outlines in all cameras. The edges of the target color are found
-/// along spokes, which are rays in the image from the expected center. The center (and the radius,
-/// unless it is known) is fitted by Gauss-Newton steps with Tukey's weights. Edges where the
-/// outline is hidden, or where it touches another object of the same color, get no weight and do
-/// not bias the fit. Because of anti-aliasing and shading, all edges in a camera are shifted by an
-/// unknown common amount. This shift is also estimated, so the size of the outline determines the
-/// depth only weakly.
+/// along spokes, which are rays in the image from the expected center of the outline. The center
+/// (and the radius, unless it is known) is fitted by Gauss-Newton steps with Tukey's weights. Edges
+/// where the outline is hidden, or where it touches another object of the same color, get no weight
+/// and do not bias the fit. Anti-aliasing and shading shift all edges in a camera by an unknown
+/// common amount. This shift is also estimated, so the size of the outline determines the depth
+/// only weakly. `found` is false in the result if too little of the outline was seen.
 OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior,
                       OutlineReach reach = OutlineReach::Far);
 

@@ -11,13 +11,14 @@ namespace dewpoint::observation {
 
 /// Likelihood of positions x y z (meters) given a measured position: an isotropic Gaussian around
 /// the measured position (Barrera et al. 2005, section III-C; the paper does not specify sigma).
-/// Only its logarithm is computed, because its values can be extremely small: exp(-200) at a
-/// distance of 2 m with a sigma of 0.1 m. Without a measurement, every position is equally likely.
+/// Only the logarithm of the likelihood is computed, because the likelihood can be extremely small:
+/// exp(-200) at a distance of 2 m with a sigma of 0.1 m. Without a measurement, every position is
+/// equally likely.
 struct PositionLikelihood {
   std::optional<Eigen::Vector3d> measured;
   double sigma = 0.1; ///< meters
 
-  /// Adds the log likelihood of each state, up to a constant.
+  /// Adds the log likelihood of each state, except for a constant term, to `logLikelihood`.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const {
     if (!measured) {
       return;

@@ -11,11 +11,11 @@
 
 namespace dewpoint::observation {
 
-/// Evidence from one image for a sphere of known size at a position. It is the log likelihood ratio
-/// of "sphere present" against "no such sphere present". The color is sampled on twelve spokes
+/// Evidence from one image for a sphere of known size at a position: the log likelihood ratio of
+/// "the sphere is here" against "no such sphere is here". The color is sampled on twelve spokes
 /// (rays from the center), inside the expected outline and in a ring around it. A smaller object of
 /// the same color does not fill the inside, and a larger object also fills the ring. Pixels at
-/// which an object may hide the target (PixelLabel::Unknown) are no evidence.
+/// which an object may hide the target (PixelLabel::Unknown) are not used as evidence.
 class SphereEvidence {
 public:
   /// Distance of the outermost samples from the center, in radii.
@@ -23,21 +23,22 @@ public:
   /// Factor by which the radius of an outline is enlarged to include the blurred rim. Chosen by
   /// judgment (docs/method-dewpoint.md, section 2).
   static constexpr double kOutlineMargin = 1.05;
-  /// Returns the log likelihood ratio of a fully visible target when its color does not occur in
-  /// the background.
+  /// Returns the log likelihood ratio of a fully visible target whose color does not occur in the
+  /// background.
   static double maxLogLikelihoodRatio();
 
-  /// Returns the log likelihood ratio of an outline in the labels. The labels around the outline
-  /// must have been computed. The ratio is lower for outlines of few pixels, where several samples
-  /// fall on the same pixel.
+  /// Returns the log likelihood ratio (natural logarithm) for a sphere with this outline in the
+  /// image. The labels around the outline must have been computed. The ratio is lower for outlines
+  /// of few pixels, where several samples fall on the same pixel.
   static double logLikelihoodRatio(const LabelImage& labels, const SphereImage& outline);
-  /// Returns the amount by which logLikelihoodRatio() of an outline would increase if ring samples
-  /// that are covered by the outlines `others` did not count against it.
+  /// Returns the amount by which logLikelihoodRatio() of an outline would increase if the ring
+  /// samples inside the outlines `others` did not count against the target.
   static double explainedRingGain(const LabelImage& labels, const SphereImage& outline,
                                   const std::vector<SphereImage>& others);
-  /// Returns the fraction of the visible spokes, 0 to 1, on which the color ends at the outline. On
-  /// such a spoke, the sample inside the outline matches, and the sample in the ring neither
-  /// matches nor is labeled Explained. Returns 0 if more than two thirds of the spokes are hidden.
+  /// Returns the fraction of the visible spokes, 0 to 1, on which the target color ends at the
+  /// outline. On such a spoke, the sample inside the outline matches, and the sample in the ring
+  /// neither matches nor is labeled Explained. Returns 0 if more than two thirds of the spokes are
+  /// hidden.
   static double rimShare(const LabelImage& labels, const SphereImage& outline);
   /// Returns the fraction of the samples inside the outline that match, 0 to 1.
   static double matchShare(const LabelImage& labels, const SphereImage& outline);

@@ -28,8 +28,8 @@ inline constexpr double kSeenShare = 1.0 / 3.0;
 /// target to count as not covered. Chosen by judgment (docs/method-dewpoint.md, section 8).
 inline constexpr double kWholeShare = 0.85;
 
-/// Observation model of the method `dewpoint`: computes how well the images of all cameras agree
-/// with one target, a sphere of one color. States: columns 0 to 2 are x, y, z (meters, world
+/// Observation model of the `dewpoint` method, which computes how well the images of all cameras
+/// agree with one target, a sphere of one color. States: columns 0 to 2 are x, y, z (meters, world
 /// frame), 3 to 5 the velocity (m/s). The velocity is used to move a position to the time of a
 /// camera's exposure.
 class SphereObservation {
@@ -42,9 +42,9 @@ public:
   const LabelImage& labels(std::size_t camera) const { return views_[camera].labels; }
 
   /// Sets the current image of a camera, taken `timeOffset` seconds after the frame's time. The
-  /// image, background and classifiers must outlive their use. `classifier` tests for the target
-  /// color in the light of the image, `usual` in the reference light (BackgroundModel::light()). If
-  /// the image is empty, the camera is not used.
+  /// image, background and classifiers must stay valid until the next call for this camera.
+  /// `classifier` tests for the target color in the light of the image, `usual` in the reference
+  /// light (BackgroundModel::light()). If the image is empty, the camera is not used.
   void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
                 const BackgroundModel& background, const ColorClassifier& classifier,
                 const ColorClassifier& usual);
@@ -59,27 +59,30 @@ public:
   /// Computes the labels that addLogLikelihood() needs for these states. Must not be called while
   /// other threads use the model.
   void ensureLabelsFor(ConstStateRows rows);
-  /// Adds the log likelihood ratio (SphereEvidence) of each state, summed over the cameras.
+  /// Adds the log likelihood ratio (SphereEvidence) of each state, summed over the cameras, to
+  /// `logLikelihood`.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const;
-  /// Combines ensureLabelsFor() and addLogLikelihood(), projecting each state only once. The work
-  /// is distributed over the thread team.
+  /// Returns the log likelihood ratio of each state, like ensureLabelsFor() followed by
+  /// addLogLikelihood(), but projects each state only once. The work is distributed over the thread
+  /// team.
   Eigen::ArrayXd logLikelihoods(ConstStateRows rows, ThreadTeam& team);
 
-  /// Returns the log likelihood ratio of one position. Labels are computed as needed.
+  /// Returns the log likelihood ratio of one position (meters, world), summed over the cameras.
+  /// Labels are computed as needed.
   double logLikelihoodRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
   /// Returns the amount by which logLikelihoodRatio() would increase if ring samples that are
   /// covered by other spheres were not counted. In each camera, only spheres whose projected center
-  /// lies outside this outline are considered. A sphere whose center lies inside it is the same
-  /// object, at a position that was computed from wrongly paired rays. The labels around the
-  /// position must have been computed.
+  /// lies outside the outline of this target are considered. A sphere whose center lies inside the
+  /// outline is the same object, at a position that was computed from wrongly paired rays. The
+  /// labels around the position must have been computed.
   double explainedRingGain(const Eigen::Vector3d& center,
                            const std::vector<OutlineSphere>& others) const;
-  /// Returns the log likelihood ratio that would result if every camera into whose image the
-  /// position projects saw the complete target.
+  /// Returns the log likelihood ratio for the ideal case that the complete target is visible in
+  /// every camera into whose image the position projects.
   double fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& center,
                                         const Eigen::Vector3d& velocity) const;
-  /// Returns whether at least one camera shows the rim of the target, where its color ends
-  /// (SphereEvidence::rimShare()). A part of a larger object of the same color has no rim.
+  /// Returns whether at least one camera shows the rim of the target, at which the target color
+  /// ends (SphereEvidence::rimShare()). A part of a larger object of the same color has no rim.
   bool showsRim(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
   /// Returns the number of cameras with an image into which the position projects.
   int countCamerasInView(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;

@@ -19,13 +19,13 @@ public:
   static constexpr int kRadius = 2;
   static constexpr int kPixels = 25;
 
-  /// Counts a whole image (CV_8UC3).
+  /// Computes the counts for a whole image (CV_8UC3).
   void build(const cv::Mat& bgr, const ColorClassifier& classifier);
   void clear() { counts_.clear(); }
   bool empty() const { return counts_.empty(); }
 
-  /// Returns the counts of all pixels, row by row, followed by a zero, which is used for positions
-  /// outside the image.
+  /// Returns the counts of all pixels, row by row, followed by a zero. The zero is used for
+  /// positions outside the image.
   const std::uint8_t* data() const { return counts_.data(); }
 
 private:
@@ -36,10 +36,10 @@ private:
 /// Maximum number of windows per call of countWindows().
 inline constexpr int kMostWindows = 64;
 
-/// Counts selected windows only. Their pixels are placed side by side and classified together.
-/// counts[i] belongs to the window around the pixel at column pixels[i] % columns and row pixels[i]
-/// / columns of `bgr` (CV_8UC3). It is zero for pixels[i] = rows * columns, which stands for a
-/// position outside the image.
+/// Counts the matching pixels in `windowCount` windows of 5x5 pixels. counts[i] is the count for
+/// the window around the pixel at column pixels[i] % columns and row pixels[i] / columns of `bgr`
+/// (CV_8UC3). For pixels[i] = rows * columns, which means a position outside the image, the count
+/// is zero. The pixels of the windows are placed side by side and classified together.
 void countWindows(const cv::Mat& bgr, const ColorClassifier& classifier, int windowCount,
                   const std::int32_t* pixels, std::uint8_t* counts);
 
