@@ -34,15 +34,15 @@ enum class CameraStatus {
 /// One camera's report on a target.
 struct CameraReport {
   CameraStatus status = CameraStatus::None;
-  /// Distance in pixels; 0 if the two touch. For Distractor, it is the distance between the outline
-  /// of the other object and the expected outline; for Elsewhere, the distance to the nearest pixel
-  /// of the color.
+  /// Distance in pixels from the expected outline of the target: for Distractor, to the outline of
+  /// the other object; for Elsewhere, to the nearest pixel of the target's color. 0 if the two
+  /// touch.
   double pixels = 0.0;
 };
 
 /// Returns one English sentence that gives the reason for each camera that does not confirm the
-/// target, for example "camera left: hidden". Empty if all cameras confirm it. A camera without a
-/// name is identified by its number, from 1.
+/// target, for example "camera left: hidden". Returns an empty text if all cameras confirm the
+/// target. A camera without a name is identified by its number, from 1.
 std::string describeReasons(const std::vector<CameraReport>& reports,
                             const std::vector<std::string>& cameraNames);
 
@@ -50,8 +50,8 @@ std::string describeReasons(const std::vector<CameraReport>& reports,
 /// two pixels in a thousand are brighter than 24 of 255 in any channel.
 bool isDark(const cv::Mat& image);
 
-/// Returns the distance in pixels from a point to the nearest nonzero pixel of a mask (CV_8UC1);
-/// nothing if there is none.
+/// Returns the distance in pixels from a point to the nearest nonzero pixel of a mask (CV_8UC1), or
+/// nothing if all pixels are zero.
 std::optional<double> distanceToNearest(const cv::Mat& mask, const Eigen::Vector2d& point);
 
 } // namespace dewpoint::tracking

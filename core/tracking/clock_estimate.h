@@ -8,8 +8,9 @@ namespace dewpoint::tracking {
 /// Estimated clock error of a camera relative to the first camera of the rig. All values are 0 for
 /// the first camera: the images do not show a delay that all cameras have in common.
 struct ClockEstimate {
-  /// How much later this camera stamps an image after its capture than the first camera does,
-  /// seconds. This is in addition to the known delays, which the time stamps already contain.
+  /// Delay in seconds from the capture of an image to its time stamp, minus the same delay of the
+  /// first camera. Known delays are not included, because the time stamps are already corrected for
+  /// them.
   double delay = 0.0;
   double delaySigma = 0.0; ///< standard deviation of `delay`, seconds; 0: nothing is estimated
   double drift = 0.0;      ///< change of `delay`, seconds per second

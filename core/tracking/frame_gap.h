@@ -5,11 +5,11 @@
 
 namespace dewpoint::tracking {
 
-/// Longest time between two frames that motion models use, in seconds. For longer gaps they use
-/// this value, since motion before such a gap tells nothing about the scene after it.
+/// Longest time step in seconds that motion models use. A longer gap between two frames is treated
+/// as this time, since motion before such a gap says nothing about the scene after it.
 inline constexpr double kLongestGap = 1.0;
-/// Assumed time since the previous frame, in seconds, if it cannot be computed from the frame
-/// times. This is the case if a frame is earlier than the previous one because the user went back.
+/// Assumed time since the previous frame, in seconds, if the frame times do not give it. This
+/// happens when the user goes back, so that a frame is earlier than the previous frame.
 inline constexpr double kDefaultGap = 1.0 / 30.0;
 
 } // namespace dewpoint::tracking

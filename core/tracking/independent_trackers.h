@@ -14,7 +14,8 @@
 
 namespace dewpoint::tracking {
 
-/// A filter for one target, independent of all others. A copy continues with bit-identical results.
+/// Filter for one target, independent of all other targets. A copy continues with bit-identical
+/// results.
 template <class F>
 concept TargetFilter = std::copy_constructible<F> &&
     std::constructible_from<F, ParameterValues, CameraRig, Target> &&
@@ -36,13 +37,14 @@ concept TargetFilter = std::copy_constructible<F> &&
   { finished.memoryBytes() } -> std::same_as<std::size_t>;
 };
 
-/// A filter that also provides likelihood maps.
+/// TargetFilter that also provides likelihood maps.
 template <class F>
 concept MappingFilter = TargetFilter<F> && requires(const F& finished) {
   { finished.likelihoodMaps(0) } -> std::same_as<std::vector<LikelihoodMap>>;
 };
 
-/// Tracker with one independent filter per target. Target k starts from derivedSeed(seed, k).
+/// Tracker with one independent filter per target. The filter of target k is started with
+/// derivedSeed(seed, k).
 template <TargetFilter F>
 class IndependentTrackers : public Tracker,
                             public Configurable,

@@ -16,7 +16,7 @@ namespace dewpoint::tracking {
 /// Type of a parameter's value.
 enum class ParameterKind { Integer, Real };
 
-/// Subject of a parameter. Editors group parameters by it, in this order.
+/// Group of parameters with the same subject. Editors show the groups in this order.
 enum class ParameterGroup {
   Essential, ///< the most important parameters, always visible; all of them if the method has only
              ///< a few
@@ -30,8 +30,8 @@ enum class ParameterGroup {
 /// Returns the title of a group, as shown to the user.
 std::string_view parameterGroupTitle(ParameterGroup group);
 
-/// Declaration of a parameter. It is used by editors, tooltips, validation, project files, the
-/// command line and the reference page.
+/// Declaration of a parameter, for editors, tooltips, validation, project files, the command line
+/// and the reference page.
 struct ParameterDeclaration {
   std::string key; ///< "motion_sigma"
   ParameterKind kind = ParameterKind::Real;
@@ -43,21 +43,22 @@ struct ParameterDeclaration {
   double defaultValue = 0.0;
   std::string sentence;     ///< description for a tooltip
   bool logarithmic = false; ///< sliders have a logarithmic scale
-  /// If true and no value is given, the value is derived from the cameras (effectiveParameters()).
-  /// If that is not possible, the default is used.
+  /// If true and the user gives no value, the value is derived from the cameras
+  /// (effectiveParameters()), or is the default if the cameras do not determine it.
   bool fromCameras = false;
   ParameterGroup group = ParameterGroup::Essential;
-  /// Key of another parameter of the method whose value is an upper limit for this one. If this
-  /// value is larger, the limit is used instead. Empty if there is no such limit.
+  /// Key of another parameter of the method, whose value is an upper limit for the value of this
+  /// parameter. A larger value is replaced by the limit. Empty if there is no such limit.
   std::string bound = {};
 };
 
-/// Moves the declarations with these keys, which must exist (asserted), to a group.
+/// Assigns the declarations with these keys to a group. All keys must exist (asserted).
 void putInGroup(ParameterGroup group, std::initializer_list<std::string_view> keys,
                 std::vector<ParameterDeclaration>& declarations);
 
-/// Declared parameters of a method with their values, each within its declared range. Treated as
-/// immutable by convention: a change creates a new object.
+/// Declared parameters of a method with their values, each within its declared range. A value is
+/// "given" if somebody has set it; other values may be derived from the cameras
+/// (ParameterDeclaration::fromCameras).
 class ParameterValues {
 public:
   using ByKey = std::map<std::string, double, std::less<>>;
@@ -65,27 +66,27 @@ public:
   ParameterValues() = default;
   explicit ParameterValues(std::span<const ParameterDeclaration> declarations);
   std::span<const ParameterDeclaration> declarations() const { return declarations_; }
-  /// Returns the value of a key, which must be declared (asserted).
+  /// Returns the value of a key. The key must be declared (asserted).
   double at(std::string_view key) const;
-  /// Sets a value. Returns UnknownKey, or BadValue if the value is not finite, is out of range, or
-  /// is not an integer where one is required. Nothing changes on an error.
+  /// Sets a value. Error: UnknownKey, or BadValue if the value is not finite, is out of range, or
+  /// is not an integer although the parameter requires one. Nothing changes on an error.
   Status set(std::string_view key, double value);
-  /// Like set(), but parses the value from text, as on the command line.
+  /// Sets a value from its text, as on the command line. Errors are those of set().
   Status setText(std::string_view key, std::string_view text);
-  /// Returns false only if the value of this key may come from the cameras
-  /// (ParameterDeclaration::fromCameras) and nobody has set it. Returns true for all other keys.
+  /// Returns whether a value is given, so that it is not derived from the cameras. The result is
+  /// false only for a key with ParameterDeclaration::fromCameras that nobody has set.
   bool isGiven(std::string_view key) const;
-  /// Marks the current value of a key as given; does nothing for an unknown key.
+  /// Marks the current value of a key as given (isGiven()). Does nothing for an unknown key.
   void markGiven(std::string_view key);
-  /// Marks the current values of all keys as given.
+  /// Marks the current values of all keys as given (isGiven()).
   void markAllGiven();
-  /// Resets all given values of keys that can be derived from the cameras. They have their defaults
-  /// until setDerived() is called.
+  /// Resets all values that can be derived from the cameras to their defaults, and marks them as
+  /// not given. setDerived() then replaces them.
   void resetDerivable();
-  /// Replaces the values that are not given. The new values come from `values`, limited to their
-  /// ranges, or from the defaults for keys that are not in `values`.
+  /// Replaces the values that are not given (isGiven()). The new values come from `values`, limited
+  /// to their ranges. Keys that are not in `values` get their defaults.
   void setDerived(const ByKey& values);
-  /// Compares the values and which of them are given.
+  /// Returns whether the values are equal and the same values are given.
   bool operator==(const ParameterValues& other) const {
     return values_ == other.values_ && given_ == other.given_;
   }
@@ -97,8 +98,8 @@ private:
   std::set<std::string, std::less<>> given_;
 };
 
-/// Returns whether the value of a declared key exceeds the value of the parameter that limits it.
-/// The limit is then used instead.
+/// Returns whether the value of a declared parameter exceeds the limit set by another parameter
+/// (ParameterDeclaration::bound). The limit is then used instead.
 bool exceedsBound(const ParameterValues& values, const ParameterDeclaration& declaration);
 
 } // namespace dewpoint::tracking

@@ -11,8 +11,8 @@
 
 namespace dewpoint::tracking {
 
-/// Weighted points that represent the volume of a person's body: rows of x, y, z in meters, world
-/// frame; linear weights that sum to 1.
+/// Weighted points that represent the volume of a person's body. `points` has rows of x, y, z in
+/// meters, world frame. The weights are linear and sum to 1.
 struct BodyCloud {
   Eigen::ArrayXXd points;
   Eigen::ArrayXd weights;
@@ -28,7 +28,7 @@ struct PeopleCameraState {
 
 /// Returns the name of a person in files and views: "person 3".
 std::string personName(int identity);
-/// Returns the identity in a name of this form; nothing for any other name.
+/// Returns the identity in a name of the form "person 3", or nothing for any other name.
 std::optional<int> identityFromName(std::string_view name);
 
 } // namespace dewpoint::tracking

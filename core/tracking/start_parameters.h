@@ -13,16 +13,17 @@
 
 namespace dewpoint::tracking {
 
-/// Volume in which a method starts: a box around a point, in meters, world frame.
+/// Volume in which a method first searches for a target: a box around a point, in meters, world
+/// frame.
 struct StartVolume {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Vector3d half = Eigen::Vector3d::Zero(); ///< half the edge lengths; 0: a single point
 };
 
-/// Returns the declarations shared by all methods with a start volume: start_x, start_half_x and so
-/// on.
+/// Returns the declarations of the parameters of a start volume: start_x, start_half_x and so on.
+/// All methods with a start volume use them.
 std::vector<ParameterDeclaration> startParameters(const StartVolume& defaults);
-/// Returns the start volume given by these parameters.
+/// Returns the start volume that these parameters define. They must include startParameters().
 StartVolume startVolume(const ParameterValues& parameters);
 
 /// Returns the part of a start volume inside a box, or the whole box if they do not overlap.
@@ -32,11 +33,12 @@ StartVolume within(const StartVolume& start, const WorldBox& box);
 /// this parameter.
 inline constexpr const char* kSearchSizeKey = "search_size";
 
-/// Returns the parameters used by a method. Parameters that were not given and are declared as
-/// `fromCameras` are derived from the box that the cameras see (seenVolume()), limited to the
-/// volume of interest if there is one. This box becomes the start volume, and its longest edge the
-/// search size; both are rounded to the steps in the declarations. If a part of the start volume
-/// was given, the rest of it and the search size keep their defaults.
+/// Returns the parameters with all values filled in. Values that are not given
+/// (ParameterValues::isGiven()) are derived from the box that the cameras see (seenVolume()),
+/// limited to the volume of interest if there is one. This box becomes the start volume, and the
+/// longest edge of the box becomes the search size; both are rounded to the steps in the
+/// declarations. If any parameter of the start volume is given, nothing is derived, and the other
+/// values are the defaults.
 ParameterValues effectiveParameters(ParameterValues parameters, const CameraRig& rig,
                                     const std::optional<WorldBox>& volumeOfInterest);
 

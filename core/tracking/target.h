@@ -13,7 +13,7 @@ namespace dewpoint::tracking {
 
 /// Assumed shape of a target.
 enum class TargetShape {
-  Auto, ///< the images decide whether it is a ball
+  Auto, ///< the images decide whether the target is a ball
   Ball, ///< a sphere
   Any   ///< an object of any shape in one color; its extent is learned
 };
@@ -21,20 +21,20 @@ enum class TargetShape {
 /// Definition of a target.
 struct Target {
   std::string name;
-  /// Radius in meters; 0 if unknown. For a target that is not a ball: radius of a ball of equal
-  /// volume.
+  /// Radius in meters; 0 if unknown. For a target that is not a ball, this is the radius of a ball
+  /// of equal volume.
   double radius = 0.0;
   ColorRange color;
   /// Samples that the color was learned from, if any; trackers use only `color`.
   std::vector<ColorSample> samples{};
-  /// Initial bounding box, for methods that track boxes in images; they do not use the color.
+  /// Initial bounding box, for methods that track boxes in images. These methods do not use
+  /// `color`.
   std::optional<TargetBox> box{};
-  /// Assumed shape. It is used by methods that support targets other than balls (`dewpoint`) and
-  /// ignored by all others.
+  /// Assumed shape. Only methods that support targets other than balls (`dewpoint`) use the shape.
   TargetShape shape = TargetShape::Auto;
   /// Colors of a multicolored target in addition to `color`.
   std::vector<ColorRange> otherColors{};
-  /// Whether the views draw the target. It has no effect on tracking and results.
+  /// Whether the views draw the target. Has no effect on tracking and results.
   bool isShown = true;
 
   /// Returns all colors of the target.

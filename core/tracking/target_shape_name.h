@@ -12,9 +12,9 @@ namespace dewpoint::tracking {
 
 /// Returns the name of a shape in files and on the command line: `auto`, `ball` or `any`.
 std::string nameOf(TargetShape shape);
-/// Returns the shape with this name; nothing for an unknown name.
+/// Returns the shape with this name, or nothing for an unknown name.
 std::optional<TargetShape> targetShapeFromName(std::string_view name);
-/// Returns all names, in the order of TargetShape.
+/// Returns the names of all shapes, in the order of TargetShape.
 std::vector<std::string> targetShapeNames();
 
 } // namespace dewpoint::tracking

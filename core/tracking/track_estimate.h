@@ -28,16 +28,16 @@ struct SphereEstimate {
   int particleCount = 0;
   int camerasSeeing = 0; ///< number of cameras that show the target's color at the projected mean
   bool valid = false;    ///< confirmed by at least two cameras, or by the only one
-  /// True if another object is about as likely to be the target, or became the estimate in this
-  /// frame. The covariance then also covers the other candidates.
+  /// True if another object is about as likely to be the target, or if the estimate moved to
+  /// another object in this frame. The covariance then also covers the other candidates.
   bool ambiguous = false;
   double existenceProbability = 0.0; ///< probability that the target is at the estimate
   double radius = 0.0;               ///< meters, given or estimated; 0 if unknown
-  /// Extent (m²) of a target that is not a ball, as in geometry::Ellipsoid; `radius` is then that
-  /// of a ball of the same volume. Empty for a ball.
+  /// Extent (m²) of a target that is not a ball, as in geometry::Ellipsoid; `radius` is then the
+  /// radius of a ball of the same volume. Empty for a ball.
   std::optional<Eigen::Matrix3d> extent;
   /// Position (m, m²) measured in the images of this frame alone, without the prediction. Empty if
-  /// the target was not found in them, or the method does not measure it.
+  /// the target was not found in the images, or if the method does not measure positions.
   std::optional<Gaussian3> measurement;
   bool degenerate = false; ///< no particle had a usable weight; all weights were set equal
   /// Likelihood, existence probability and visible fraction at the mean for each camera, in the
@@ -89,37 +89,37 @@ struct AbsentEstimate {};
 /// reports every visitor that must handle it.
 using TrackEstimate = std::variant<SphereEstimate, BoxEstimate, PersonEstimate, AbsentEstimate>;
 
-/// Returns whether there is no estimate.
+/// Returns whether the track has no estimate.
 bool isAbsent(const TrackEstimate& estimate);
 /// Returns whether the cameras confirm the track now: a valid sphere, a visible box, or a person
 /// with an existence probability of at least one half.
 bool isHeld(const TrackEstimate& estimate);
 /// Returns whether another object is about as likely to be the target.
 bool isAmbiguous(const TrackEstimate& estimate);
-/// Returns the existence probability of a sphere or a person; for a box, its similarity instead. 0
-/// if absent.
+/// Returns the existence probability of a sphere or a person, the similarity of a box, or 0 if the
+/// estimate is absent.
 double existenceProbabilityOf(const TrackEstimate& estimate);
-/// Returns the effective sample size; 0 if absent.
+/// Returns the effective sample size of the particles, or 0 if the estimate is absent.
 double effectiveSampleSizeOf(const TrackEstimate& estimate);
-/// Returns the number of particles; 0 if absent.
+/// Returns the number of particles, or 0 if the estimate is absent.
 int particleCountOf(const TrackEstimate& estimate);
-/// Returns the mean and covariance in the world frame (m, m²); nothing for estimates known only in
-/// an image.
+/// Returns the mean and covariance of the position in the world frame (m, m²), or nothing if the
+/// position is known only in an image.
 std::optional<Gaussian3> positionOf(const TrackEstimate& estimate);
 /// Returns the particle of highest weight (MAP) in the world frame, meters. Returns nothing for
 /// boxes and people, and if there are no particles.
 std::optional<Eigen::Vector3d> bestParticleOf(const TrackEstimate& estimate);
-/// Returns the extent (m²) of a target that is not a ball, as in geometry::Ellipsoid; otherwise
-/// nothing.
+/// Returns the extent (m²) of a target that is not a ball, as in geometry::Ellipsoid. Returns
+/// nothing for a ball, a box or a person.
 std::optional<Eigen::Matrix3d> extentOf(const TrackEstimate& estimate);
 /// Returns the likelihood, existence probability and visible fraction for each camera at the
-/// estimated position; empty if the method does not compute them.
+/// estimated position. The list is empty if the method does not compute these values.
 const std::vector<CameraEvidence>& cameraEvidenceOf(const TrackEstimate& estimate);
-/// Returns the colors in use in each camera if they adapt to the light; otherwise empty.
+/// Returns the colors in use in each camera if they adapt to the light, otherwise an empty list.
 const std::vector<ColorRanges>& colorsOf(const TrackEstimate& estimate);
 
-/// Returns the estimates as spheres, in the same order; estimates of other kinds become spheres
-/// without any data.
+/// Returns the estimates as spheres, in the same order. Estimates of other kinds become empty
+/// SphereEstimates.
 std::vector<SphereEstimate> spheresOf(const std::vector<TrackEstimate>& estimates);
 
 } // namespace dewpoint::tracking

@@ -12,16 +12,18 @@
 
 namespace dewpoint::tracking {
 
-/// A method and the tracks of one run. Call `beginFrame` once per frame set, then `iterate` any
-/// number of times. Not thread-safe; the same seed gives bit-identical results for any size of the
-/// ThreadTeam.
+/// Tracking method, with the tracks of one run. Call beginFrame() once per frame set, then
+/// iterate() any number of times. The class is not thread-safe. The same seed gives bit-identical
+/// results for any size of the ThreadTeam.
 ///
-/// This is the interface of every method. Capabilities that only some methods have are declared in
-/// tracker_capabilities.h and obtained by type: capability<LikelihoodMapping>(tracker).
+/// Every method implements this interface. tracker_capabilities.h declares interfaces that only
+/// some methods implement; capability<LikelihoodMapping>(tracker), for example, returns such an
+/// interface.
 class Tracker {
 public:
   virtual ~Tracker() = default;
-  /// Removes all tracks and starts from scratch; background images stay.
+  /// Removes all tracks and starts from scratch, with random numbers from `seed`. Background images
+  /// are kept.
   virtual void restart(std::uint64_t seed) = 0;
   /// Returns the number of iterations per frame.
   virtual int iterationsPerFrame() const = 0;
@@ -29,8 +31,9 @@ public:
   virtual void beginFrame(FrameSetPtr frames) = 0;
   /// Runs one filter iteration for all tracks.
   virtual void iterate(ThreadTeam& team) = 0;
-  /// Returns the number of tracks: one per defined target, or, if the method finds its targets, one
-  /// per target found so far. A track keeps its index.
+  /// Returns the number of tracks. There is one track per target that the project defines. If the
+  /// method finds its targets automatically, there is one track per target found so far. A track
+  /// keeps its index.
   virtual std::size_t trackCount() const = 0;
   /// Returns the current estimate of track number `track`, which must be less than trackCount().
   virtual TrackEstimate estimate(std::size_t track) const = 0;
@@ -44,8 +47,8 @@ protected:
 /// Returns the estimates of all tracks.
 std::vector<TrackEstimate> estimatesOf(const Tracker& tracker);
 
-/// Returns the tracker as an interface of tracker_capabilities.h; null if its method does not
-/// implement this capability.
+/// Returns the tracker as an interface of tracker_capabilities.h, or null if the method of the
+/// tracker does not implement this interface.
 template <class Capability> Capability* capability(Tracker& tracker) {
   return dynamic_cast<Capability*>(&tracker);
 }

@@ -13,7 +13,7 @@ struct CandidatePosition {
   enum class Kind {
     Existing,   ///< tracked before this frame
     New,        ///< found in the images of this frame
-    Distractor, ///< another object that looks the same; it may be a target or not
+    Distractor, ///< another object that looks like the target
   };
   Kind kind = Kind::Existing;
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< meters, world frame

@@ -11,19 +11,20 @@
 
 #include <cstddef>
 
-// Reports of the `barrera` method about its target that supplement the estimate. `image` is one
-// camera's image (CV_8UC3; empty if there is none), and `color` that of the target.
+// Reports of the `barrera` method about its target that supplement the estimate. `image` is the
+// image of one camera (CV_8UC3; empty if the camera has no image), and `color` tests for the
+// target's color.
 namespace dewpoint::tracking {
 
-/// Returns whether camera number `camera` confirms the target of an estimate, and the reason if it
-/// does not.
+/// Returns whether camera number `camera` confirms the target at the position of an estimate, and
+/// the reason if the camera does not. `image` is the image of this camera.
 CameraReport explainByColor(const cv::Mat& image, const ColorClassifier& color,
                             const Projector& projector, const SphereEstimate& estimate,
                             std::size_t camera);
 
-/// Returns the log likelihood of the color window (ColorWindow) around each pixel, up to `reach`
-/// pixels from the projection of a position (meters, world frame) in each direction. Empty if the
-/// position is not in view.
+/// Returns a map of the log likelihood of the color window (ColorWindow) around each pixel. The map
+/// extends up to `reach` pixels in each direction from the projection of `position` (meters, world
+/// frame). The map is empty if the position is not in view.
 LikelihoodMap windowLikelihoodMap(const cv::Mat& image, const ColorClassifier& color,
                                   const Projector& projector, const Eigen::Vector3d& position,
                                   int reach);

@@ -7,8 +7,8 @@
 
 namespace dewpoint::tracking {
 
-/// Returns the parameters of the method of Barrera et al. 2005. The defaults are those of the paper
-/// where it gives them.
+/// Returns the declarations of the parameters of the `barrera` method (Barrera et al. 2005). The
+/// defaults are taken from the paper if it gives them.
 std::span<const ParameterDeclaration> barreraParameters();
 
 } // namespace dewpoint::tracking

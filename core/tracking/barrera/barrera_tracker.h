@@ -11,9 +11,9 @@
 
 namespace dewpoint::tracking {
 
-/// The 3D color particle filter of Barrera, Cañas and Matellán (2005): isotropic random walk, a
-/// color window in every camera, and multinomial resampling at every iteration. It is a
-/// TargetFilter.
+/// The `barrera` method: the 3D color particle filter of Barrera, Cañas and Matellán (2005), with
+/// an isotropic random walk, a color window in every camera, and multinomial resampling at every
+/// iteration. The class is a TargetFilter.
 class BarreraTracker final : public RandomWalkTracker {
 public:
   BarreraTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);
@@ -24,20 +24,21 @@ public:
   void setCameras(const CameraRig& rig);
   void beginFrame(FrameSetPtr frames);
   SphereEstimate iterate(ThreadTeam& team);
-  /// Like RandomWalkTracker::correct(), but SphereEstimate::cameras is filled in for this position.
+  /// Draws the particles again as RandomWalkTracker::correct() does, and fills in
+  /// SphereEstimate::cameras for the position. Returns the estimate.
   SphereEstimate correct(const Gaussian3& position);
   /// Returns the approximate size of a copy in bytes.
   std::size_t memoryBytes() const;
-  /// Returns for each camera whether it confirms the target, and the reason if it does not.
+  /// Returns for each camera whether the camera confirms the target, and the reason if not.
   std::vector<CameraReport> cameraReports() const;
   /// Returns one map per camera around the estimate, up to `reach` pixels in each direction.
   std::vector<LikelihoodMap> likelihoodMaps(int reach) const;
 
 private:
   void passImages();
-  /// Returns what each camera's image says about a target at a point (meters, world frame). The
-  /// existence probability compares the likelihood of the color window there with that of a window
-  /// without matching pixels, 1/25.
+  /// Returns the evidence in each camera's image for a target at a point (meters, world frame). The
+  /// existence probability compares the likelihood of the color window at the point with 1/25, the
+  /// likelihood of a window without matching pixels.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& point) const;
   /// Fills in SphereEstimate::cameras for the mean of an estimate.
   void addEvidence(SphereEstimate& estimate) const;

@@ -10,8 +10,9 @@
 
 namespace dewpoint::tracking {
 
-/// Observation model with zero likelihood outside the bounds. In a state, columns 0 to 2 are x, y,
-/// z in meters, world frame. The observation and the bounds must outlive this object.
+/// Observation model that equals `observation` inside `bounds` and has zero likelihood outside. In
+/// a state, columns 0 to 2 are x, y, z in meters, world frame. The observation and the bounds must
+/// outlive this object.
 template <ObservationModel O> struct BoundedObservation {
   const O& observation;
   const WorldBox& bounds;

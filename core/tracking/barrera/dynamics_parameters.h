@@ -7,8 +7,8 @@
 
 namespace dewpoint::tracking {
 
-/// Returns the parameters of the `dynamics` method. The defaults are those of the paper (Barrera et
-/// al. 2005, section III-C) where it gives them.
+/// Returns the declarations of the parameters of the `dynamics` method (Barrera et al. 2005,
+/// section III-C). The defaults are taken from the paper if it gives them.
 std::span<const ParameterDeclaration> dynamicsParameters();
 
 } // namespace dewpoint::tracking

@@ -12,26 +12,28 @@
 
 namespace dewpoint::tracking {
 
-/// Particle filter over 3D positions that Barrera, Cañas and Matellán (2005, section III-C) use to
-/// study the dynamics. It has an isotropic random walk, and a Gaussian likelihood around a measured
-/// position. The measured position is given, or triangulated from the centroids of the target's
-/// pixels in all cameras. It is a TargetFilter, and provides no likelihoods for single cameras.
+/// The `dynamics` method: the particle filter with which Barrera, Cañas and Matellán (2005, section
+/// III-C) study how a particle cloud moves. It has an isotropic random walk, and a Gaussian
+/// likelihood around a measured position. The caller gives this position, or it is triangulated
+/// from the centroids of the target's pixels in all cameras. The class is a TargetFilter. It
+/// provides no likelihoods for single cameras.
 class DynamicsTracker final : public RandomWalkTracker {
 public:
   DynamicsTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);
 
   void setTarget(const Target& target);
   void setCameras(const CameraRig& rig);
-  /// Sets the images and measures the position in them.
+  /// Sets the images of a frame and measures the target's position in these images.
   void beginFrame(FrameSetPtr frames);
   /// Sets the position measured in frame `frame` (world frame, meters), in place of images. Without
   /// a position, the particles only move at random, so the cloud spreads.
   void beginFrame(std::int64_t frame, const std::optional<Eigen::Vector3d>& measured);
   SphereEstimate iterate(ThreadTeam& team);
-  /// Returns for each camera whether it confirms the target, and the reason if it does not.
+  /// Returns for each camera whether the camera confirms the target, and the reason if not.
   std::vector<CameraReport> cameraReports() const;
 
-  /// Returns the measured position of this frame (world frame, meters); nothing if there is none.
+  /// Returns the measured position of this frame (world frame, meters), or nothing if no position
+  /// was measured.
   const std::optional<Eigen::Vector3d>& measured() const { return measured_; }
 
 private:

@@ -21,18 +21,19 @@ namespace dewpoint::tracking {
 /// model.
 class RandomWalkTracker {
 public:
-  /// Sets the parameters. Particle count, motion and iterations take effect at the next iteration,
-  /// the start volume at the next restart.
+  /// Sets the parameters. The start volume takes effect at the next restart, or immediately if no
+  /// iteration has run since the last restart. All other parameters take effect at the next
+  /// iteration.
   void configure(const ParameterValues& parameters);
-  /// Limits the positions of the target from the next iteration on; without a value, they are
-  /// unlimited. If the estimate lies outside the volume, the particles restart inside it.
+  /// Limits the positions of the target from the next iteration on. Without a value, positions are
+  /// unlimited. If the estimate lies outside the volume, the particles restart inside the volume.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume);
   /// Discards everything and starts from scratch.
   void restart(std::uint64_t seed);
   int iterationsPerFrame() const;
   void beginFrame(FrameSetPtr frames);
   /// Draws the particles again from a Gaussian given by the user (world frame, m, m²). Returns the
-  /// estimate.
+  /// new estimate.
   SphereEstimate correct(const Gaussian3& position);
   /// Returns an even selection of at most `limit` particles: rows of x, y, z (meters), with linear
   /// weights that sum to 1 over all particles.
@@ -44,7 +45,7 @@ protected:
   /// `parameters` must declare particles, motion_sigma, iterations_per_frame and the start volume.
   explicit RandomWalkTracker(const ParameterValues& parameters);
 
-  /// Runs one iteration. In the returned estimate, SphereEstimate::cameras and the values derived
+  /// Runs one iteration and returns the estimate. SphereEstimate::cameras and the values derived
   /// from it are not filled in yet.
   template <ObservationModel O> SphereEstimate step(const O& observation, ThreadTeam& team);
   /// Returns whether a position (world frame, meters) lies in the volume of interest, if there is
@@ -52,7 +53,7 @@ protected:
   bool isInVolumeOfInterest(const Eigen::Vector3d& position) const {
     return !volume_ || volume_->contains(position);
   }
-  /// Returns the image of a camera; empty if there is none.
+  /// Returns the image of a camera, or an empty image if the camera has none.
   cv::Mat imageOf(std::size_t camera) const;
 
   ParameterValues parameters_;

@@ -16,33 +16,34 @@
 
 namespace dewpoint::tracking {
 
-/// A filter that tracks one box in the images of one camera. BoxTargets combines such filters into
-/// a method. Not thread-safe; the same seed gives bit-identical results for any size of the
-/// ThreadTeam.
+/// Filter that tracks one box in the images of one camera. BoxTargets combines such filters into a
+/// method. A filter is not thread-safe. The same seed gives bit-identical results for any size of
+/// the ThreadTeam.
 template <class F>
 concept BoxFilter = std::copy_constructible<F> && std::constructible_from<F, ParameterValues> &&
     requires(F filter, const F& finished, const ParameterValues& parameters, const cv::Mat& bgr,
              const ImageBox& box, std::uint64_t seed, ThreadTeam& team, Eigen::ArrayXXd& centers,
              Eigen::ArrayXd& weights) {
-  // Sets other parameters from the next image on.
+  // Sets new parameters, which apply from the next image on.
   filter.configure(parameters);
-  // Starts tracking the content of a box in an image (CV_8UC3), and discards everything else.
-  // BadValue names "image" or "box".
+  // Discards everything and starts tracking the content of a box in an image (CV_8UC3). Error:
+  // BadValue with the field "image" or "box".
   { filter.start(bgr, box, seed) } -> std::same_as<Status>;
-  // Processes the next image, which has the same size; start() must have succeeded.
+  // Processes the next image, which must have the same size. start() must have succeeded before.
   { filter.step(bgr, team) } -> std::same_as<BoxEstimate>;
-  // Returns an even selection of at most this number of particles: their centers as rows of x and
-  // y, and their latest linear weights, which sum to 1 over all particles.
+  // Returns an even selection of at most this number of particles: the centers as rows of x and y,
+  // and the latest linear weights, which sum to 1 over all particles.
   finished.particles(0, centers, weights);
   // Returns the approximate size of a copy in bytes.
   { finished.memoryBytes() } -> std::same_as<std::size_t>;
 };
 
 /// Checks that the image is a color image, and that the box has at least 2 x 2 pixels and its
-/// center in the image. BadValue names "image" or "box".
+/// center in the image. Error: BadValue with the field "image" or "box".
 Status checkBox(const cv::Mat& bgr, const ImageBox& box);
 
-/// Returns the box around a clicked object (see clickBox()). BadValue names "pixel" or "image".
+/// Returns the box around the object at the clicked pixel (x, y); see clickBox(). Error: BadValue
+/// with the field "pixel" or "image".
 Result<ImageBox> boxFromClick(const cv::Mat& bgr, double x, double y);
 
 } // namespace dewpoint::tracking

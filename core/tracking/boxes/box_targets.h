@@ -17,10 +17,9 @@
 namespace dewpoint::tracking {
 
 /// Method that tracks boxes in a run with several cameras and targets. Each target has its own
-/// filter, which processes the images of the camera in which the box was set. A target is tracked
-/// from the frame of its box on. Tracking starts when the run reaches this frame, or immediately if
-/// the run is already at this frame; before that, the target is absent. There is one step per
-/// image.
+/// filter, which processes the images of the camera in which the box was set. A target is absent
+/// until the run is at the frame of its box, and is tracked from this frame on. There is one step
+/// per image.
 template <BoxFilter F>
 class BoxTargets final : public Tracker,
                          public Configurable,
@@ -30,16 +29,16 @@ class BoxTargets final : public Tracker,
                          public CameraReporting,
                          public Copyable {
 public:
-  /// Creates a tracker. `parameters` must be those of the filter (asserted).
+  /// Creates a tracker. `parameters` must be declared by the filter's method (asserted).
   BoxTargets(const ParameterValues& parameters, const std::vector<Target>& targets)
       : parameters_(parameters) {
     BoxTargets::setTargets(targets);
   }
 
   void configure(const ParameterValues& parameters) override;
-  /// Sets the targets; their number may change. If it does, targets that existed before are
-  /// recognized by their names; if it does not, by their indices. Targets with an unchanged box
-  /// continue; others start from scratch.
+  /// Sets the targets. Their number may change. Targets that existed before are recognized by their
+  /// indices if the number is unchanged, and by their names otherwise. Targets with an unchanged
+  /// box continue; other targets start from scratch.
   void setTargets(const std::vector<Target>& targets) override;
   bool canChangeTargetCount() const override { return true; }
   void restart(std::uint64_t seed) override;
@@ -71,7 +70,7 @@ private:
     std::vector<double> reference; ///< histogram of the box in its own frame
   };
 
-  /// Returns the image of the camera in which a box was set; null if this camera delivered no
+  /// Returns the image of the camera in which a box was set, or null if this camera delivered no
   /// image.
   const cv::Mat* imageOf(const TargetBox& box) const;
   /// Starts tracking a target whose box was set in the current frame of the run.

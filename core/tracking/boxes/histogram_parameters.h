@@ -7,8 +7,8 @@
 
 namespace dewpoint::tracking {
 
-/// Returns the parameters of the `histogram` method. Lengths are relative to the target's size (the
-/// square root of its box's area), so they suit targets of any size.
+/// Returns the declarations of the parameters of the `histogram` method. Lengths are relative to
+/// the target's size (the square root of the area of its box), so they suit targets of any size.
 std::span<const ParameterDeclaration> histogramParameters();
 
 } // namespace dewpoint::tracking

@@ -11,15 +11,15 @@
 
 namespace dewpoint::tracking {
 
-/// The `histogram` method. It implements and extends the future work listed by Sugandi et al.
-/// (2009). The state is (x, y, vx, vy, s, a) in pixels and pixels per image; s is the logarithm of
-/// the scale, and a is the logarithm of the aspect ratio (width / height). The color histograms of
-/// six parts of the box are compared with those of its surroundings. Some particles jump to other
-/// positions with these colors. The histograms adapt to slow color changes. A hidden target keeps
-/// its position and is found again. See docs/method-sugandi.md.
+/// The `histogram` method, which implements and extends the future work listed by Sugandi et al.
+/// (2009). See docs/method-sugandi.md. The state is (x, y, vx, vy, s, a) in pixels and pixels per
+/// image; s is the logarithm of the scale, and a is the logarithm of the aspect ratio (width /
+/// height). The color histograms of six parts of the box are compared with those of its
+/// surroundings. Some particles jump to other positions with these colors. The histograms adapt to
+/// slow color changes. A hidden target keeps its position and is found again.
 class HistogramTracker final {
 public:
-  /// Creates a tracker. `parameters` must be those of the method (asserted).
+  /// Creates a tracker. `parameters` must be declared by the `histogram` method (asserted).
   explicit HistogramTracker(const ParameterValues& parameters);
 
   void configure(const ParameterValues& parameters);

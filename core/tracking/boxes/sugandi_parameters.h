@@ -7,8 +7,9 @@
 
 namespace dewpoint::tracking {
 
-/// Returns the parameters of the method of Sugandi et al. 2009. The defaults are those of the paper
-/// where it gives them (300 particles; its 8 x 8 x 8 bins are fixed).
+/// Returns the declarations of the parameters of the `sugandi` method (Sugandi et al. 2009). The
+/// defaults are taken from the paper if it gives them, such as 300 particles. The paper's 8 x 8 x 8
+/// bins are fixed.
 std::span<const ParameterDeclaration> sugandiParameters();
 
 } // namespace dewpoint::tracking

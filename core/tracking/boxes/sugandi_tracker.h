@@ -11,10 +11,10 @@ namespace dewpoint::tracking {
 
 /// The `sugandi` method: the color histogram particle filter of Sugandi, Kim, Tan and Ishikawa
 /// (2009), exactly as published. The state is (x_k, y_k, x_k-1, y_k-1) in pixels. The box size and
-/// the reference histogram are those in the first image.
+/// the reference histogram are taken from the first image and never change.
 class SugandiTracker final {
 public:
-  /// Creates a tracker. `parameters` must be those of the method (asserted).
+  /// Creates a tracker. `parameters` must be declared by the `sugandi` method (asserted).
   explicit SugandiTracker(const ParameterValues& parameters);
 
   void configure(const ParameterValues& parameters);

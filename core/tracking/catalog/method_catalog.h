@@ -31,23 +31,23 @@ enum class RunTables {
   People      ///< positions in the room, and bodies of people
 };
 
-/// Properties of a family of methods, known before any of them runs: one row of the catalog's table
-/// of families. The properties are independent. A new family has its own values, and code that
-/// reads a property need not know the family. Read properties instead of comparing families:
+/// Properties of a family of methods, known before any of its methods runs. Code must read these
+/// properties instead of comparing families, so that a new family needs no changes elsewhere.
 /// tests/architecture counts where a family is named.
 struct MethodFamily {
   TargetSource targets = TargetSource::Color;
   /// Purpose of these methods, used as the heading of their group in a list.
   std::string_view heading;
-  /// True if the method estimates positions in the room with calibrated cameras; otherwise it works
-  /// in the images of one camera and needs no calibration.
+  /// True if the method estimates positions in the room with calibrated cameras. False if the
+  /// method works in the images of one camera and needs no calibration.
   bool needsCalibration = true;
   /// Smallest number of cameras with which a target can be found.
   int fewestCameras = 1;
   RunTables tables = RunTables::Trajectory;
   /// True if trajectories have columns for the particle of highest weight.
   bool hasBestParticle = true;
-  /// True if masks and maps show motion, in every frame with images, whether it is tracked or not.
+  /// True if masks and maps show motion, in every frame with images, whether or not the frame is
+  /// tracked.
   bool masksMotion = false;
   /// True if targets can be edited in frames that were already tracked. The following frames are
   /// then tracked again immediately, and past frames show the edited targets.
@@ -63,17 +63,18 @@ struct MethodFamily {
   std::int64_t (*firstFrameFor)(const std::vector<Target>& targets, std::int64_t frame) =
       [](const std::vector<Target>&, std::int64_t frame) { return frame; };
 
-  /// Returns whether the method finds its targets automatically: the project defines none, and
-  /// ground truth does not use their names.
+  /// Returns whether the method finds its targets automatically. The project then defines no
+  /// targets, and ground truth does not use the names of the targets.
   bool findsTargets() const { return targets == TargetSource::Images; }
   /// Returns whether masks show the pixels that have the color of a target.
   bool masksColors() const { return targets == TargetSource::Color; }
-  /// Returns whether there is nothing to track with these targets of a project.
+  /// Returns whether the method needs targets from the project, but none of `projectTargets` can be
+  /// tracked.
   bool lacksTargets(const std::vector<Target>& projectTargets) const;
-  /// Returns whether other methods track the same targets, so that one of them can continue a run
-  /// of the other.
+  /// Returns whether the methods of this family and of `other` track the same targets, so that a
+  /// method of one family can continue a run of the other.
   bool tracksSameTargetsAs(const MethodFamily& other) const { return targets == other.targets; }
-  /// Returns whether positions are written, row by row during the run.
+  /// Returns whether positions in the room are written, row by row during the run.
   bool writesPositions() const { return tables != RunTables::Boxes; }
   /// Returns whether the bodies of the targets are also stored and written.
   bool writesBodies() const { return tables == RunTables::People; }
@@ -81,10 +82,10 @@ struct MethodFamily {
 
 /// Description of a method, to help users choose one.
 struct MethodText {
-  std::string_view title;    ///< title that names its use: what it tracks
-  std::string_view sentence; ///< its purpose or its distinguishing feature, in one line
+  std::string_view title;    ///< title that names what the method tracks
+  std::string_view sentence; ///< purpose or distinguishing feature of the method, in one line
   std::string_view page;     ///< page of the manual, a file in docs/
-  /// Paper that describes exactly this method; empty: developed for this project.
+  /// Paper that describes exactly this method; empty if the method was developed for this project.
   std::string_view paper = {};
 };
 
@@ -93,9 +94,9 @@ struct Method {
   std::string_view name; ///< method name in project files and on the command line
   MethodFamily family;
   MethodText text;
-  /// Returns the declarations, which exist for the whole lifetime of the program.
+  /// Returns the declarations of the parameters, which exist as long as the program runs.
   std::span<const ParameterDeclaration> (*parameters)();
-  /// Creates a tracker. The parameters must be those of the method (asserted).
+  /// Creates a tracker. `parameters` must be declared by this method (asserted).
   std::unique_ptr<Tracker> (*make)(const ParameterValues& parameters, const CameraRig& rig,
                                    const std::vector<Target>& targets);
   /// True if trajectories have additional columns for measurements from the images of a frame
@@ -108,50 +109,54 @@ struct Method {
   bool learnsShapes = false;
 };
 
-/// Returns all methods that a project can use. The default comes first, and in each family, the
-/// family's default comes first.
+/// Returns all methods that a project can use. The first method is the default, and the first
+/// method of each family is the default of this family.
 std::span<const Method> methods();
 /// Returns the name of the first method.
 std::string_view defaultMethod();
-/// Returns the method with this name; null for an unknown name.
+/// Returns the method with this name, or null for an unknown name.
 const Method* findMethod(std::string_view name);
 
 /// Returns methods() in the order in which they are offered to the user. Methods of papers, which
 /// are intended for teaching and comparison, are last. Methods with the same headingOf() are
 /// adjacent.
 std::vector<const Method*> methodsByUse();
-/// Returns the heading of the method's group: the purpose of the methods in it.
+/// Returns the heading of the group of methods to which a method belongs in a list. The heading
+/// names the purpose of the group.
 std::string_view headingOf(const Method& method);
 
-/// Returns the names of methods(), in the same order.
+/// Returns the names of all methods, in the order of methods().
 std::vector<std::string> methodNames();
-/// Returns the names of the methods whose targets are defined in this way.
+/// Returns the names of the methods whose targets are defined as `targets` says.
 std::vector<std::string> methodNames(TargetSource targets);
-/// Returns the names of the methods that write these tables.
+/// Returns the names of the methods that write tables of the kind `tables`.
 std::vector<std::string> methodNames(RunTables tables);
-/// Returns the family of a method; for an unknown method, that of the default method.
+/// Returns the family of a method, or the family of the default method if the name is unknown.
 MethodFamily methodFamily(std::string_view method);
-/// Returns the description of a method; empty strings for an unknown method.
+/// Returns the description of a method, with empty strings if the name is unknown.
 MethodText methodText(std::string_view method);
-/// Returns MethodText::sentence of a method; empty for an unknown method.
+/// Returns MethodText::sentence of a method, or an empty text if the name is unknown.
 std::string_view methodSummary(std::string_view method);
-/// Returns the manual page about a method; for an unknown method, that of the default method.
+/// Returns the manual page about a method, or the page about the default method if the name is
+/// unknown.
 std::string_view methodPage(std::string_view method);
 /// Returns the manual pages of all methods without duplicates, in the order of methods().
 std::vector<std::string_view> methodPages();
-/// Returns the parameters of a method; empty for an unknown method.
+/// Returns the declarations of the parameters of a method, or nothing if the name is unknown.
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
-/// Returns the defaults of a method, with the changes made in `previous`. A value that was changed
-/// from its default is kept if this method has the key and allows the value. If the default value
-/// was given explicitly in `previous`, the default of this method counts as given too; it is then
-/// not derived from the cameras.
+/// Returns parameters for `method` that keep the user's changes in `previous`, the parameters of
+/// another method. A value in `previous` that differs from its default is kept if `method` has the
+/// key and allows the value. All other values are the defaults of `method`. If `previous` has its
+/// default as a given value, the default of `method` counts as given too, and is not derived from
+/// the cameras.
 ParameterValues carryOverParameters(const ParameterValues& previous, std::string_view method);
-/// Returns MissingKey if the method has a parameter that `parameters` do not declare.
+/// Checks that `parameters` declare every parameter of the method. Error: MissingKey if one is
+/// missing.
 Status checkParameters(std::string_view method, const ParameterValues& parameters);
 
-/// Creates a tracker of the named method. `targets` are ignored by methods that find targets
-/// automatically. Returns NotFound for an unknown method, and MissingKey if `parameters` are not
-/// those of the method.
+/// Creates a tracker of the named method. Methods that find targets automatically ignore `targets`.
+/// Errors: NotFound for an unknown method; MissingKey if `parameters` lack a parameter of the
+/// method.
 Result<std::unique_ptr<Tracker>> makeTracker(std::string_view method,
                                              const ParameterValues& parameters,
                                              const CameraRig& rig,

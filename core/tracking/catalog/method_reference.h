@@ -9,8 +9,8 @@
 namespace dewpoint::tracking {
 
 /// Returns a description of a declared parameter in one line, without its key: "0.03 m (0 to 10).
-/// Standard deviation of ...". The text mentions whether the value is derived from the cameras if
-/// it is not given.
+/// Standard deviation of ...". If a value that is not given is derived from the cameras, the text
+/// says so.
 std::string parameterText(const ParameterDeclaration& declaration);
 
 /// Returns the description of a method in plain text: what it tracks, its distinguishing feature,

@@ -8,9 +8,9 @@
 
 namespace dewpoint::tracking {
 
-/// Returns the targets of the frame from which the delays of the cameras can be estimated: those
-/// that are tracked as balls and are moving. A target that is not almost fully visible gets no
-/// trust. The results point into `objects`.
+/// Returns the targets of the frame that are tracked as balls and are moving. The delays of the
+/// cameras can be estimated from these targets. A target that is not almost fully visible has a
+/// `trust` of 0. The results point into `objects`.
 std::vector<ClockEstimator::Sighting> clockSightings(const TrackedObjects& objects);
 
 } // namespace dewpoint::tracking

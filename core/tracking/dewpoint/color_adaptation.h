@@ -10,9 +10,9 @@
 namespace dewpoint::tracking {
 
 /// Adapts the colors of targets to slow changes of light. In every camera that shows a target
-/// completely and alone, the color moves by `share` (0 to 1) toward the color in this frame.
-/// Targets with an uncertain estimate keep their colors. Distractors use the colors of the target
-/// that they resemble. `estimates` are those of the targets in this frame.
+/// completely and alone, the color ranges move by the fraction `share` (0 to 1) toward the color in
+/// this frame. Targets with an uncertain estimate keep their colors. A distractor gets the colors
+/// of the target that it resembles. `estimates` contains the estimate of each target in this frame.
 void adaptColors(TrackedObjects& objects, const FrameImages& images,
                  const std::vector<SphereEstimate>& estimates, double share);
 

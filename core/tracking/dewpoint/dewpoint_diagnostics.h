@@ -14,7 +14,7 @@
 // tracking.
 namespace dewpoint::tracking {
 
-/// Returns for each camera whether it confirms a target, and the reason if it does not; see
+/// Returns for each camera whether the camera confirms a target, and the reason if not; see
 /// CameraReporting::cameraReports().
 std::vector<CameraReport> explainCameras(const TrackedObjects& objects, const FrameImages& images,
                                          const SphereEstimate& estimate, std::size_t target);
@@ -24,9 +24,9 @@ std::vector<CameraReport> explainCameras(const TrackedObjects& objects, const Fr
 std::vector<CandidatePosition> candidatePositions(const TrackedObjects& objects,
                                                   std::size_t target);
 
-/// Returns the log likelihood ratio of SphereEvidence with the target's outline moved to each pixel
-/// around the estimate, up to `reach` pixels in each direction; see
-/// LikelihoodMapping::likelihoodMaps().
+/// Returns one map per camera of the log likelihood ratio (SphereEvidence) with the target's
+/// outline moved to each pixel. The map extends up to `reach` pixels in each direction from the
+/// estimate; see LikelihoodMapping::likelihoodMaps().
 std::vector<LikelihoodMap> likelihoodMapsOf(const TrackedObjects& objects,
                                             const FrameImages& images,
                                             const SphereEstimate& estimate, std::size_t target,

@@ -7,7 +7,7 @@
 
 namespace dewpoint::tracking {
 
-/// Returns the parameters of the `dewpoint` method.
+/// Returns the declarations of the parameters of the `dewpoint` method.
 std::span<const ParameterDeclaration> dewpointParameters();
 
 } // namespace dewpoint::tracking

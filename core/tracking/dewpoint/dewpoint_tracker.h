@@ -44,8 +44,8 @@ public:
   void setTargets(const std::vector<Target>& targets) override;
   bool canChangeTargetCount() const override { return false; }
   void setCameras(const CameraRig& rig) override;
-  /// Limits the positions of targets. Distractors are tracked everywhere: the pixels that they
-  /// explain must not count as evidence for a target inside the volume.
+  /// Limits the positions of targets to a volume. Distractors are tracked everywhere, because
+  /// pixels that show a distractor must not count as evidence for a target inside the volume.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume) override;
   void correctPosition(std::size_t target, const Gaussian3& position, ThreadTeam& team) override;
   void setBackgroundImages(const std::vector<cv::Mat>& images) override;

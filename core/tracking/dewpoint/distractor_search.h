@@ -13,11 +13,12 @@
 
 namespace dewpoint::tracking {
 
-/// Finds objects that look like a target but are not targets, and starts tracking them while all
-/// targets are visible. Later, when a target is hidden, such an object is then not mistaken for it.
+/// Finds distractors, which are objects that look like a target but are not targets, and starts
+/// tracking them while all targets are visible. When a target is hidden later, such an object is
+/// not mistaken for the target.
 class DistractorSearch {
 public:
-  /// Inputs of a search. The references are valid during the call only.
+  /// Inputs of a search. The references need to be valid during the call only.
   struct Context {
     TrackedObjects& objects;
     const FrameImages& images;
@@ -34,15 +35,15 @@ public:
   DistractorSearch& operator=(const DistractorSearch&) = delete;
   ~DistractorSearch() = default;
 
-  /// Starts a new run with this number of targets.
+  /// Prepares for a new run with this number of targets.
   void restart(std::size_t targetCount);
   /// Cancels the search in progress.
   void cancel() { sliced_.reset(); }
   /// Removes distractors that are lost, or hardly visible after several updates.
   static void removeLost(TrackedObjects& objects);
-  /// Searches the images every few frames and adds at most one distractor per color. Called once
-  /// per frame, after all updates. If there is a time budget, a search is spread over several
-  /// frames.
+  /// Searches the images every few frames and adds at most one distractor per color. Call this
+  /// function once per frame, after all updates. If there is a time budget, a search is spread over
+  /// several frames.
   void search(const Context& context, ThreadTeam& team);
 
 private:

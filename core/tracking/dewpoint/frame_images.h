@@ -22,25 +22,25 @@ public:
       : backgrounds_(cameraCount), delays_(cameraCount, 0.0) {}
 
   std::size_t cameraCount() const { return backgrounds_.size(); }
-  /// Sets the images of a frame; null for none.
+  /// Sets the images of a frame, or removes all images if `frames` is null.
   void setFrames(FrameSetPtr frames);
   const FrameSetPtr& frames() const { return frames_; }
-  /// Returns the image of a camera; null if there is none.
+  /// Returns the image of a camera, or null if the camera has no image.
   FramePtr frame(std::size_t camera) const;
-  /// Sets how much later than it was captured each camera stamps its images, in seconds; used from
-  /// now on.
+  /// Sets the delay of each camera in seconds: the time from the capture of an image to its time
+  /// stamp.
   void setDelays(std::vector<double> delays) { delays_ = std::move(delays); }
-  /// Returns the time in seconds from the time of the frame to the time at which a camera captured
-  /// its image: its time stamp, minus the delay from setDelays().
+  /// Returns the time in seconds from the time of the frame to the capture of a camera's image. The
+  /// capture time is the time stamp of the image minus the delay from setDelays().
   double timeOffset(std::size_t camera) const;
-  /// Passes the images to an observation. The images, the backgrounds and the color must remain
-  /// valid while the observation is used.
+  /// Passes the images of all cameras to an observation model. The images, the backgrounds and
+  /// `color` must remain valid while the observation is used.
   void passTo(SphereObservation& observation, const AdaptiveColor& color) const;
 
   void passTo(RegionObservation& observation, const AdaptiveColor& color) const;
 
-  /// Sets the background images, one per camera; an image that is not known is empty. They are used
-  /// from the next resetBackgrounds() on.
+  /// Sets the background images, one per camera. The image is empty for a camera without a
+  /// background image. The images take effect at the next resetBackgrounds().
   void setBackgroundImages(const std::vector<cv::Mat>& images);
   void resetBackgrounds();
   /// Makes the current light the reference for colors.
@@ -48,7 +48,7 @@ public:
   /// Adapts the backgrounds to the light of the frame. Call it before the images are passed to an
   /// observation.
   void adaptToLight();
-  /// Learns a camera's background from the frame, except inside `hidden`, as
+  /// Learns a camera's background from the frame, except inside `hidden`; see
   /// BackgroundModel::learn(). The camera must have an image.
   void learnBackground(std::size_t camera,
                        const std::vector<BackgroundModel::ExcludedCircle>& hidden,

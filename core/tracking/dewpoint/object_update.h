@@ -11,11 +11,11 @@
 
 namespace dewpoint::tracking {
 
-/// One measurement update: updates the tracks of all targets and distractors with the images of a
-/// frame, as balls or by their shapes.
+/// Measurement update, which updates the tracks of all targets and distractors with the images of a
+/// frame. Each object is treated as a ball or as an object of any shape.
 class ObjectUpdate {
 public:
-  /// Inputs of an update. The references must be valid as long as the update.
+  /// Inputs of an update. The references must stay valid as long as the ObjectUpdate exists.
   struct Context {
     TrackedObjects& objects;
     FrameImages& images;
@@ -27,13 +27,13 @@ public:
 
   ObjectUpdate(const Context& context, ThreadTeam& team) : in_(context), team_(team) {}
 
-  /// Updates all tracks, starting with the most probable objects. Afterward, no two objects are at
+  /// Updates all tracks, starting with the most probable object. Afterward, no two objects are at
   /// one position.
   void updateAll();
 
 private:
   void update(std::size_t index);
-  /// Sets the capture times of the images as they apply to an object.
+  /// Sets the capture times of the images for the image rows that show an object.
   void alignTimesFor(const TrackedObject& object);
   void updateAsBall(std::size_t index);
   /// Learns the shape of a target, and updates the track of a target that is not a ball.

@@ -17,7 +17,7 @@ class ShapeTracking {
 public:
   ShapeTracking(const Target& target, const CameraRig& rig)
       : belief_(target), track_(target), observation_(rig) {}
-  /// Creates a copy without images, which must be passed to it again.
+  /// Creates a copy without images. Images must be passed to the copy again.
   ShapeTracking(const ShapeTracking& other, const CameraRig& rig)
       : belief_(other.belief_), track_(other.track_), observation_(rig),
         sinceLearned_(other.sinceLearned_), frames_(other.frames_) {}
@@ -36,13 +36,13 @@ public:
   /// Returns whether the shape must be measured in the images of this frame although the target is
   /// assumed to be a ball. `ballFound` is true if the ball was found in this frame.
   bool needsImages(bool ballFound) const;
-  /// Learns about the shape from the object at the position where a ball was found. If the object
-  /// turns out not to be a ball, the track begins there.
+  /// Learns about the shape of the object at the position where a ball was found. If the object
+  /// turns out not to be a ball, the track begins at this position.
   void measureBall(const TrackHypothesis& ball, const RandomKey& key, ThreadTeam& team);
-  /// Updates the track with the images and uses it to learn about the shape.
+  /// Updates the track with the images and learns about the shape from the result.
   void update(const std::vector<OccupiedSphere>& occupied, const RandomKey& key, ThreadTeam& team);
-  /// Sets the position of the target as given by the user; `radius` in meters is used if its extent
-  /// is unknown.
+  /// Sets the position of the target to a position given by the user. `radius` (meters) is used if
+  /// the extent of the target is unknown.
   void correct(const Gaussian3& position, double radius, const RandomKey& key, ThreadTeam& team);
 
 private:

@@ -13,7 +13,7 @@
 
 namespace dewpoint::tracking {
 
-/// A target or a distractor (another object that looks like a target).
+/// Target or distractor (another object that looks like a target).
 struct TrackedObject {
   BernoulliTrack track;
   SphereObservation observation;
@@ -21,21 +21,22 @@ struct TrackedObject {
   /// Search in progress within a time budget; otherwise null.
   std::unique_ptr<SlicedSearch> search;
   std::uint32_t stream = 0; ///< separates the random numbers of this object from those of others
-  int unseenFrames = 0;     ///< number of frames since it was last tracked
+  int unseenFrames = 0;     ///< number of frames since the object was last tracked
   /// Null for distractors, which are assumed to be balls.
   std::unique_ptr<ShapeTracking> shape = nullptr;
-  double unseenSeconds = 0.0; ///< time in seconds since it was last tracked
+  double unseenSeconds = 0.0; ///< time in seconds since the object was last tracked
 
-  /// Returns whether it is assumed to be a ball.
+  /// Returns whether the object is assumed to be a ball.
   bool isBall() const { return !shape || shape->belief().isBall(); }
 
-  /// Returns the key of its random numbers in a frame and an iteration of a run.
+  /// Returns the key of the object's random numbers. `run` is the key of the run in the same frame
+  /// and iteration.
   RandomKey keyIn(const RandomKey& run) const {
     return {derivedSeed(run.seed, stream), run.frame, run.iteration};
   }
 };
 
-/// Returns whether two objects can be distinguished only by their positions.
+/// Returns whether the targets of two objects have the same colors.
 inline bool haveSameColor(const TrackedObject& one, const TrackedObject& other) {
   return one.track.target().colors() == other.track.target().colors();
 }

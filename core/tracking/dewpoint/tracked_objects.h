@@ -17,8 +17,8 @@ namespace dewpoint::tracking {
 class TrackedObjects {
 public:
   TrackedObjects(const std::vector<Target>& targets, const CameraRig& rig);
-  /// Creates a copy without images and without searches in progress. Images must be passed to it
-  /// again, and searches start again.
+  /// Creates a copy without images and without searches in progress. Images must be passed to the
+  /// copy again.
   TrackedObjects(const TrackedObjects& other);
   TrackedObjects& operator=(const TrackedObjects&) = delete;
   ~TrackedObjects() = default;
@@ -33,12 +33,12 @@ public:
   auto end() { return objects_.end(); }
   auto end() const { return objects_.end(); }
 
-  /// Cancels all searches and replaces all observations by new ones without images. The number of
-  /// cameras must be the same; the tracks are kept.
+  /// Cancels all searches and replaces all observations by new observations without images. The
+  /// number of cameras must be the same; the tracks are kept.
   void setCameras(const CameraRig& rig);
   SphereObservation makeObservation() const { return SphereObservation(rig_); }
   /// Returns a new object with the color of a target and an empty track that creates no hypotheses
-  /// by itself. It is not tracked until addDistractor().
+  /// by itself. The object is not tracked until it is passed to addDistractor().
   TrackedObject makeDistractorProbe(std::size_t target,
                                     const BernoulliTrackSettings& settings) const;
   TrackedObject& addDistractor(TrackedObject distractor);
@@ -49,15 +49,16 @@ public:
 
   /// Returns the indices of all objects, the most probable first.
   std::vector<std::size_t> indicesByProbability() const;
-  /// Returns the spheres occupied by confident tracks of objects other than `index`. An index that
-  /// is not below size() stands for an object that is not tracked yet.
+  /// Returns the spheres occupied by confident tracks of objects other than `index`. If `index` is
+  /// not below size(), the spheres of all confident tracks are returned.
   std::vector<OccupiedSphere> occupiedByOthers(std::size_t index) const;
-  /// Like occupiedByOthers(), but without distractors.
+  /// Returns the spheres occupied by confident tracks of targets other than `index`, without
+  /// distractors.
   std::vector<OccupiedSphere> occupiedByOtherTargets(std::size_t index) const;
-  /// Returns whether a target is the first one of its color.
+  /// Returns whether no earlier target in the list has the same color as this target.
   bool isFirstOfItsColor(std::size_t target) const;
-  /// Returns whether other objects of a target's color may be searched for: it and all targets of
-  /// its color must be balls. Otherwise a part of a larger target could be mistaken for a
+  /// Returns whether other objects of a target's color may be searched for. This is the case if all
+  /// targets of this color are balls. Otherwise a part of a larger target could be mistaken for a
   /// distractor.
   bool mayHaveDistractors(std::size_t target) const;
   /// Returns whether the position of every target is nearly certain and every target is mostly
@@ -68,21 +69,23 @@ public:
   /// not evidence for `own`. Only objects that are mostly visible and have the color of `own` are
   /// considered. `own` need not be tracked yet.
   void explainOthers(SphereObservation& observation, const TrackedObject& own) const;
-  /// Like explainOthers(), but in the images from which the shape of a target is learned, and only
-  /// for other targets. Distractors are not considered: a supposed distractor may be a part of this
-  /// target.
+  /// Marks pixels of other targets as explained, like explainOthers(), in the images from which the
+  /// shape of a target is learned. Distractors are not considered, because a supposed distractor
+  /// may be a part of this target.
   void explainOtherTargets(std::size_t target);
-  /// Starts a search for an object over several frames, in the images of this frame. Pixels of
-  /// other objects are first marked as explained. The object need not be tracked yet.
+  /// Starts a search for an object in the images of this frame; the work is spread over several
+  /// frames. Pixels of other objects are first marked as explained. The object need not be tracked
+  /// yet.
   std::unique_ptr<SlicedSearch> startSearch(const TrackedObject& own,
                                             const FrameImages& images) const;
   /// Makes a distractor's position improbable if the distractor has moved onto a target that was
-  /// clearly visible in the last update. What the distractor found there was the target itself.
+  /// clearly visible in the last update, because the supposed distractor is then the target itself.
   void suppressIfAtTarget(std::size_t distractor);
-  /// If the outline of a target was found where the user has placed it, removes distractors and
-  /// hypotheses of other targets at its position. Returns the indices of those other targets.
+  /// Removes distractors and hypotheses of other targets at the position of a target, if the
+  /// outline of the target was found where the user has placed the target. Returns the indices of
+  /// the other targets that were changed.
   std::vector<std::size_t> clearPositionOf(std::size_t target);
-  /// If two objects are at one position, makes that position improbable for the one with the
+  /// If two objects are at one position, makes this position improbable for the object with the
   /// smaller log likelihood ratio.
   void resolveConflicts();
   /// Removes the hypotheses of targets at positions that other objects occupy. If the images cannot

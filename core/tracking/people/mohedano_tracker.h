@@ -10,9 +10,10 @@
 namespace dewpoint::tracking {
 
 /// The `mohedano-ms` and `mohedano-msc` methods (Mohedano, García, Salgado and Jaureguizar 2009).
-/// Each person has an independent particle filter. Its state is position and velocity (x y z vx vy
-/// vz) and, with `mohedano-msc`, also hue and saturation (h s). PeopleTrackLifecycle handles what
-/// the paper does not describe: the background, and the creation and removal of tracks.
+/// Each person has an independent particle filter. The state consists of position and velocity (x y
+/// z vx vy vz) and, with `mohedano-msc`, also hue and saturation (h s). PeopleTrackLifecycle
+/// handles what the paper does not describe: the background, and the creation and removal of
+/// tracks.
 class MohedanoTracker final : public PeopleTrackLifecycle {
 public:
   MohedanoTracker(const ParameterValues& parameters, const CameraRig& rig, bool color);
@@ -37,8 +38,8 @@ private:
     return {parameters_.at("mask_sigma"), parameters_.at("motion_floor")};
   }
 
-  /// Returns hue and saturation at a position, in the image of one of the cameras that show motion
-  /// there; `pick`, from 0 to 1, selects the camera.
+  /// Returns hue and saturation at the projection of a position (meters, world frame) in the image
+  /// of a camera that shows motion there. `pick`, from 0 to 1, selects one of these cameras.
   Eigen::Vector2d colorAt(const Eigen::Vector3d& position, double pick) const;
   PersonObservation observation() const;
   void describe(const StateEstimate& estimate, const Belief& belief, PersonEstimate& person) const;

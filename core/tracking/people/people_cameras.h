@@ -17,8 +17,8 @@
 
 namespace dewpoint::tracking {
 
-/// Cameras as used by methods for people: reduced images, their motion masks, and projectors for
-/// this image size.
+/// Cameras as used by methods for people: images reduced in size, their motion masks, and
+/// projectors for the reduced size.
 class PeopleCameras {
 public:
   PeopleCameras(const CameraRig& rig, const PeopleSettings& settings);
@@ -32,16 +32,15 @@ public:
   void setRig(const CameraRig& rig);
   void configure(const PeopleSettings& settings) { settings_ = settings; }
   void setBackgroundImages(const std::vector<cv::Mat>& rooms) { backgroundImages_ = rooms; }
-  /// Restarts, so that the next frame is the first one.
+  /// Restarts, so that the next frame is treated as the first frame.
   void restart();
-  /// Computes the masks of a frame. `keep` has one image per camera, of the mask's size or empty;
-  /// its nonzero pixels are not learned as background.
+  /// Computes the motion masks of a frame. `keep` has one image per camera, of the mask's size or
+  /// empty. Pixels that are nonzero in `keep` are not learned as background.
   void computeMasks(const FrameSet& frames, const std::vector<cv::Mat>& keep, ThreadTeam& team);
 
   std::size_t count() const { return views_.size(); }
   const Projector& projector(std::size_t camera) const { return views_[camera].projector; }
-  /// Returns the camera of the reduced images, with optical center (world frame, meters), axis, and
-  /// focal length in pixels.
+  /// Returns the camera with intrinsics for the reduced images. The pose is unchanged.
   const Camera& camera(std::size_t camera) const { return views_[camera].camera; }
   bool usable(std::size_t camera) const { return states_[camera].usable; }
   const cv::Mat& image(std::size_t camera) const { return views_[camera].image; }
@@ -52,7 +51,7 @@ public:
   std::int64_t frame() const { return frame_; }
 
 private:
-  /// A background model that is copied together with its owner.
+  /// Background model that is copied together with its owner.
   class Model {
   public:
     Model() = default;

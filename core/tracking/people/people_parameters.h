@@ -22,22 +22,23 @@ struct PeopleArea {
   }
 };
 
-/// Lower limit of the mean score of a piece of a body (see bodyScore()) when the position of a
-/// person is weighted. Chosen by judgment.
+/// Lower limit for the mean score of each piece of a body when particles of a person are weighted
+/// (`floor` of bodyScore()). Chosen by judgment.
 inline constexpr double kPieceFloor = -0.25;
 
 /// Settings shared by all methods for people.
 struct PeopleSettings {
   PeopleArea area;
   ForegroundSettings foreground; ///< in frames of 1/30 s until the frame rate is known
-  /// time at the start for which only the background is learned, seconds
+  /// Time at the start during which only the background is learned, seconds.
   double learningTime = 1.0;
   double memory = 40.0; ///< time after which a new object counts as background, seconds
-  /// Maximum image width in pixels; larger images are reduced to it; 0: unchanged.
+  /// Maximum image width in pixels. Wider images are reduced to this width. 0: images keep their
+  /// size.
   int imageWidth = 0;
-  /// time for which a new person must be visible before a track begins, seconds
+  /// Time for which a new person must be visible before a track begins, seconds.
   double birthTime = 0.2;
-  /// time for which a person seen by fewer than two cameras stays, seconds
+  /// Time for which a track is kept while fewer than two cameras see the person, seconds.
   double survivalTime = 0.6;
   bool births = true;
 };
@@ -45,7 +46,8 @@ struct PeopleSettings {
 /// Returns the common settings from the parameters of a method for people.
 PeopleSettings peopleSettings(const ParameterValues& parameters);
 
-/// Return the parameters of the `mohedano-ms`, `mohedano-msc` and `people` methods.
+/// Return the declarations of the parameters of the `mohedano-ms`, `mohedano-msc` and `people`
+/// methods.
 std::span<const ParameterDeclaration> mohedanoMsParameters();
 std::span<const ParameterDeclaration> mohedanoMscParameters();
 std::span<const ParameterDeclaration> peopleParameters();

@@ -11,10 +11,11 @@
 
 namespace dewpoint::tracking {
 
-/// The `people` method, developed for this project. It has one particle filter per person over
-/// position and velocity on the floor and height, weighted by how well a standing body fits the
-/// masks of all cameras. Pixels covered by other people are assigned to them, two people cannot
-/// stand at one position, and clothes distinguish people who have met.
+/// The `people` method, developed for this project. Each person has a particle filter. The state
+/// consists of position and velocity on the floor, and height. The weights measure how well a
+/// standing body fits the motion masks of all cameras. Pixels covered by other people are assigned
+/// to these people, two people cannot stand at one position, and clothes distinguish people who
+/// have met.
 class PeopleParticleTracker final : public PeopleTrackLifecycle {
 public:
   PeopleParticleTracker(const ParameterValues& parameters, const CameraRig& rig);
@@ -31,7 +32,7 @@ private:
   };
   /// Data about two people who are or were near each other. `evidence` comes from their clothes,
   /// and is negative if their identities seem to be exchanged. `sinceNear` is the time in seconds
-  /// since they were near.
+  /// since the two were near each other.
   struct Meeting {
     double evidence = 0.0;
     double sinceNear = 0.0;

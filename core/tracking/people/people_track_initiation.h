@@ -14,13 +14,14 @@ namespace dewpoint::tracking {
 /// Draws a standing body into a mask (CV_8UC1): sets its pixels to `value`.
 void drawSilhouette(const BodySilhouette& silhouette, unsigned char value, cv::Mat& mask);
 
-/// Finds new people: foreground that no tracked person explains and on which the views of several
-/// cameras agree. A standing body is tried at every point of a grid on the floor (as in the
-/// occupancy map of Fleuret et al. 2008, without its inference). A position must persist for some
-/// time to become a person.
+/// Finds new people where several cameras show foreground that no tracked person explains. A
+/// standing body is tried at every point of a grid on the floor, as in the occupancy map of Fleuret
+/// et al. 2008 (but without the inference of that paper). A position must persist for some time to
+/// become a person.
 class PeopleTrackInitiation {
 public:
-  /// Prepares the grid of positions on the floor. Positions that may become a person are kept.
+  /// Prepares the grid of positions on the floor `area` for people of `height` meters. Candidates
+  /// found in earlier frames are kept.
   void setCameras(const PeopleCameras& cameras, const PeopleArea& area, double height);
   void restart() { candidates_.clear(); }
   /// Returns the approximate size of a copy in bytes.
@@ -30,9 +31,10 @@ public:
                                                                 sizeof(BodySilhouette));
   }
 
-  /// Processes the masks of a frame. `explained` has one mask per camera (CV_8UC1) of the pixels
-  /// that are already explained, or is empty. `taken` has the positions of the tracked people.
-  /// Returns at most one position (world x, y) at which to create a track.
+  /// Processes the masks of a frame. Returns at most one position (world x, y, meters) at which to
+  /// create a track. `explained` has one mask per camera (CV_8UC1) that is nonzero at pixels of
+  /// people who are already tracked, or is empty. `taken` has the positions of the tracked people.
+  /// A new person must be visible for `birthTime` seconds.
   std::vector<Eigen::Vector2d> update(const PeopleCameras& cameras,
                                       const std::vector<cv::Mat>& explained,
                                       const std::vector<Eigen::Vector2d>& taken, double birthTime);

@@ -11,11 +11,11 @@
 
 namespace dewpoint::tracking {
 
-/// Base class of all methods for people. It handles masks, creation and removal of tracks,
-/// visibility, and identities. A derived method adds its belief about each person. The person with
-/// identity N is track N - 1 from its creation on; after its removal the track is absent. There is
-/// one iteration per frame; further ones have no effect. The choice of background model takes
-/// effect at the next restart.
+/// Base class of all methods for people. It handles motion masks, creation and removal of tracks,
+/// visibility, and identities. A derived class adds the belief about each person, such as a
+/// particle filter. The person with identity N is track N - 1; after the track was removed, its
+/// estimate is absent. There is one iteration per frame; further iterations have no effect. A
+/// change of the background model takes effect at the next restart.
 class PeopleTrackLifecycle : public Tracker,
                              public Configurable,
                              public CameraCalibrated,
@@ -52,8 +52,7 @@ public:
 protected:
   PeopleTrackLifecycle(const PeopleTrackLifecycle&) = default; ///< for clone()
 
-  /// Parameters of the motion likelihood image D made from a mask: g and p_B of Mohedano et al.
-  /// 2009.
+  /// Parameters of motionLikelihood(): the width of g, and p_B, of Mohedano et al. 2009.
   struct MotionSmoothing {
     double sigma = 4.0; ///< pixels of the mask
     double floor = 0.2;
@@ -65,9 +64,9 @@ protected:
     double free = 0.0;  ///< fraction of the silhouette that no other person covers
   };
 
-  /// Creates the method's belief about a new person, the last of `people_`.
+  /// Creates the method's belief about a new person, who is the last of `people_`.
   virtual void createBelief(const PersonEstimate& person, const RandomKey& key) = 0;
-  /// Removes the belief about people_[index], which is about to be removed.
+  /// Removes the belief about people_[index]. The person is removed afterward.
   virtual void removeBelief(std::size_t index) = 0;
   virtual void removeAllBeliefs() = 0;
   /// Returns the approximate size of a copy of a belief in bytes.

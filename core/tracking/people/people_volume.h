@@ -7,24 +7,25 @@
 
 namespace dewpoint::tracking {
 
-/// P_H of Mohedano et al. 2009: the fraction of the occupancy density inside a person's volume.
+/// Fraction of the occupancy density that lies inside a person's volume: P_H of Mohedano et al.
+/// 2009.
 inline constexpr double kVolumeProbability = 0.95;
-/// Standard deviation of the Gaussian kernel of every particle, in meters; the paper does not give
-/// one.
+/// Standard deviation, in meters, of the Gaussian kernel around every particle of a person.
+/// Mohedano et al. 2009 do not give a value.
 inline constexpr double kBodyKernel = 0.06;
 
 /// Returns the occupancy density of a person (Mohedano et al. 2009, section 3) at the points of the
 /// body, per m³: a Gaussian with standard deviation `sigma` (meters) at every point.
 Eigen::ArrayXd densityAtPoints(const BodyCloud& body, double sigma = kBodyKernel);
 
-/// Returns the smallest volume that contains `probability` of a person, as the convex hull of the
-/// points of highest density (Mohedano et al. 2009, section 2, equation 2). Empty for an empty
-/// body.
+/// Returns the smallest volume that contains the fraction `probability` of a person's occupancy
+/// density: the convex hull of the points of highest density (Mohedano et al. 2009, section 2,
+/// equation 2). Returns an empty hull for an empty body.
 ConvexHull bodyHull(const BodyCloud& body, double probability = kVolumeProbability,
                     double sigma = kBodyKernel);
 
-/// Returns the occupancy density projected on the ground, per m², on a grid that extends three
-/// sigmas beyond the points.
+/// Returns the occupancy density of a person projected onto the ground, per m². The grid has a
+/// spacing of `step` meters and extends three `sigma` beyond the points.
 GroundGrid groundDensity(const BodyCloud& body, double step = 0.05, double sigma = kBodyKernel);
 
 } // namespace dewpoint::tracking

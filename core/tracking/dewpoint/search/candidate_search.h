@@ -16,13 +16,13 @@ namespace dewpoint::tracking {
 struct Candidate {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world frame
   double radius = 0.0;                              ///< meters
-  /// Log likelihood ratio from SphereEvidence, sum over all cameras.
+  /// Log likelihood ratio (SphereEvidence), summed over all cameras.
   double logLikelihoodRatio = 0.0;
 };
 
-/// Searches whole images for targets. It finds round spots of the target's color in each camera and
-/// triangulates pairs of spots from two cameras. If the radius of the target is known, a single
-/// spot also gives a candidate, whose distance follows from its size.
+/// Searches whole images for targets. Method: find round spots of the target's color in each camera
+/// and triangulate pairs of spots from two cameras. If the radius of the target is known, a single
+/// spot also gives a candidate, whose distance follows from the size of the spot.
 class CandidateSearch {
 public:
   /// Round spot of the target's color in one image.
@@ -33,10 +33,10 @@ public:
 
   explicit CandidateSearch(const CameraRig& rig);
 
-  /// Returns the best candidates, best first: at most `limit`, no two closer than a radius, and
-  /// none outside the bounds. If the radius is unknown, it is estimated from the images, and the
-  /// observation's radius is ignored. Afterward, the observation has an arbitrary radius, and all
-  /// pixels of its images are labeled.
+  /// Returns at most `limit` candidates, best first. No two candidates are closer than a radius,
+  /// and no candidate is outside the bounds. If `radiusKnown` is false, the radius is estimated
+  /// from the images; otherwise it is the radius of the observation. Afterward, the observation has
+  /// an arbitrary radius, and all pixels of its images are labeled.
   std::vector<Candidate> find(SphereObservation& observation, bool radiusKnown, std::size_t limit,
                               const std::optional<WorldBox>& bounds = std::nullopt) const;
   /// Returns the spots in one camera's image, which must be fully labeled. This is the first step

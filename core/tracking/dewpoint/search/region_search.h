@@ -15,15 +15,17 @@ namespace dewpoint::tracking {
 /// Position at which color regions in two or more images may show the same object.
 struct RegionCandidate {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world frame
-  double radius = 0.0; ///< meters, of a ball as large as the regions in the images
+  double radius = 0.0; ///< radius in meters of a ball that is as large as the regions in the images
   double misfit = 0.0; ///< sum of squared deviations of rays and sizes, in standard deviations
-  /// Logarithm of how many times rarer regions of this size are than regions of the smallest size.
+  /// Logarithm of the factor by which regions of this size are rarer than regions of the smallest
+  /// size.
   double logRarity = 0.0;
 };
 
-/// Searches whole images for an object of any shape: pairs the regions of the target's color
-/// between cameras by their rays and sizes. `radius` is the approximate size in meters, or 0 if it
-/// is unknown. Returns the best candidates, at most `limit`. Labels the whole images.
+/// Searches whole images for an object of any shape and returns at most `limit` candidates, best
+/// first. Method: pair the regions of the target's color between cameras by their rays and sizes.
+/// `radius` is the approximate size in meters, or 0 if it is unknown. Afterward, all pixels of the
+/// images are labeled.
 std::vector<RegionCandidate> findRegionCandidates(RegionObservation& observation, double radius,
                                                   const std::optional<WorldBox>& bounds,
                                                   std::size_t limit);

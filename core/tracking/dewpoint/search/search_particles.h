@@ -12,23 +12,23 @@
 
 namespace dewpoint::tracking {
 
-/// Particle filter with a random walk that searches for a target without a confirmed position. Its
-/// particles are shown in views only; no hypothesis depends on them.
+/// Particle filter with a random walk that shows, in views, where a target without a confirmed
+/// position is searched for. No hypothesis about the target depends on these particles.
 class SearchParticles {
 public:
   /// Draws `count` particles with equal weights from the prior. Particles outside the bounds are
   /// moved to the nearest point inside.
   void restart(const SearchPrior& prior, Eigen::Index count, const RandomKey& key,
                const std::optional<WorldBox>& bounds);
-  /// Resamples, moves and weights the particles with the images of a frame, for a sphere of
-  /// `radius` meters. Draws new particles if their number is not `count`.
+  /// Resamples and moves the particles, and weights them with the images of a frame, for a sphere
+  /// of `radius` meters. Draws new particles if their number is not `count`.
   void update(const SearchPrior& prior, Eigen::Index count, double radius,
               const std::optional<WorldBox>& bounds, SphereObservation& observation,
               const RandomKey& key, ThreadTeam& team);
 
-  /// Returns rows of x, y, z; meters, world frame.
+  /// Returns the positions of the particles as rows of x, y, z; meters, world frame.
   const Eigen::ArrayXXd& states() const { return states_; }
-  /// Returns linear weights with sum 1.
+  /// Returns the linear weights of the particles, which sum to 1.
   const Eigen::ArrayXd& weights() const { return weights_; }
 
 private:

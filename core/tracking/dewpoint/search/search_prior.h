@@ -10,9 +10,9 @@
 
 namespace dewpoint::tracking {
 
-/// Prior for the position at which a target appears: the start volume until the target is tracked
-/// for the first time, afterward a Gaussian around its last confirmed position, which widens with
-/// time. World frame, meters.
+/// Prior for the position at which a target appears. Until the target is tracked for the first
+/// time, the prior is the start volume. Afterward, it is a Gaussian around the last confirmed
+/// position, which widens with time. World frame, meters.
 class SearchPrior {
 public:
   /// Discards the last confirmed position; the target is expected in `start` again.
@@ -23,14 +23,16 @@ public:
   /// standard deviation of `maxSigma` meters. Does nothing before the first confirm().
   void widen(double interval, double maxSigma);
 
-  /// Returns the probability density (1/m³) of the position at which a target appears: half from
-  /// this prior, half uniform in a cube with edges of `searchSize` meters; 0 outside the bounds.
+  /// Returns the probability density (1/m³) that a target appears at `position`. Half of the
+  /// density comes from this prior, and half is uniform in a cube with edges of `searchSize`
+  /// meters. The density is 0 outside the bounds.
   double birthDensity(const Eigen::Vector3d& position, double searchSize,
                       const std::optional<WorldBox>& bounds = std::nullopt) const;
-  /// Draws `count` positions, rows of x, y, z. Position i is drawn from element i of the stream.
+  /// Draws `count` positions from the prior: rows of x, y, z. Position i is drawn from element i of
+  /// the stream.
   Eigen::ArrayXXd draw(Eigen::Index count, const RandomStream& stream) const;
-  /// Returns the last confirmed position; nothing before the first one, or after the standard
-  /// deviation has grown beyond 1 m.
+  /// Returns the last confirmed position. Returns nothing before the first confirm(), or after the
+  /// standard deviation has grown beyond 1 m.
   std::optional<Eigen::Vector3d> lastPosition() const;
 
 private:

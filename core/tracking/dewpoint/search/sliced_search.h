@@ -13,17 +13,18 @@
 
 namespace dewpoint::tracking {
 
-/// A CandidateSearch divided into pieces that are spread over several frames, as the time budget
-/// allows. All pieces use the images of the frame in which the search began, so the result refers
-/// to that frame.
+/// CandidateSearch in pieces that are spread over several frames, as the time budget allows. All
+/// pieces use the images of the frame in which the search began, so the result refers to this
+/// frame.
 class SlicedSearch {
 public:
-  /// Searches in `frames`. `radius` in meters, 0 if unknown. Candidates lie within the bounds.
+  /// Prepares a search in `frames` for targets of `radius` meters (0 if unknown). Candidates lie
+  /// within the bounds.
   SlicedSearch(const CameraRig& rig, AdaptiveColor color, double radius, FrameSetPtr frames,
                const std::optional<WorldBox>& bounds = std::nullopt);
 
-  /// Returns the observation in which the search looks for candidates. Images must be passed to it
-  /// before the first advance().
+  /// Returns the observation in which the search looks for candidates. The caller must pass images
+  /// to the observation before the first advance().
   SphereObservation& observation() { return observation_; }
   const AdaptiveColor& color() const { return color_; }
 
@@ -48,9 +49,9 @@ private:
   std::vector<Candidate> candidates_;
 };
 
-/// Continues a search. When it is finished, returns its candidates and sets the search to null;
-/// until then returns none. Finds at most four candidates, because an outline must be fitted at
-/// each.
+/// Continues a search (SlicedSearch::advance()). When the search is finished, returns its
+/// candidates and sets `search` to null. Until then, returns no candidates. Finds at most four
+/// candidates, because an outline must be fitted at each candidate.
 std::vector<Candidate> advanceSearch(std::unique_ptr<SlicedSearch>& search,
                                      const CandidateSearch& candidates, TimeBudget& budget,
                                      std::size_t limit, bool urgent);

@@ -11,7 +11,7 @@
 
 namespace dewpoint::tracking {
 
-/// Clock of an iteration whose duration is limited by a budget. Deferrable work is done if its
+/// Time budget that limits the duration of each iteration. Deferrable work is done only if its
 /// usual duration (a running median) fits into the remaining time; otherwise it is deferred. Other
 /// work is reduced by using fewer particles. If no budget is set, all work is done immediately, no
 /// clock is read, and a run is reproducible bit by bit.
@@ -20,19 +20,20 @@ public:
   /// Kind of deferrable work.
   enum class Part { Labels, Spots, Candidates, Learning };
   static constexpr std::size_t kPartCount = 4;
-  /// Number of deferrals after which work is done even without enough time. A budget that never
-  /// leaves enough time for this work therefore delays it, but does not stop it. The value was
-  /// chosen by judgment (docs/method-dewpoint.md, section 10).
+  /// Number of deferrals after which work is done even without enough time. Too small a budget
+  /// therefore delays work, but never prevents it. The value was chosen by judgment
+  /// (docs/method-dewpoint.md, section 10).
   static constexpr int kMaxDeferrals = 30;
 
-  /// Sets the milliseconds per iteration; 0 means no limit. A change discards all measured times.
+  /// Sets the budget in milliseconds per iteration; 0 means no limit. A change discards all
+  /// measured durations.
   void set(double milliseconds);
   bool isLimited() const { return limit_ > 0.0; }
   /// Starts the clock of an iteration.
   void begin();
 
-  /// Does the work if there is time for it; returns whether it did. Work that was never done before
-  /// is assumed to fit. `urgent` work is not deferred.
+  /// Does the work if the remaining time is sufficient, and returns whether the work was done. Work
+  /// that was never done before is assumed to fit. `urgent` work is never deferred.
   template <class Work> bool runIfAffordable(Part part, const Work& work, bool urgent = false) {
     if (!urgent && !canAfford(part)) {
       return false;
@@ -43,10 +44,11 @@ public:
     return true;
   }
 
-  /// Adapts the number of particles to the time taken by the work that cannot be deferred. Call it
-  /// after that work. `most` is the number of particles per target without a budget.
+  /// Adapts the number of particles to the time taken by the work that cannot be deferred. Call
+  /// this function after that work. `most` is the number of particles per target without a budget.
   void adaptParticleCount(double most);
-  /// Returns the number of particles per target that fit, at least ten; nothing without a limit.
+  /// Returns the number of particles per target that fit into the budget, at least ten. Returns
+  /// nothing without a limit.
   std::optional<double> affordableParticles() const;
 
 private:

@@ -10,13 +10,15 @@ namespace dewpoint::tracking {
 
 /// Process noise of one target, learned from how well its recent motion was predicted (covariance
 /// matching: Mehra 1972). The acceleration that the user allows (`acceleration_sigma`) is an upper
-/// limit. Usually a target accelerates much less, and a prediction with less noise is far better.
+/// limit. A target usually accelerates much less, and less process noise then gives a much better
+/// prediction.
 class AdaptiveProcessNoise {
 public:
-  /// Returns the motion model of the next `allowed.interval` seconds. While the target is visible,
+  /// Returns the motion model for the next `allowed.interval` seconds. While the target is visible,
   /// the model's acceleration is large enough to explain the recent prediction errors. While the
   /// target is not visible, its acceleration is assumed to persist, so that the position error
-  /// grows with the square of the time. The acceleration never exceeds that of `allowed`.
+  /// grows with the square of the time. The acceleration never exceeds the acceleration of
+  /// `allowed`.
   ConstantVelocity nextMotion(const ConstantVelocity& allowed);
   /// Records that the target was not visible in the last step.
   void recordUnseen() { ++unseenSteps_; }

@@ -26,8 +26,7 @@ struct BernoulliTrackSettings {
   Eigen::Index maxParticles = 500;
   Eigen::Index minParticles = 100;
   double kldError = 0.1; ///< maximum Kullback-Leibler distance; 0: always maxParticles
-  /// Standard deviation of the acceleration, m/s². It must be set, since its default is declared
-  /// with the parameters.
+  /// Standard deviation of the acceleration, m/s². The caller must set this value.
   double accelerationSigma = 0.0;
   double survivalTime = 5.0; ///< seconds
   double searchSize = 4.0;   ///< meters
@@ -39,51 +38,53 @@ struct BernoulliTrackSettings {
 using CandidateSource = std::function<std::vector<Candidate>(SphereObservation& observation,
                                                              bool radiusKnown, std::size_t limit)>;
 
-/// Track of one target: the existence probability, and the possible positions. It is a Bernoulli
-/// filter (Ristic, Vo, Vo and Farina 2013) whose spatial density is a mixture of hypotheses. In
-/// each frame, hypotheses survive, are updated with the images, and compete with each other, with
-/// new hypotheses from the images, and with absence of the target. New hypotheses take their
-/// probability only from that of absence, so a distractor does not capture a target that is clearly
-/// visible. World frame, meters.
+/// Track of one target: its existence probability and its possible positions. The track is a
+/// Bernoulli filter (Ristic, Vo, Vo and Farina 2013) whose spatial density is a mixture of
+/// hypotheses, each about one position. In each frame, hypotheses survive, are updated with the
+/// images, and compete with each other, with new hypotheses from the images, and with absence of
+/// the target. New hypotheses take their probability only from the probability of absence, so a
+/// target that is clearly visible does not jump to a distractor. World frame, meters.
 class BernoulliTrack {
 public:
   explicit BernoulliTrack(const Target& target);
 
   void configure(const BernoulliTrackSettings& settings) { settings_ = settings; }
-  /// Sets whether hypotheses are created from the images, which is the default. Otherwise a track
-  /// ends with its last hypothesis.
+  /// Sets whether the track creates hypotheses from the images (true by default). If false, the
+  /// track ends with its last hypothesis.
   void setCreatesHypotheses(bool creates) { createsHypotheses_ = creates; }
   void setTarget(const Target& target);
-  /// Limits the positions of the target; without a value, they are unlimited. Hypotheses are
-  /// limited from the next update on, the start volume and the search particles from the next
-  /// restart on.
+  /// Limits the positions of the target. Without a value, positions are unlimited. The bounds apply
+  /// to hypotheses from the next update on, and to the start volume and the search particles from
+  /// the next restart on.
   void setBounds(const std::optional<WorldBox>& bounds) { bounds_ = bounds; }
-  /// Removes all hypotheses. The target is expected in the start volume first, then elsewhere.
+  /// Removes all hypotheses. The target is then expected in the start volume first, and elsewhere
+  /// later.
   void restart(const StartVolume& start, std::uint64_t seed);
 
-  /// Predicts all hypotheses over `interval` seconds. Called once per frame.
+  /// Predicts all hypotheses over `interval` seconds. Call this function once per frame.
   void predict(double interval, const RandomKey& key);
   /// Updates the track with the images of the frame. A second update in the same frame starts from
   /// the prediction again, so no measurement counts twice.
   void update(SphereObservation& observation, const CandidateSource& search,
               const std::vector<OccupiedSphere>& occupied, const RandomKey& key, ThreadTeam& team);
-  /// Replaces all hypotheses by one at this position, with probability 0.98.
+  /// Replaces all hypotheses by one hypothesis at this position (meters, world frame), with
+  /// probability 0.98.
   void initializeAt(const Eigen::Vector3d& position, double radius, SphereObservation& observation,
                     const RandomKey& key, ThreadTeam& team);
-  /// Corrects the position (m, m²). Replaces all hypotheses by one with probability 0.98 and the
-  /// current radius, and updates it with the images of the frame.
+  /// Corrects the position (m, m²). Replaces all hypotheses by one hypothesis with probability 0.98
+  /// and the current radius, and updates this hypothesis with the images of the frame.
   void correct(const Gaussian3& position, SphereObservation& observation, const RandomKey& key,
                ThreadTeam& team);
-  /// Replaces all hypotheses by a hypothesis from another filter of this target, or by none if it
-  /// is null. The other filter has already predicted and updated it.
+  /// Replaces all hypotheses by a hypothesis that another filter of this target has already
+  /// predicted and updated. If `hypothesis` is null, no hypothesis is left.
   void setOnlyHypothesis(const TrackHypothesis* hypothesis);
-  /// Removes the hypotheses at positions that another target occupies. Removes none if the most
+  /// Removes the hypotheses at positions that another target occupies. Does nothing if the most
   /// likely hypothesis has a probability above one half.
   void removeOccupied(const std::vector<OccupiedSphere>& occupied);
-  /// If images cannot decide between several hypotheses, keeps only the most likely one; see
+  /// Keeps only the most likely of several hypotheses between which images cannot decide; see
   /// resolveAmbiguity(). The probability that this choice is wrong lowers the existence probability
-  /// in estimate(). It does not if `identicalTargets` is true: other targets then look the same, so
-  /// that any of the positions is correct.
+  /// in estimate(), unless `identicalTargets` is true: other targets then look the same, so any of
+  /// the positions is correct.
   void resolveIdentity(bool identicalTargets);
   /// Multiplies the probability of the most likely hypothesis by 0.001, because another object was
   /// found at its position.
@@ -91,27 +92,28 @@ public:
 
   const Target& target() const { return target_; }
   const std::optional<WorldBox>& bounds() const { return bounds_; }
-  /// Returns the most likely hypothesis; null if there is none.
+  /// Returns the most likely hypothesis, or null if there is no hypothesis.
   const TrackHypothesis* best() const;
   /// Returns the most likely hypothesis if its probability is above one half, otherwise null.
   const TrackHypothesis* confidentHypothesis() const;
   /// Returns all hypotheses, the most likely first.
   const std::vector<TrackHypothesis>& hypotheses() const { return hypotheses_; }
-  /// Returns the expected position of the target: the most likely hypothesis, or the last confirmed
-  /// position. Returns nothing if there was none or if it is too old.
+  /// Returns the expected position of the target: the position of the most likely hypothesis,
+  /// otherwise the last confirmed position. Returns nothing if no position was confirmed or if the
+  /// last confirmed position is too old.
   std::optional<OccupiedSphere> expectedSphere() const;
   SphereEstimate estimate(SphereObservation& observation) const;
-  /// Returns an even selection of particles, as ParticleCloud::particles() does.
+  /// Returns an even selection of at most `limit` particles; see ParticleCloud::particles().
   void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
-  /// Returns the size of its particles in bytes.
+  /// Returns the size of all particles in bytes.
   std::size_t memoryBytes() const;
 
 private:
   void updateHypotheses(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
                         std::vector<double>& logMasses);
-  /// Returns the probability of a hypothesis before the images of this frame are used. Stores in
-  /// the hypothesis whether the images show its rim (TrackHypothesis::rimSeen). A hypothesis that
-  /// may be part of a larger object gets at most the probability of a birth.
+  /// Returns the prior probability of a hypothesis, before the images of this frame are used.
+  /// Stores in the hypothesis whether the images show its rim (TrackHypothesis::rimSeen). A
+  /// hypothesis that may be part of a larger object gets at most the probability of a birth.
   double priorProbability(TrackHypothesis& hypothesis, SphereObservation& observation) const;
   /// Returns the probability that an absent target appears at this position, or so close to it that
   /// images cannot distinguish the two positions.

@@ -7,9 +7,10 @@
 
 namespace dewpoint::tracking {
 
-/// Fits the outline at a candidate for a new hypothesis. Uses the given radius, or, if the images
-/// contradict it, the radius that they show (docs/method-dewpoint.md, section 5). `searchSize` is
-/// the edge length of the room in meters. Changes the radius of the observation.
+/// Fits the outline of the target at a candidate for a new hypothesis. The radius is the given
+/// radius. If the images contradict the given radius, the radius is measured in the images
+/// (docs/method-dewpoint.md, section 5). `searchSize` is the edge length of the room in meters.
+/// Changes the radius of the observation.
 OutlineFit fitBirth(const Candidate& candidate, const RadiusPrior& radius, double searchSize,
                     SphereObservation& observation);
 

@@ -19,36 +19,36 @@ struct OccupiedSphere {
 
 // Computations of the Bernoulli filter in the `dewpoint` method that work on hypotheses alone,
 // without images. The mass of a hypothesis is its probability before the measurement, multiplied by
-// the factor by which the measurement changes the ratio of this probability to that of absence. The
-// mass of absence is its probability before the measurement. Masses are passed as logarithms, one
-// per hypothesis, and do not sum to one.
+// the factor by which the measurement changes the odds of the hypothesis against absence of the
+// target. The mass of absence is the probability of absence before the measurement. Masses are
+// passed as logarithms, one per hypothesis, and do not sum to one.
 
-/// Returns the probability that the target is at none of these positions; at least 1e-9, so that it
-/// has a logarithm.
+/// Returns the probability that the target is at the position of none of these hypotheses. The
+/// result is at least 1e-9, so that it has a logarithm.
 double absenceProbability(const std::vector<TrackHypothesis>& hypotheses);
 
-/// Returns the probability that the target is at none of the positions now visible to more than one
-/// camera. A hypothesis seen by one camera alone therefore does not prevent the target from being
-/// found where two cameras see it.
+/// Returns the probability that the target is at the position of none of those hypotheses that more
+/// than one camera can see now. A hypothesis that only one camera sees therefore does not prevent
+/// the target from being found where two cameras see it.
 double absenceProbabilityInSharedViews(const std::vector<TrackHypothesis>& hypotheses);
 
-/// Limits the probability of each hypothesis now visible to only one camera to the probability that
-/// it had when more than one camera could last see it. A single camera can therefore restore a
-/// hypothesis, but not make it more probable than it was before.
+/// Limits the probability of each hypothesis that only one camera can see now. The limit is the
+/// probability that the hypothesis had when more than one camera could last see it. A single camera
+/// can therefore restore a hypothesis, but not make it more probable than before.
 void limitOneCameraHypotheses(std::vector<TrackHypothesis>& hypotheses);
 
 /// Limits the probability of a hypothesis that may be part of a larger object
 /// (TrackHypothesis::hasRim() is false) to 0.9.
 void capMassWithoutRim(std::vector<TrackHypothesis>& hypotheses);
 
-/// Returns the part of the log likelihood ratio that is not counted: the excess over
+/// Returns the part of a hypothesis' log likelihood ratio that is not counted: the excess over
 /// kSaturationShare times the log likelihood ratio of a fully visible target.
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 
 /// Returns the probability of the most likely of several hypotheses that compete with each other
-/// and with absence: exp(m) / (absence + the sum of exp(m) over all). `logMasses` has at least one
-/// element; `absence` is linear. If several are equal, the first counts as the most likely one and
-/// the others as its rivals.
+/// and with absence: exp(largest m) / (absence + the sum of exp(m) over all m in `logMasses`).
+/// `logMasses` must have at least one element. `absence` is the mass of absence itself, not its
+/// logarithm.
 double shareOfLargest(std::span<const double> logMasses, double absence);
 
 /// Returns whether the images must be searched for the target. This is the case if there is no
@@ -62,28 +62,29 @@ bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
 void normalizeMasses(std::vector<TrackHypothesis>& hypotheses,
                      const std::vector<double>& logMasses);
 
-/// Returns whether the target is more likely than not at one of the hypotheses, but others fit
-/// about as well as the first (the most likely).
+/// Returns whether the target is more likely than not at one of the hypotheses, but other
+/// hypotheses fit about as well as the first hypothesis, which is the most likely.
 bool isUndecided(const std::vector<TrackHypothesis>& hypotheses);
 
 /// Returns the covariance (m²) of the target's position for the mixture of all hypotheses, about
-/// the position of the first one instead of the mean.
+/// the position of the first hypothesis instead of the mean.
 Eigen::Matrix3d mixtureCovariance(const std::vector<TrackHypothesis>& hypotheses);
 
-/// Moves the most likely hypothesis to the front, merges hypotheses closer than half a radius into
-/// the more likely one, and keeps at most six, none less likely than 1e-8.
+/// Moves the most likely hypothesis to the front. Merges two hypotheses closer than half a radius
+/// into the more likely of the two. Keeps at most six hypotheses, and none with a probability below
+/// 1e-8.
 void mergeAndPrune(std::vector<TrackHypothesis>& hypotheses);
 
-/// Returns whether a sphere with this position and radius would overlap an occupied one. Two
-/// spheres overlap if their distance is less than 0.7 times the sum of their radii. The factor
-/// allows for errors of both positions and radii.
+/// Returns whether a sphere with this position and radius would overlap an occupied sphere. Two
+/// spheres overlap if the distance of their centers is less than 0.7 times the sum of their radii.
+/// The factor allows for errors of positions and radii.
 bool isOccupied(const Eigen::Vector3d& position, double radius,
                 const std::vector<OccupiedSphere>& occupied);
 
-/// Keeps only the first (the most likely) of several hypotheses between which images cannot decide:
-/// those for which isSaturated() is true and that have had at least five measurement updates. The
-/// first one receives the probabilities of those removed. Returns the probability that this choice
-/// is wrong; nothing if no choice was made.
+/// Keeps only the first (the most likely) of several hypotheses between which images cannot decide.
+/// These are the hypotheses with at least five measurement updates for which isSaturated() is true.
+/// The first of them receives the probabilities of the others, which are removed. Returns the
+/// probability that this choice is wrong, or nothing if no choice was made.
 std::optional<double> resolveAmbiguity(std::vector<TrackHypothesis>& hypotheses);
 
 } // namespace dewpoint::tracking

@@ -5,11 +5,11 @@
 
 namespace dewpoint::tracking {
 
-/// Numbers the hypotheses of one track (TrackHypothesis::stream), from 1 to 4095. A target may have
-/// two tracks that pass hypotheses to each other. Each track numbers its hypotheses in a separate
-/// half of the range, so that no two hypotheses of a target share random numbers or are confused
-/// with each other. After the last number, a half starts again from its first. The number 0 is
-/// never assigned; it stands for no hypothesis.
+/// Assigns numbers from 1 to 4095 to the hypotheses of one track (TrackHypothesis::stream). A
+/// target may have two tracks that pass hypotheses to each other. Each track takes its numbers from
+/// a separate half of the range, so that no two hypotheses of a target share random numbers or are
+/// confused with each other. After the last number of its half, a track continues with the first
+/// number. The number 0 is never assigned; it means "no hypothesis".
 class HypothesisNumbers {
 public:
   /// Half for the track of the target as a ball (BernoulliTrack), or as an object of any shape

@@ -16,7 +16,7 @@ struct InformationForm {
   /// Returns the measurement that updates the Gaussian `before` (centered on the predicted
   /// position) to `after`, with `variance` (m²) along each axis added to its covariance.
   static InformationForm between(const Gaussian3& before, const Gaussian3& after, double variance);
-  /// Returns the same measurement relative to a position at `offset` (m) from the predicted one.
+  /// Returns the same measurement relative to the predicted position plus `offset` (m).
   InformationForm relativeTo(const Eigen::Vector3d& offset) const {
     return {information, vector - information * offset};
   }
@@ -25,7 +25,8 @@ struct InformationForm {
   /// Returns the measured position alone (m, m²); `predicted` is the position to which the
   /// measurement is relative.
   Gaussian3 asGaussian(const Eigen::Vector3d& predicted) const;
-  /// Returns the posterior for the prior `before`.
+  /// Returns the posterior distribution of the position after this measurement updates the prior
+  /// `before`.
   Gaussian3 posterior(const Gaussian3& before) const;
   /// Returns the squared Mahalanobis distance of the measurement from a prior with this covariance
   /// (m²), centered on the predicted position.

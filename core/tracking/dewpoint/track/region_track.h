@@ -13,10 +13,10 @@
 
 namespace dewpoint::tracking {
 
-/// Track of a target that is not assumed to be a ball: one hypothesis about its position, and an
-/// ellipsoid for its extent, learned from the regions of its color. It is a Bernoulli filter like
-/// BernoulliTrack; the extent is smoothed from frame to frame (as in the random-matrix approach:
-/// Koch 2008). World frame, meters.
+/// Track of a target that is not assumed to be a ball. The track has one hypothesis about the
+/// position, and an ellipsoid for the extent, learned from the regions of the target's color. It is
+/// a Bernoulli filter like BernoulliTrack. The extent is smoothed from frame to frame, as in the
+/// random-matrix approach (Koch 2008). World frame, meters.
 class RegionTrack {
 public:
   explicit RegionTrack(const Target& target) : target_(target) {}
@@ -24,34 +24,36 @@ public:
   void configure(const BernoulliTrackSettings& settings) { settings_ = settings; }
   void setTarget(const Target& target) { target_ = target; }
   void setBounds(const std::optional<WorldBox>& bounds) { bounds_ = bounds; }
-  /// Discards the target. It is expected in the start volume first, then elsewhere.
+  /// Discards the hypothesis and the last position. The target is then expected in the start volume
+  /// first, and elsewhere later.
   void restart(const StartVolume& start);
   /// Discards the hypothesis.
   void discardHypothesis();
-  /// Starts at this position (m, m²), with `extent` as the approximate extent: replaces the
-  /// hypothesis by one with probability 0.98, and updates it with the images of the frame. `byHand`
-  /// is true if the user gave the position.
+  /// Replaces the hypothesis by a new hypothesis at this position (m, m²), with probability 0.98
+  /// and the approximate extent `extent` (m²), and updates the new hypothesis with the images of
+  /// the frame. `byHand` is true if the user gave the position.
   void startAt(const Gaussian3& position, const Eigen::Matrix3d& extent, bool byHand,
                RegionObservation& observation, const RandomKey& key, ThreadTeam& team);
 
-  /// Predicts over `interval` seconds. Called once per frame.
+  /// Predicts the hypothesis over `interval` seconds. Call this function once per frame.
   void predict(double interval, const RandomKey& key);
-  /// Updates the hypothesis with the images of the frame, or searches them for one. A second update
-  /// in the same frame starts from the prediction again.
+  /// Updates the hypothesis with the images of the frame. Without a hypothesis, searches the images
+  /// for a new hypothesis. A second update in the same frame starts from the prediction again.
   void update(RegionObservation& observation, const std::vector<OccupiedSphere>& occupied,
               const RandomKey& key, ThreadTeam& team);
 
-  /// Returns the hypothesis, with the radius of a ball of equal volume; null if there is none.
+  /// Returns the hypothesis, with the radius of a ball of equal volume, or null if there is no
+  /// hypothesis.
   const TrackHypothesis* hypothesis() const { return state_ ? &state_->hypothesis : nullptr; }
-  /// Returns the extent of the hypothesis, which must exist, in m², as in Ellipsoid.
+  /// Returns the extent (m², as in Ellipsoid) of the hypothesis. The hypothesis must exist.
   const Eigen::Matrix3d& extent() const { return state_->extent; }
-  /// Returns the longest semi-axis in meters.
+  /// Returns the longest semi-axis of the extent in meters.
   double longestAxis() const;
   /// Returns the measurement of each camera at the last update; empty without a hypothesis.
   std::vector<RegionMeasurement> views() const {
     return state_ ? state_->views : std::vector<RegionMeasurement>();
   }
-  /// Returns the hypothesis, which must exist, as an estimate.
+  /// Returns the estimate of the target from the hypothesis. The hypothesis must exist.
   SphereEstimate estimate(const RegionObservation& observation) const;
   std::size_t memoryBytes() const;
 
@@ -68,7 +70,7 @@ private:
 
   EllipsoidFit fitAt(const State& state, RegionObservation& observation) const;
   /// Measures the target in the images and updates `state`. Returns the logarithm of the factor by
-  /// which the odds that the target is there change.
+  /// which the images change the odds that the target is at the position of `state`.
   double measure(State& state, RegionObservation& observation) const;
   void accept(State& state, const EllipsoidFit& fit) const;
   void search(RegionObservation& observation, const std::vector<OccupiedSphere>& occupied);

@@ -12,27 +12,29 @@
 
 namespace dewpoint::tracking {
 
-/// Belief about whether a target is a ball. If the target's definition leaves this open, it is
-/// learned from the regions of the target's color in the images: each gives log odds, which are
-/// added up over time.
+/// Belief about whether a target is a ball. If the target's definition leaves the shape open, the
+/// belief is learned from the regions of the target's color in the images. Each region gives log
+/// odds, which are added up over time.
 class ShapeBelief {
 public:
   explicit ShapeBelief(const Target& target) { setTarget(target); }
 
-  /// Sets the target; starts again if its shape or radius has changed.
+  /// Sets the target. Learning starts from scratch if the shape or radius of the target has
+  /// changed.
   void setTarget(const Target& target);
   void restart();
 
   bool isBall() const { return !any_; }
-  /// Returns whether the shape is decided by the images.
+  /// Returns whether the images decide the shape, because the target's definition leaves it open.
   bool isDecidedByImages() const { return shape_ == TargetShape::Auto; }
   /// Returns whether nothing has been learned yet, or the log odds are too small to decide.
   bool isUnclear() const;
-  /// Returns the log odds, in nats, of an object of any shape relative to a ball.
+  /// Returns the log odds (natural logarithm) of "the target has any shape" against "the target is
+  /// a ball".
   double logOdds() const { return logOdds_; }
 
   /// Learns from the regions that show a target of this radius (meters) at this position,
-  /// `interval` seconds after the last call. Does nothing if no image shows it well enough.
+  /// `interval` seconds after the last call. Does nothing if no image shows the target well enough.
   void learn(const RegionObservation& observation, const std::vector<RegionMeasurement>& views,
              const Eigen::Vector3d& position, double radius, double interval);
 

@@ -19,16 +19,17 @@ struct SystematicErrors {
   double time = 0.0;
 };
 
-/// Returns the covariance (m²) of a position caused by errors of `sigma` (radians) in the
-/// directions from the cameras that see it, given their optical centers (meters, world frame); zero
+/// Returns the covariance (m²) of a position that results from errors of the directions in which
+/// cameras see the position. `sigma` (radians) is the standard deviation of the directions, and
+/// `cameraCenters` are the optical centers of the cameras (meters, world frame). Returns zero
 /// without cameras.
 Eigen::Matrix3d covarianceFromDirectionErrors(const Eigen::Vector3d& position,
                                               const std::vector<Eigen::Vector3d>& cameraCenters,
                                               double sigma);
 
-/// Returns the covariance (m²) of a position after the `systematic` errors of the images are added
-/// to `known`. If the user has also given a position, with covariance `given`, `known` includes
-/// this information, which the errors do not affect.
+/// Returns the covariance (m²) of a position: `known` plus the `systematic` errors of the images.
+/// If the user has also given a position, with covariance `given`, `known` includes the information
+/// from the user, which the errors of the images do not affect.
 Eigen::Matrix3d withSystematicErrors(const Eigen::Matrix3d& known,
                                      const Eigen::Matrix3d& systematic,
                                      const std::optional<Eigen::Matrix3d>& given);

@@ -17,10 +17,10 @@
 
 namespace dewpoint::tracking {
 
-/// A hypothesis about a target's position: a cloud of particles, the Gaussian that summarizes it,
-/// and the probability that the target exists and is there. A cloud never spans two positions: a
-/// target with several possible positions has several hypotheses (mixture tracking: Vermaak, Doucet
-/// and Pérez 2003). World frame, meters, m/s.
+/// Hypothesis about a target's position: a cloud of particles, the Gaussian that summarizes the
+/// cloud, and the probability that the target exists and is at this position. A cloud never spans
+/// two positions: a target with several possible positions has several hypotheses (mixture
+/// tracking: Vermaak, Doucet and Pérez 2003). World frame, meters, m/s.
 struct TrackHypothesis {
   Eigen::ArrayXXd states;       ///< one row per particle: x y z vx vy vz
   Eigen::ArrayXd weights;       ///< linear, sum 1
@@ -30,7 +30,7 @@ struct TrackHypothesis {
   double probability = 0.0;     ///< probability that the target exists and is here
   /// True if there are several cameras, but only one of them can see the target now.
   bool oneCameraOnly = false;
-  /// Probability at the time when more than one camera could last see it.
+  /// `probability` at the time when more than one camera could last see the hypothesis.
   double provenProbability = 0.0;
   /// True if a camera has shown the rim of the target (where its color ends) since the birth of the
   /// hypothesis, or the user has confirmed its position. Until then, the hypothesis may be part of
@@ -46,8 +46,8 @@ struct TrackHypothesis {
   double sizeMisfit = 0.0;
   int updateCount = 0;       ///< frames with a measurement update since the birth
   bool outlineFound = false; ///< at the last measurement update
-  /// Position (m, m²) from that measurement alone, without the prediction, if the outline was
-  /// found.
+  /// Position (m, m²) from the last measurement update alone, without the prediction. Valid if
+  /// `outlineFound` is true.
   Gaussian3 measurement;
   /// Covariance (m²) of a position given by the user in this frame.
   std::optional<Eigen::Matrix3d> given;
@@ -62,7 +62,7 @@ struct TrackHypothesis {
   /// Predictions not yet applied to the particles. While the outline is found, new particles are
   /// drawn, and these predictions are never needed.
   std::vector<std::pair<ConstantVelocity, RandomStream>> pending;
-  std::uint32_t stream = 0; ///< separates its random numbers from those of other hypotheses
+  std::uint32_t stream = 0; ///< number that gives each hypothesis different random numbers
 
   // Fractions of the fully visible log likelihood ratio. The values were chosen by judgment and not
   // measured (docs/method-dewpoint.md, sections 5 to 7).
@@ -90,29 +90,30 @@ struct TrackHypothesis {
            logLikelihoodRatio >= kSaturationShare * fullyVisibleLogLikelihoodRatio;
   }
 
-  /// Returns whether its rim was shown recently, so that it is not part of a larger object.
+  /// Returns whether a camera showed the rim of the target recently, so that the hypothesis is not
+  /// part of a larger object.
   bool hasRim() const { return rimSeen && secondsSinceRim <= kRimMemory; }
 
   Eigen::Vector3d position() const { return gaussian.mean.head<3>(); }
   Eigen::Vector3d velocity() const { return gaussian.mean.tail<3>(); }
 };
 
-/// Fraction of a + b below which two spheres of radii a and b conflict. They cannot be closer than
-/// a + b, but estimates have small errors. The value was chosen by judgment
-/// (docs/method-dewpoint.md, section 7).
+/// Two spheres of radii a and b conflict if the distance of their centers is below this fraction of
+/// a + b. Real spheres cannot be closer than a + b, but estimates have small errors. The value was
+/// chosen by judgment (docs/method-dewpoint.md, section 7).
 inline constexpr double kTouching = 0.7;
 
 /// Predicts a hypothesis over `allowed.interval` seconds, with at most the acceleration of
-/// `allowed`. Its probability does not change.
+/// `allowed`. The probability of the hypothesis does not change.
 void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const RandomKey& key);
 
-/// Draws `count` particles from the Gaussian of a hypothesis alone, before any image is used:
+/// Draws `count` particles from the Gaussian of a hypothesis, without using images. Method:
 /// importance sampling from a proposal that is wider than the Gaussian.
 void drawPrior(TrackHypothesis& hypothesis, Eigen::Index count, const RandomKey& key,
                ThreadTeam& team);
 
-/// Draws `count` particles for the Gaussian of a hypothesis: importance sampling from a proposal
-/// that is wider than the Gaussian, weighted by the likelihood at each particle.
+/// Draws `count` particles from the Gaussian of a hypothesis and weights them with the likelihood
+/// of the images. Method: importance sampling from a proposal that is wider than the Gaussian.
 void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, Eigen::Index count,
                    const RandomKey& key, ThreadTeam& team);
 
@@ -124,9 +125,9 @@ void drawParticles(TrackHypothesis& hypothesis, SphereObservation& observation, 
 double measurementUpdate(TrackHypothesis& hypothesis, SphereObservation& observation,
                          Eigen::Index count, const RandomKey& key, ThreadTeam& team);
 
-/// Returns by how much the log likelihood ratio of hypothesis `own` increases if pixels inside the
-/// outlines of the other mostly visible hypotheses do not count against it. A second object of the
-/// same color that touches it in an image is not evidence against it.
+/// Returns the amount by which the log likelihood ratio of hypothesis `own` increases if pixels
+/// inside the outlines of the other mostly visible hypotheses do not count against `own`. A second
+/// object of the same color that touches the target in an image is no evidence against the target.
 double explainedRingGain(const std::vector<TrackHypothesis>& all, std::size_t own,
                          SphereObservation& observation);
 
