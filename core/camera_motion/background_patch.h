@@ -11,9 +11,9 @@
 
 namespace dewpoint::camera_motion {
 
-/// Small patch of the background that can be located in later images with subpixel accuracy. Before
-/// patches are compared, their gray levels are normalized to the same mean and contrast, so that
-/// changes in lighting have no effect.
+/// Small patch of the background that can be located in later images with an accuracy of a fraction
+/// of a pixel. The gray levels are normalized to the same mean and contrast before a comparison, so
+/// that changes in lighting have no effect.
 class BackgroundPatch {
 public:
   static constexpr int kSide = 19; ///< pixels
@@ -28,19 +28,18 @@ public:
     Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< displacement from center(), pixels
     double correlation = 0.0;                        ///< normalized correlation, -1 to 1
   };
-  /// Locates the patch in an image. The search starts at the displacement `guess` (pixels from
-  /// center()). Method: inverse compositional alignment (Baker and Matthews 2004, "Lucas-Kanade 20
-  /// years on"), with the displacement as the only unknown, after mean and contrast are normalized.
-  /// Returns nothing if the search diverges, ends more than 6 pixels from `guess`, or leaves the
-  /// image.
+  /// Returns the position of the patch in an image. The search starts at the displacement `guess`
+  /// (pixels from center()). Method: inverse compositional alignment (Baker and Matthews 2004,
+  /// "Lucas-Kanade 20 years on"), with the displacement as the only unknown. Returns nothing if the
+  /// search diverges, ends more than 6 pixels from `guess`, or leaves the image.
   std::optional<Match> find(const cv::Mat& image, const Eigen::Vector2d& guess) const;
 
   const cv::Point& center() const { return center_; }
-  /// Returns how well the patch can be located. For each pixel, the product of the gray-level
-  /// gradient and its transpose is a 2 x 2 matrix. The result is the smaller eigenvalue of the sum
-  /// of these matrices over the patch, in squared gray levels per px².
+  /// Returns a measure of how well the patch can be located: the smaller eigenvalue of the
+  /// structure tensor, in squared gray levels per px². The structure tensor is the sum of g g' over
+  /// all pixels of the patch, where g is the gray-level gradient at a pixel.
   double structure() const { return structure_; }
-  /// Returns the covariance of a measured shift due to image noise, in square pixels. If the patch
+  /// Returns the covariance (px²) of a measured shift that results from image noise. If the patch
   /// shows only an edge, the variance along this edge is large.
   const Eigen::Matrix2d& shiftCovariance() const { return shiftCovariance_; }
 

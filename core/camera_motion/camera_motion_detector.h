@@ -17,7 +17,7 @@ struct CameraMotionEvent {
   std::size_t camera = 0;
   std::int64_t frame = 0; ///< frame in which the motion became certain
   TimeStamp time{};
-  CameraRotation turn; ///< rotation relative to the reference images, as known at that time
+  CameraRotation turn; ///< rotation relative to the reference images, as measured up to this frame
 };
 
 /// Current state of one camera.
@@ -25,28 +25,30 @@ struct CameraMotionState {
   /// Rotation relative to the reference images: the median over the last five checks (about one
   /// second).
   CameraRotation turn;
-  /// True if the last image that was checked showed enough of the background.
+  /// True if the last image that was checked showed enough of the background to measure the
+  /// rotation.
   bool assessed = false;
   /// True after a motion was reported, until the camera is back in its old pose or accept() is
   /// called.
   bool moved = false;
 };
 
-/// Detects camera motion during tracking. A few times per second, each camera is checked: patches
-/// of the background are located in its image, and the camera rotation on which most patches agree
-/// is fitted. Moving objects, shadows and occluded patches do not agree and are ignored. A motion
-/// is reported if the median rotation of the last five checks is more than 0.05 degrees and clearly
-/// larger than its standard error. A rotation of 0.1 degrees is reported within about a second.
+/// Detects camera motion during tracking. Each camera is checked a few times per second. Patches of
+/// the background are located in the image, and the camera rotation on which most patches agree is
+/// fitted. Patches that do not agree are ignored, because moving objects or shadows cover them. A
+/// motion is reported if the median rotation of the last five checks is more than 0.05 degrees and
+/// clearly larger than its standard error. A rotation of 0.1 degrees is reported within about a
+/// second.
 ///
 /// The first images received are the reference images; they are assumed to match the calibration.
-/// Objects that do not move for a long time gradually become part of the background. A camera whose
+/// Objects that are at rest for a long time gradually become part of the background. A camera whose
 /// image has hardly any structure cannot be monitored (CameraMotionState::assessed).
 class CameraMotionDetector {
 public:
   explicit CameraMotionDetector(const CameraRig& rig);
 
-  /// Checks the cameras whose next check is due at the time of the frame set. Frame sets that are
-  /// not later than the previous one are ignored.
+  /// Checks those cameras whose next check is due at the time of the frame set. A frame set that is
+  /// not later than the previous frame set is ignored.
   void watch(const FrameSet& frames);
 
   /// Returns all motions reported since the start or the last restart().
@@ -55,8 +57,8 @@ public:
   const CameraMotionState& camera(std::size_t camera) const { return watched_[camera].state; }
   std::size_t cameraCount() const { return watched_.size(); }
 
-  /// Accepts `now` as the current pose of a camera. The next images of this camera become its
-  /// reference images.
+  /// Sets `now` as the calibration of a camera after it was moved. The next image of this camera
+  /// becomes its reference image.
   void accept(std::size_t camera, const Camera& now);
   /// Makes the next images of all cameras the reference images, and discards the events.
   void restart();

@@ -14,8 +14,8 @@
 
 namespace dewpoint::camera_motion {
 
-/// One sighting of a target by one camera, compared with the position of the target according to
-/// the other cameras.
+/// Sighting of a target by one camera, compared with the position of the target according to the
+/// other cameras.
 struct ReprojectionResidual {
   double time = 0.0; ///< seconds
   /// Position of the target according to the other cameras alone (in a rig of two cameras: the
@@ -24,35 +24,34 @@ struct ReprojectionResidual {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of the target in the image
   Eigen::Vector2d residual =
       Eigen::Vector2d::Zero(); ///< `pixel` minus the projection of `world`, pixels
-  /// How well the other cameras agree among themselves: in the image of each of them, the distance
-  /// between the center of the target and the projection of `world`; the largest of these
-  /// distances, pixels.
+  /// Disagreement of the other cameras among themselves, pixels: the largest distance, over the
+  /// images of the other cameras, between the center of the target and the projection of `world`.
   double othersDisagreement = 0.0;
 };
 
-/// Returns the centroid (pixels) of those pixels around the expected outline in an image (CV_8UC3)
-/// that have the target's color. Returns nothing if the number of these pixels differs too much
-/// from the area of the outline, or if some of them lie at the edge of the search region. In both
-/// cases, the target is probably partly hidden, or another object has its color. Also returns
-/// nothing if the search region exceeds the image, or if the radius of the outline is less than 2
-/// pixels.
+/// Returns the centroid (pixels) of the pixels with the target's color in a search region around
+/// the expected outline, in an image (CV_8UC3). Returns nothing if the number of these pixels
+/// differs too much from the area of the outline, or if some of these pixels lie at the edge of the
+/// search region. In both cases, the target is probably partly hidden, or another object has its
+/// color. Also returns nothing if the search region exceeds the image, or if the radius of the
+/// outline is less than 2 pixels.
 std::optional<Eigen::Vector2d> colorCentroid(const cv::Mat& image, const ColorRanges& color,
                                              const SphereImage& expected);
 
-/// Collects how far the sightings of each camera deviate from those of the other cameras. If a
-/// camera was moved, all its sightings have about the same residual, and the other cameras still
-/// agree among themselves. From the viewpoint of a camera that was not moved, the other cameras do
-/// not agree, because the moved camera is one of them.
+/// Collects the deviations of each camera's sightings from the sightings of the other cameras. If a
+/// camera was moved, all its sightings have about the same residual, and the other cameras agree
+/// among themselves. For every camera that was not moved, the other cameras disagree, because the
+/// moved camera is one of them.
 class ReprojectionResiduals {
 public:
-  /// Maximum number of sightings per camera; the newest are kept.
+  /// Maximum number of sightings per camera; the newest sightings are kept.
   static constexpr std::size_t kMaxSightings = 300;
   explicit ReprojectionResiduals(const CameraRig& rig);
 
   /// Adds the sightings of a frame, after the tracker has processed this frame. Targets without a
   /// valid estimate, or without a radius, are ignored. In a rig of three or more cameras, a
-  /// sighting needs at least two other cameras that see the target. In a rig of two cameras, each
-  /// camera is compared with the estimate itself.
+  /// sighting is added only if at least two other cameras see the target. In a rig of two cameras,
+  /// each camera is compared with the estimate of the tracker.
   void add(const FrameSet& frames, const std::vector<Target>& targets,
            const std::vector<SphereEstimate>& estimates);
   /// Returns the sightings of a camera, oldest first.
@@ -64,8 +63,8 @@ public:
     Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< median of each component, pixels
     double othersDisagreement = 0.0;                    ///< pixels
   };
-  /// Returns a summary of the sightings of a camera at or after `since` (seconds). Returns nothing
-  /// if there are fewer than `fewest` such sightings.
+  /// Returns the medians over the sightings of a camera at or after the time `since` (seconds).
+  /// Returns nothing if there are fewer than `fewest` such sightings.
   std::optional<Summary> summary(std::size_t camera, double since, std::size_t fewest) const;
   /// Discards all sightings.
   void restart();

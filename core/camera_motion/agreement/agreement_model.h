@@ -15,24 +15,25 @@
 
 namespace dewpoint::camera_motion {
 
-/// Calibration or clock error of one camera: its rotation (rotation vector in camera axes, radians)
-/// and its delay (seconds).
+/// Calibration error and clock error of one camera. `turn` is the rotation by which the camera
+/// deviates from its calibration (rotation vector in camera axes, radians), and `delay` is the
+/// delay of its images (seconds).
 struct CameraError {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
   double delay = 0.0;
 };
 
-/// Assumption about what is wrong with a rig. AgreementModel::fit() computes how well the
-/// assumption explains the sightings.
+/// Assumption about the fault of a rig. AgreementModel::fit() computes how well the assumption
+/// explains the sightings.
 struct AgreementHypothesis {
   /// For each camera, the index of the camera whose calibration applies to its images under this
   /// assumption. If empty, each camera has its own calibration.
   std::vector<std::size_t> calibrations = {};
   /// Camera that may point in a wrong direction. The standard deviation of its rotation error is 3
-  /// degrees, instead of the 0.2 degrees that are usual for calibrations.
+  /// degrees instead of the usual 0.2 degrees.
   std::optional<std::size_t> freeTurn = {};
-  /// Camera whose images may be delayed. The standard deviation of its delay is 0.25 s, instead of
-  /// the 0.3 image intervals that are usual for cameras without synchronization.
+  /// Camera whose images may be delayed. The standard deviation of its delay is 0.25 s. For other
+  /// cameras, it is 0.3 image intervals, as is usual without synchronization.
   std::optional<std::size_t> freeDelay = {};
   /// Start value for the delay of `freeDelay`, in seconds.
   double initialDelay = 0.0;
@@ -41,8 +42,8 @@ struct AgreementHypothesis {
 /// How well a hypothesis explains the sightings.
 struct AgreementFit {
   std::vector<CameraError> errors = {}; ///< most likely errors, one per camera
-  /// Natural logarithm of the likelihood of the sightings, integrated over the errors. It is
-  /// relative to the hypothesis that the cameras see unrelated objects.
+  /// Natural logarithm of the likelihood of the sightings, integrated over all possible errors,
+  /// relative to the likelihood under the hypothesis that the cameras see unrelated objects.
   double logEvidence = 0.0;
   double logLikelihood = 0.0; ///< log likelihood at `errors`
   double logPrior = 0.0;      ///< log prior of `errors`, relative to no errors
@@ -57,8 +58,8 @@ struct AgreementFit {
   double leastMean = 0.0;
 };
 
-/// Likelihood of the colored regions seen by several cameras, when it is unknown which region shows
-/// which object.
+/// Model of how likely it is that several cameras see their colored regions where they do, when it
+/// is unknown which region shows which object.
 ///
 /// Each sighting that counts (RegionSighting::counts) is compared with the regions that each other
 /// camera saw at the same time. At most one of these regions shows the same object. The ray to this
@@ -73,20 +74,23 @@ struct AgreementFit {
 /// integrated out with Laplace's approximation.
 class AgreementModel {
 public:
-  /// `histories[color][camera]` has as many cameras as the rig, and must outlive the model. `radii`
-  /// contains, for each color, the radius of the targets in meters, or 0 if it is unknown or the
-  /// targets are not balls.
+  /// Creates a model of the sightings in `histories[color][camera]`. `histories` must have as many
+  /// cameras as the rig, and must outlive the model. `radii` contains, for each color, the radius
+  /// of the targets in meters, or 0 if the radius is unknown or the targets are not balls.
   AgreementModel(const CameraRig& rig, const std::vector<std::vector<SightingHistory>>& histories,
                  std::vector<double> radii);
 
-  /// Fits the camera errors under a hypothesis.
+  /// Fits the errors of all cameras under a hypothesis, and returns how well the hypothesis
+  /// explains the sightings.
   AgreementFit fit(const AgreementHypothesis& hypothesis) const;
-  /// Returns a rough log likelihood of the delay `delay` (seconds) of a camera. Fits nothing; uses
-  /// only the pairs of cameras that include this camera.
+  /// Returns a rough log likelihood of the sightings if the images of a camera are delayed by
+  /// `delay` (seconds). Fits no errors, and uses only the pairs of cameras that include this
+  /// camera.
   double roughLogLikelihood(std::size_t camera, double delay) const;
 
-  /// Returns the median ratio of measured to known radius. It is taken over the regions that match
-  /// if the cameras have the errors `errors`. Returns nothing if only a few regions match.
+  /// Returns the median ratio of the measured to the known radius of targets. The median is taken
+  /// over the regions that match between cameras with the errors `errors`. Returns nothing if only
+  /// a few regions match.
   std::optional<double> sizeRatio(const std::vector<CameraError>& errors) const;
 
   /// Returns the median time between successive images of a camera, in seconds.

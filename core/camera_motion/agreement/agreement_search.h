@@ -10,17 +10,18 @@
 
 namespace dewpoint::camera_motion {
 
-/// Returns whether the rig, as declared by its calibration, explains the sightings well, with
-/// errors that are usual for calibrations.
+/// Returns whether the rig explains the sightings well as it is calibrated, with no errors larger
+/// than usual. `asDeclared` is the fit of the hypothesis without a fault.
 bool isGoodFit(const AgreementFit& asDeclared);
-/// Returns whether the rig as declared explains hardly any of the sightings.
+/// Returns whether the rig as it is calibrated explains hardly any of the sightings. `asDeclared`
+/// is the fit of the hypothesis without a fault.
 bool isBadFit(const AgreementFit& asDeclared);
 
-/// Returns the fault that explains the sightings clearly better than the rig as declared, and
-/// clearly better than every other fault. Its log odds must be at least kLeastLogOdds against the
-/// rig as declared, and at least kLeastLead against every other fault. If no fault meets this and
-/// `alsoUnknown` is set, CameraFault::Unknown is returned if its log odds are at least
-/// kLeastLogOdds. Otherwise returns nothing.
+/// Returns the fault that explains the sightings clearly better than no fault, and clearly better
+/// than every other fault. The log odds of this fault must be at least kLeastLogOdds against no
+/// fault, and at least kLeastLead against every other fault. `asDeclared` is the fit of the
+/// hypothesis without a fault. If there is no such fault and `alsoUnknown` is set, returns
+/// CameraFault::Unknown if its log odds are at least kLeastLogOdds. Otherwise returns nothing.
 std::optional<CameraDisagreement> findFault(const AgreementModel& model, const CameraRig& rig,
                                             const AgreementFit& asDeclared, bool alsoUnknown);
 

@@ -16,15 +16,16 @@ class AgreementModel;
 struct AgreementFit;
 
 /// Monitors whether the cameras of a rig agree about the positions of objects, and names the most
-/// likely reason if they do not. It checks the rig itself immediately (checkRig()). During
-/// tracking, it compares where the cameras see moving regions in the targets' colors, whether or
-/// not a target is tracked. A few seconds of motion are enough. Regions at rest are not used,
-/// because cameras may see different objects at rest in the same color.
+/// likely reason if the cameras do not agree. The constructor checks the rig itself (checkRig()).
+/// During tracking, watch() compares where the cameras see moving regions in the targets' colors,
+/// whether or not a target is tracked. A few seconds of motion are enough. Regions at rest are not
+/// used, because cameras may see different objects at rest in the same color.
 class CameraAgreement {
 public:
   explicit CameraAgreement(const CameraRig& rig);
 
-  /// Adds the next images. Images older than the previous ones are ignored.
+  /// Adds the next images, and checks the agreement from time to time. Images older than the
+  /// previous images are ignored.
   void watch(const FrameSet& frames, const std::vector<Target>& targets);
 
   /// Returns the faults found so far: first the faults of the rig itself, then at most one fault
@@ -32,12 +33,12 @@ public:
   /// again.
   const std::vector<CameraDisagreement>& found() const { return found_; }
 
-  /// Discards all sightings.
+  /// Discards all sightings and starts from scratch.
   void restart();
 
 private:
   void updateColors(const std::vector<Target>& targets);
-  /// Returns whether the sightings are sufficient for a check: enough regions in total, but not too
+  /// Returns whether the sightings are suitable for a check: enough regions in total, but not too
   /// many in one image.
   bool hasEnoughSightings() const;
   void check(double time);

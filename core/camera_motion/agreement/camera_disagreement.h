@@ -12,7 +12,7 @@ namespace dewpoint::camera_motion {
 
 /// Reason why cameras disagree about the positions of objects.
 enum class CameraFault {
-  Swapped,  ///< each of two cameras shows what the other one is calibrated for
+  Swapped,  ///< the images of two cameras are exchanged
   Late,     ///< the images of one camera are delayed
   Rotated,  ///< one camera does not point in the direction given by its calibration
   Unit,     ///< the positions of all cameras are in a unit other than meters
@@ -23,18 +23,20 @@ enum class CameraFault {
 /// Fault of a rig: the most likely reason why its cameras disagree, and the correction.
 struct CameraDisagreement {
   CameraFault fault = CameraFault::Unknown;
-  /// Affected cameras. Swapped: the two cameras, or the four cameras of two pairs if either pair
-  /// may be swapped. SamePose: both cameras. Late: the camera. Rotated: the camera, or two cameras
-  /// if either may be rotated. Unit: none. Unknown: the camera that disagrees most, or both cameras
-  /// of a two-camera rig.
+  /// Affected cameras. Swapped: the two cameras, or four cameras if either of two pairs may be
+  /// swapped. SamePose: both cameras. Late: the delayed camera. Rotated: the rotated camera, or two
+  /// cameras if either may be rotated. Unit: no camera. Unknown: the camera that disagrees most, or
+  /// both cameras of a two-camera rig.
   std::vector<std::size_t> cameras = {};
   /// For Late: delay in addition to the known delay, seconds; negative if the images are early.
   double delay = 0.0;
   /// For Rotated: the correction for each of `cameras`, as a rotation vector (radians, camera
-  /// axes). The new cameraFromWorld is exp([turn]x) times the old one.
+  /// axes). The corrected cameraFromWorld is exp([turn]x) times the old cameraFromWorld, where
+  /// [turn]x is the cross-product matrix of the rotation vector.
   std::vector<Eigen::Vector3d> turns = {};
   double scale = 1.0; ///< for Unit: meters per unit of the calibration
-  /// Log odds (natural logarithm) of this fault against no fault; 0 where it is certain.
+  /// Log odds (natural logarithm) of this fault against no fault; 0 if the fault was found in the
+  /// rig itself and is certain.
   double logOdds = 0.0;
 
   /// Returns whether this fault and `other` are of the same kind and affect the same cameras.

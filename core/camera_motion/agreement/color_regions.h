@@ -17,26 +17,28 @@ struct ColorRegion {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double radius = 0.0; ///< radius of the disk with the same area
   /// Uncertainty of `center` as an estimate of the center of the object's full outline: standard
-  /// deviation per axis. It is small for a round region. It is about as large as the radius for a
-  /// region that is cut off or has any other shape.
+  /// deviation per axis. The uncertainty is small for a round region, and about as large as the
+  /// radius for a region that is cut off or not round.
   double sigma = 0.0;
   /// Part of `sigma` that results from the shape of the region and stays constant while the object
   /// moves.
   double bias = 0.0;
 };
 
-/// Finds the regions of one color in images. It scans only every few rows. This is enough to show
-/// where objects are and how they move, at a small fraction of the cost of labeling each pixel.
+/// Finds the regions of one color in images. Only every few rows are scanned. This is enough to
+/// show where objects are and how they move, in a small fraction of the time that labeling each
+/// pixel takes.
 class ColorRegionSearch {
 public:
-  /// Maximum number of regions reported per image; the largest ones are kept.
+  /// Maximum number of regions reported per image; the largest regions are kept.
   static constexpr std::size_t kMaxRegions = 8;
 
   explicit ColorRegionSearch(const ColorRanges& color) : classifier_(color) {}
 
-  /// Finds the regions in an image (CV_8UC3), largest first. Returns none for other image types, or
-  /// if the color occurs at hundreds of positions. Regions that are separated by a gap smaller than
-  /// their size count as one. A ball with a highlight or a pattern is therefore one region.
+  /// Returns the regions in an image (CV_8UC3), largest first. Returns no regions for other image
+  /// types, or if the color occurs at hundreds of positions. Regions that are separated by a gap
+  /// smaller than their size count as one region. A ball with a highlight or a pattern is therefore
+  /// one region.
   const std::vector<ColorRegion>& find(const cv::Mat& image);
 
 private:

@@ -9,8 +9,8 @@
 namespace dewpoint::camera_motion {
 
 /// Returns a plain English description of a fault and its correction for the command line, for
-/// example "left and right seem to be swapped; exchange their images in the project file". It does
-/// not end with a period.
+/// example "left and right seem to be swapped; exchange their images in the project file". The text
+/// does not end with a period.
 std::string describeDisagreement(const CameraDisagreement& found, const CameraRig& rig);
 
 } // namespace dewpoint::camera_motion

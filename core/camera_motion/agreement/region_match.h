@@ -7,8 +7,8 @@
 
 namespace dewpoint::camera_motion {
 
-/// Region in a target's color in one image, with directions and angles in place of pixels.
-/// `radius`, `sigma` and `bias` are angles in radians.
+/// Region in a target's color in one image, like ColorRegion, but with directions and angles in
+/// place of pixels. `radius`, `sigma` and `bias` are angles in radians.
 struct SeenRegion {
   Eigen::Vector3d direction; ///< direction to the center: unit vector, camera axes
   Eigen::Vector3d rate;      ///< change of `direction` per second
@@ -18,10 +18,10 @@ struct SeenRegion {
   bool counts;  ///< RegionSighting::counts
 };
 
-/// How well a region in the image of one camera and a region in the image of another camera match,
-/// as views of the same object.
+/// Result of matchRegions(): how well two regions, each in the image of another camera, match as
+/// views of the same object.
 struct RegionMatch {
-  double density = 0.0;  ///< likelihood relative to that of unrelated regions
+  double density = 0.0;  ///< likelihood divided by the likelihood of unrelated regions
   double residual = 0.0; ///< distance between the two rays, in standard deviations
   /// Derivative of `residual` with respect to the direction `u`.
   Eigen::Vector3d byU = Eigen::Vector3d::Zero();
@@ -31,11 +31,11 @@ struct RegionMatch {
       0.0; ///< radius of the object seen by both cameras, in the unit of `apart`; 0: unknown
 };
 
-/// Compares region `a` in one camera with region `b` in another. `a` is seen along the unit vector
-/// `u`, and `b` along the unit vector `v`. `apart` is the vector from the first to the second
-/// camera; it must not be zero. All three are in world axes. `field` (radians) is the angular
-/// height of the second camera's image. `widening` (radians) is an additional uncertainty of both
-/// directions.
+/// Returns how well region `a` in a first camera matches region `b` in a second camera. `a` is seen
+/// along the unit vector `u`, and `b` along the unit vector `v`. `apart` is the vector from the
+/// first to the second camera; it must not be zero. `u`, `v` and `apart` are in world axes. `field`
+/// (radians) is the angular height of the second camera's image. `widening` (radians) is an
+/// additional uncertainty of both directions.
 RegionMatch matchRegions(const SeenRegion& a, const Eigen::Vector3d& u, const SeenRegion& b,
                          const Eigen::Vector3d& v, const Eigen::Vector3d& apart, double widening,
                          double field);

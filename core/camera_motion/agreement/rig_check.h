@@ -8,14 +8,15 @@
 
 namespace dewpoint::camera_motion {
 
-/// Checks a rig before any images are available, and returns the faults found. CameraFault::Unit:
-/// the cameras are so far apart that their positions must be in a wrong unit.
-/// CameraFault::SamePose: two cameras have the same pose.
+/// Returns the faults of a rig that are evident without any images. CameraFault::Unit: the cameras
+/// are so far apart that their positions must be in a wrong unit. CameraFault::SamePose: two
+/// cameras have the same pose.
 std::vector<CameraDisagreement> checkRig(const CameraRig& rig);
 
-/// Returns the likely unit of a calibration, in meters: a millimeter, a centimeter or an inch.
-/// `ratio` is the factor by which the lengths of the calibration, taken as meters, are too large.
-/// Returns 0 if `ratio` is close to none of these units.
+/// Returns the likely length unit of a calibration, in meters: 0.001 for millimeters, 0.01 for
+/// centimeters, 0.0254 for inches. `ratio` is the factor by which the lengths in the calibration
+/// are too large if they are taken as meters. Returns 0 if `ratio` does not suit any of these
+/// units.
 double unitFromRatio(double ratio);
 
 } // namespace dewpoint::camera_motion

@@ -19,11 +19,10 @@ struct RegionSighting {
   /// Direction to the center (unit vector in camera axes), and its rate of change per second.
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d directionRate = Eigen::Vector3d::Zero();
-  int track = 0; ///< number of the track: the same in all images in which this region is tracked
-  /// True if this sighting may be used as evidence. Since the last sighting of this track that
-  /// counted (or since the track began), the region must have moved by at least its own radius. A
-  /// region at rest therefore never counts. An error in a region that hardly moves counts once, and
-  /// not again in each image.
+  int track = 0; ///< track number, which is the same in all images in which this region is tracked
+  /// True if this sighting may be used as evidence. The region must have moved by at least its own
+  /// radius since the last sighting of this track that counted, or since the track began. A region
+  /// at rest therefore never counts, and a region that moves slowly does not count in every image.
   bool counts = false;
 };
 
@@ -42,12 +41,12 @@ public:
   SightingHistory(const ColorRanges& color, const Camera& camera);
 
   /// Finds the regions in the next image (CV_8UC3), taken at `time` (seconds), and continues their
-  /// tracks. An image that is not later than the previous one is ignored.
+  /// tracks. An image that is not later than the previous image is ignored.
   void add(const cv::Mat& image, double time);
   void clear() { images_.clear(); }
-  /// Returns the number of sightings that count.
+  /// Returns the number of sightings that count as evidence (RegionSighting::counts).
   std::size_t countedSightings() const;
-  /// Images in chronological order.
+  /// Returns the sightings of each image, in order of time.
   const std::deque<SightingImage>& images() const { return images_; }
 
 private:
