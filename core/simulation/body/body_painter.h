@@ -24,14 +24,14 @@ struct Body {
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< axes of the box in the world, as rows
   bool present = true;                                ///< false: not in the scene at this time
   const LightField* light = nullptr; ///< light field; null: lit only by the room lamp
-  /// Parts, if the object is made of parts. Only these parts are then drawn. Their number must not
-  /// depend on the time. The shadow of the object is that of a ball around `center` that has the
+  /// Parts, if the object is made of parts; only the parts are then drawn. The number of parts must
+  /// not depend on the time. The object casts the shadow of a ball around `center` that has the
   /// same volume as all parts together.
   std::vector<MovingPart> parts{};
 };
 
-/// Returns all bodies at a time (seconds). The number and order of the bodies must not depend on
-/// the time.
+/// Function that returns all bodies at a time (seconds). The number and order of the bodies must
+/// not depend on the time.
 using BodiesAt = std::function<std::vector<Body>(double)>;
 
 /// Draws bodies with motion blur, and their soft shadows on z = 0, into `image` (CV_32FC3), which

@@ -7,8 +7,8 @@
 
 namespace dewpoint::simulation {
 
-/// Time during which the shutter is open, for the image rows [firstRow, endRow). It lasts `seconds`
-/// and is centered on `time` (seconds). Rows outside the image are ignored.
+/// Exposure of the image rows [firstRow, endRow). The shutter is open for `seconds`, centered on
+/// `time` (seconds). Rows outside the image are ignored.
 struct Exposure {
   double time = 0.0;
   double seconds = 0.0;

@@ -25,13 +25,14 @@ struct Grip {
   Eigen::Vector3d forearm() const { return (0.8 * palm - 0.6 * fingers).normalized(); }
 };
 
-/// Returns a hand around a ball of radius `ballRadius` (meters) at the origin: four fingers and the
-/// thumb on its surface, the palm and the forearm. World axes, relative to the ball's center.
+/// Returns a hand around a ball of radius `ballRadius` (meters): four fingers and the thumb on the
+/// surface of the ball, the palm and the forearm. Positions are relative to the ball's center,
+/// along the world axes. `color` is BGR in full light.
 std::vector<MovingPart> grippingHand(const Grip& grip, double ballRadius, const Vector3f& color);
 
-/// Returns a hand between open and closed. `closed` = 0 is a flat hand with straight fingers, and 1
-/// is a fist. The palm is at the origin, in the plane of X (toward the fingertips) and Y (toward
-/// the thumb). All parts are marked as target.
+/// Returns a hand between open and closed: `closed` = 0 gives a flat hand with straight fingers,
+/// and 1 gives a fist. The palm is at the origin, in the plane of X (toward the fingertips) and Y
+/// (toward the thumb). All parts are marked as target.
 std::vector<MovingPart> partlyClosedHand(double closed, const Vector3f& color);
 
 /// Skin color of hands in the room, BGR in full light.

@@ -28,7 +28,7 @@ struct MovingPart {
   /// Pattern of the surface; null: `color` everywhere.
   std::shared_ptr<const SurfacePattern> pattern;
   Gloss gloss;
-  /// True if the part belongs to the target; used if the target is not the whole body.
+  /// True if the part belongs to the target. Needed only if the target is not the whole body.
   bool target = false;
 
   /// Returns the surface color where the normal (unit vector, world frame) is `normal`.
@@ -53,8 +53,9 @@ struct PartHit {
   const MovingPart* part = nullptr; ///< part that the ray hits; null: no intersection
 };
 
-/// Replaces `hit` by the intersection with `part` if the ray enters `part` before the current hit.
-/// `direction` is a unit vector. A ray that begins inside a part does not hit it.
+/// Replaces `hit` by the intersection of a ray with `part` if the ray enters `part` before the
+/// current hit. `direction` is a unit vector. A ray that begins inside the part does not hit this
+/// part.
 void intersectPart(const MovingPart& part, const Vector3f& origin, const Vector3f& direction,
                    PartHit& hit);
 

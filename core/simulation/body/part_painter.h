@@ -21,17 +21,16 @@ struct SurfacePoint {
   Gloss gloss;
 };
 
-/// Returns the light from a surface point to the camera: BGR, [0, 255].
+/// Function that returns the light from a surface point to the camera: BGR, [0, 255].
 using Shading = std::function<Vector3f(const SurfacePoint&)>;
 
-/// Returns the parts of one body at a time (seconds). World frame, meters. The number and order of
-/// the parts must not depend on the time.
+/// Function that returns the parts of one body at a time (seconds). World frame, meters. The number
+/// and order of the parts must not depend on the time.
 using PartsAt = std::function<std::vector<MovingPart>(double)>;
 
 /// Draws the parts of one body with motion blur into the area `within` of `image` (CV_32FC3), which
-/// shows the scene behind the body. Parts occlude each other point by point, and nearer objects at
-/// rest in the room occlude them. The edges of parts and the borders between colors are
-/// anti-aliased.
+/// shows the scene behind the body. Nearer parts hide farther parts, and nearer objects at rest in
+/// the room hide the parts. The edges of parts and the borders between colors are anti-aliased.
 void paintParts(const RoomView& view, const PartsAt& partsAt, const Exposure& exposure,
                 const cv::Rect& within, const Shading& shading, cv::Mat& image);
 

@@ -19,12 +19,12 @@ MovingPart frustumBetween(const Eigen::Vector3d& from, double fromRadius, const 
 MovingPart ellipsoidAt(const Eigen::Vector3d& center, const Eigen::Vector3d& semiAxes,
                        const Vector3f& color);
 
-/// Returns a ball (radius in meters) around the origin. It has the same surface as plain balls:
-/// matte, with a faint highlight.
+/// Returns a ball (radius in meters) around the origin. The surface is matte with a faint
+/// highlight, as for balls that are not made of parts.
 MovingPart ballPart(double radius, const Vector3f& color);
 
-/// Returns the part after a rotation about the origin and a translation by `shift` (meters).
-/// `rotation` maps the old frame of the part to the new one.
+/// Returns the part after the rotation `rotation` about the origin and then a translation by
+/// `shift` (meters).
 MovingPart moved(MovingPart part, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& shift);
 
 } // namespace dewpoint::simulation

@@ -8,9 +8,9 @@
 
 namespace dewpoint::simulation {
 
-// Everyday objects that are not balls, around the origin of their own axes (X forward, Z up,
-// meters). Parts with `color` (BGR in full light) are marked as target. The other parts, such as a
-// head or a hand, wear or hold the target.
+// Everyday objects that are not balls. Each object lies around the origin of its own axes (X
+// forward, Z up, meters). Parts with `color` (BGR in full light) are marked as target. Other parts,
+// such as a head or a hand, wear or hold the target.
 
 /// Returns a peaked cap on a head with a neck. The origin is inside the crown of the cap.
 std::vector<MovingPart> capOnHead(const Vector3f& color);
@@ -31,8 +31,8 @@ std::vector<MovingPart> stick(const Vector3f& color);
 /// Returns a computer mouse, 12 x 6.4 cm and 4 cm high.
 std::vector<MovingPart> computerMouse(const Vector3f& color);
 
-/// Returns the parts of a walking person in the world frame. Parts with the shirt color are marked
-/// as target.
+/// Returns the parts of a walking person at `time` (seconds), in the world frame (meters). Parts
+/// with the shirt color are marked as target.
 std::vector<MovingPart> shirtOnPerson(const Walker& walker, double time);
 
 } // namespace dewpoint::simulation

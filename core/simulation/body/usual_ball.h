@@ -7,7 +7,7 @@
 
 namespace dewpoint::simulation {
 
-/// Default radius of a ball in meters: about that of a tennis ball (33 mm).
+/// Default radius of a ball in meters, about the radius of a tennis ball (33 mm).
 inline constexpr double kDefaultBallRadius = 0.035;
 /// Radius of the balls in the hall in meters. These balls are four times as far from the cameras as
 /// balls on the desk, so they have about the same size in pixels.

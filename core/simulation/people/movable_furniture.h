@@ -17,8 +17,8 @@ struct FurniturePose {
   double yaw = 0.0;
 };
 
-/// Piece of furniture that people move. It is drawn with the people and not with the room at rest,
-/// so the background behind it becomes visible when it moves.
+/// Piece of furniture that people move. The furniture is drawn with the people and not with the
+/// room at rest, so that the background becomes visible where the furniture was.
 struct MovableFurniture {
   /// Parts relative to the point on the floor below the center of the furniture, x forward and z
   /// up, meters.
@@ -33,8 +33,8 @@ struct MovableFurniture {
   FurniturePose at(double time) const;
 };
 
-/// Returns the parts of a piece of furniture at a time (seconds), in the world frame. For all these
-/// parts, `belongsToBody` is false.
+/// Returns the parts of a piece of furniture at a time (seconds), in the world frame.
+/// BodyPart::belongsToBody is false for all these parts.
 std::vector<BodyPart> furnitureParts(const MovableFurniture& furniture, double time);
 
 /// Returns a stool: a seat on a single foot. `height` is the height of the seat in meters.

@@ -15,13 +15,12 @@
 
 namespace dewpoint::simulation {
 
-/// Returns four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m). They
-/// are 2.4 m above the floor and look at the center of the office.
+/// Returns four 320x240 cameras in the upper corners of the simulated office (7 x 7 x 2.7 m). The
+/// cameras are 2.4 m above the floor and look at the center of the office.
 CameraRig officeRig();
 
-/// Scene with people in the simulated office. It has shadows and furniture that partly hides
-/// people. Clothes may have colors like those of the room; the motion masks of people then break
-/// into pieces.
+/// Scene with people in the simulated office, with shadows, and with furniture that partly hides
+/// people. Clothes may have colors of the room; the motion masks of people then break into pieces.
 struct OfficeScene {
   CameraRig cameras = officeRig();
   std::vector<simulation::Walker> people;
@@ -37,29 +36,30 @@ struct OfficeScene {
 /// Renders an office scene.
 class OfficeRenderer {
 public:
-  /// Takes the views of the office without people from the cache `views`, which many renderers can
-  /// share.
+  /// Creates a renderer that takes the views of the office without people from the cache `views`.
+  /// Many renderers can share a cache.
   OfficeRenderer(OfficeScene scene, simulation::ViewCache& views);
-  /// Uses the given views of the room at rest, one per camera of the scene, in camera order.
+  /// Creates a renderer with the given views of the room at rest, one per camera of the scene, in
+  /// camera order.
   OfficeRenderer(OfficeScene scene, std::vector<std::shared_ptr<const simulation::RoomView>> views);
 
   const OfficeScene& scene() const { return scene_; }
-  /// Renders an image (CV_8UC3, BGR). This is a pure function of its arguments. For `who`, see
-  /// paintPeople().
+  /// Renders the image (CV_8UC3, BGR) of a camera in a frame. The result depends only on the scene
+  /// and the arguments. For `who`, see paintPeople().
   cv::Mat render(std::size_t camera, std::int64_t frame, cv::Mat* who = nullptr) const;
   /// Returns which person is visible at each pixel, in the format of `who` in paintPeople(),
   /// without rendering the image.
   cv::Mat visiblePeople(std::size_t camera, std::int64_t frame) const;
-  /// Returns the complete silhouette of a person as if nothing hid it: CV_8UC1, 255 on the body, 0
-  /// elsewhere and on a carried object. It is 0 everywhere while the person is absent. For the
-  /// visible part of the silhouette, see `who` in render().
+  /// Returns the complete silhouette of a person as if nothing hid the person: CV_8UC1, 255 on the
+  /// body, 0 elsewhere and on a carried object. The image is 0 everywhere while the person is
+  /// absent. For the visible part of the silhouette, see `who` in render().
   cv::Mat silhouette(std::size_t camera, std::int64_t frame, std::size_t person) const;
   /// Returns the image of the office at time 0 without people and without noise (CV_8UC3).
   cv::Mat backgroundImage(std::size_t camera) const;
   /// Returns whether the person is present and inside the office walls.
   bool isInsideOffice(std::size_t person, double time) const;
-  /// Returns the center of the body (world, meters): above the floor position, at half the height
-  /// of the top of the head.
+  /// Returns the center of a person's body (world, meters) at a time (seconds): above the floor
+  /// position, at half the height of the top of the head.
   Eigen::Vector3d bodyCenter(std::size_t person, double time) const;
 
 private:

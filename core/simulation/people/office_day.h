@@ -5,7 +5,7 @@
 
 namespace dewpoint::simulation {
 
-/// Name of the built-in scene with people. A project can use it like the scenes with balls.
+/// Name of the built-in scene with people. A project can use this scene like the scenes with balls.
 inline constexpr const char* kOfficeSceneName = "office";
 
 /// Returns a scene of half a minute in the simulated office. Three people in different clothes

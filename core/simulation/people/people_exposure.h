@@ -11,8 +11,8 @@
 
 namespace dewpoint::simulation {
 
-/// Returns the body parts of each person at the given time (seconds), one list per person, as used
-/// by paintPeople().
+/// Function that returns the body parts of each person at a time (seconds), one list per person,
+/// for paintPeople().
 using PeopleAt = std::function<std::vector<std::vector<BodyPart>>(double time)>;
 
 /// Part of the time during which the shutter is open for at least one row of the image.
@@ -22,14 +22,15 @@ struct ExposureStep {
   std::vector<float> shares;
 };
 
-/// Divides the time during which the shutter is open into equal steps, in order of time. The steps
-/// are so short that a walking person moves by at most one pixel in a step.
+/// Divides the time during which the shutter is open for at least one row into equal steps, in
+/// order of time. The steps are so short that a walking person moves by at most one pixel in a
+/// step.
 std::vector<ExposureStep> exposureSteps(const Shutter& shutter, int rows);
 
-/// Draws people like paintPeople() with a PeopleLight, as recorded through a shutter for a frame at
-/// `light.field.time`. Each row collects light during its own exposure, so moving people appear
-/// blurred, and also slanted with a rolling shutter. `image` (CV_32FC3) shows the room at that
-/// time.
+/// Draws people as a camera with this shutter records them in a frame at `light.field.time`. Each
+/// row collects light during its own exposure, so moving people appear blurred, and also slanted
+/// with a rolling shutter. `image` (CV_32FC3) shows the room at this time. The light is applied as
+/// in paintPeople() with a PeopleLight.
 void paintPeopleThroughShutter(const RoomView& view, const PeopleAt& people,
                                const PeopleLight& light, const Shutter& shutter, cv::Mat& image);
 

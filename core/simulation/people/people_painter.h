@@ -11,12 +11,13 @@
 
 namespace dewpoint::simulation {
 
-/// Draws people into `image` (CV_32FC3), which shows the room at rest as seen by `view`. People are
-/// hidden by other people and by objects in front of them. They cast soft shadows on the floor (z =
-/// 0). `lamp` is the position of the lamp (world, meters). `people` contains the parts of each
-/// person. Furniture is drawn like a person, with parts that do not belong to a body. If `who` is
-/// not null, it is set to a CV_8UC1 image. A pixel is 0 where the room, furniture or a carried
-/// object is visible. Otherwise it is 1 + the index of the person whose body is visible.
+/// Draws people into `image` (CV_32FC3), which shows the room at rest as seen by `view`. Nearer
+/// people and objects hide people behind them. People cast soft shadows on the floor (z = 0).
+/// `lamp` is the position of the lamp (world, meters). `people` contains the parts of each person.
+/// Furniture is drawn like a person, with parts that do not belong to a body. If `who` is not null,
+/// `who` is set to a CV_8UC1 image that shows which person is visible. A pixel of `who` is 0 where
+/// the room, furniture or a carried object is visible, and 1 + the index of the person where a body
+/// is visible.
 void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>& people,
                  const Vector3f& lamp, cv::Mat& image, cv::Mat* who = nullptr);
 
@@ -28,14 +29,15 @@ struct PeopleLight {
   const RelitBackground* background = nullptr;
 };
 
-/// Draws people in the light of the room lamp and of the additional lamps, which also illuminate
-/// the shadows that people cast. The moving shadow of the illumination (Illumination::shadow) falls
-/// on people too. `image` must come from backgroundAt() with the same light and time.
+/// Draws people in the light of the room lamp and of the additional lamps. The additional lamps
+/// also illuminate the shadows that people cast. The moving shadow of the illumination
+/// (Illumination::shadow) falls on people too. `image` must come from backgroundAt() with the same
+/// light and time.
 void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>& people,
                  const PeopleLight& light, cv::Mat& image);
 
-/// Returns the complete silhouette of a body as seen by `view`, as if nothing hid it: CV_8UC1, 255
-/// on the body, otherwise 0. Carried objects and furniture are left out.
+/// Returns the complete silhouette of a body as seen by `view`, as if nothing hid the body:
+/// CV_8UC1, 255 on the body, 0 elsewhere. Carried objects and furniture are left out.
 cv::Mat wholeSilhouette(const RoomView& view, const std::vector<BodyPart>& parts);
 
 } // namespace dewpoint::simulation

@@ -10,16 +10,16 @@ namespace dewpoint::simulation {
 /// Posture of a body.
 enum class Posture { Standing, Sitting, Crouching };
 
-/// Time in seconds for sitting down, crouching or rising. Chosen to look unhurried.
+/// Duration of sitting down, crouching or rising, in seconds. Chosen to look unhurried.
 inline constexpr double kPostureSeconds = 1.0;
 
-/// Change of posture. It starts at `time` (seconds) and is complete kPostureSeconds later.
+/// Change to a new posture, which starts at `time` (seconds) and takes kPostureSeconds.
 struct PostureChange {
   double time = 0.0;
   Posture posture = Posture::Standing;
 };
 
-/// Joint angles of a body in radians, positive forward. They are all 0 for a standing person.
+/// Joint angles of a body in radians, positive forward. All angles are 0 for a standing person.
 struct JointAngles {
   float lean = 0.0F;    ///< angle of the trunk about the hips, measured from upright
   float thigh = 0.0F;   ///< angle of both thighs, measured from hanging straight down
@@ -30,12 +30,12 @@ struct JointAngles {
   bool isUpright() const { return lean == 0.0F && thigh == 0.0F && shin == 0.0F; }
 };
 
-/// Returns the angles of a posture.
+/// Returns the joint angles of a posture.
 JointAngles jointAnglesOf(Posture posture);
 
 /// Returns the joint angles of a person at `time` (seconds). The person stands before the first of
-/// `changes`, which must be in order of time. The angles vary smoothly during a change and equal
-/// those of the new posture after it.
+/// `changes`, which must be in order of time. The angles vary smoothly during a change. After the
+/// change, they are the angles of the new posture.
 JointAngles jointAnglesAt(const std::vector<PostureChange>& changes, double time);
 
 } // namespace dewpoint::simulation

@@ -40,8 +40,8 @@ struct CarriedObject {
   Vector3f color = rgb(168, 132, 92);
 };
 
-/// Height of the reference body in meters, chosen as the height of an adult. For other heights,
-/// this body is scaled.
+/// Height in meters of the reference body, an adult. Bodies of other heights are scaled from the
+/// reference body.
 inline constexpr double kReferenceHeight = 1.75;
 
 /// Simulated person who walks from waypoint to waypoint.
@@ -58,28 +58,28 @@ struct Walker {
   double presentUntil = std::numeric_limits<double>::infinity();
 
   bool presentAt(double time) const { return time >= presentFrom && time < presentUntil; }
-  /// Returns the point on the floor below the center of the body at a time (seconds). It lies on
-  /// the path through the waypoints, whose corners are rounded.
+  /// Returns the point on the floor (world x and y, meters) below the center of the body at a time
+  /// (seconds). The point lies on the path through the waypoints, whose corners are rounded.
   Eigen::Vector2d position(double time) const;
-  /// Returns the height of the top of the head above the floor, in meters, at a time in seconds. It
-  /// is `height` for a standing person.
+  /// Returns the height of the top of the head above the floor, in meters, at a time in seconds.
+  /// The result is `height` for a standing person.
   double top(double time) const;
 };
 
-/// Height of an adult's head relative to the body height: 0.25 m of 1.75 m. Drawing manuals specify
-/// a seventh to an eighth.
+/// Height of an adult's head as a fraction of the body height: 0.25 m of 1.75 m. Drawing manuals
+/// give a seventh to an eighth.
 inline constexpr double kAdultHeadHeightFraction = 1.0 / 7.0;
-/// Body height in meters below which a body has the proportions of a child. Chosen to be about the
-/// height of a 13-year-old.
+/// Body height in meters below which a body has the proportions of a child: about the height of a
+/// 13-year-old.
 inline constexpr double kAdultHeight = 1.6;
 
-/// Returns the height of the head as a fraction of the body height (meters). From kAdultHeight on,
-/// it is kAdultHeadHeightFraction. For smaller bodies, it increases linearly with decreasing
-/// height, up to 0.19 at a height of 0.9 m and below. This is close to the drawing rule that the
-/// head of a small child is about a fifth of the child's height.
+/// Returns the height of the head as a fraction of the body height `height` (meters). The fraction
+/// is kAdultHeadHeightFraction for heights of at least kAdultHeight. For smaller bodies, the
+/// fraction increases linearly with decreasing height, up to 0.19 at 0.9 m and below. According to
+/// drawing manuals, the head of a small child is about a fifth of the child's height.
 double headHeightFraction(double height);
 
-/// Returns the height of a seat that fits a person of `height`, in meters.
+/// Returns the height of a seat (meters) that fits a person of this `height` (meters).
 double seatHeight(double height);
 
 /// Shape of a part of a body.

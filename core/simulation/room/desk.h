@@ -5,9 +5,9 @@
 
 namespace dewpoint::simulation {
 
-/// Adds the desk, and pictures on the walls behind it, for Furnishing::Desk.
+/// Adds a desk, and pictures on the walls behind the desk, for Furnishing::Desk.
 void furnishDesk(Furniture& room);
-/// Adds the objects that lie on this desk in Furnishing::ClutteredDesk.
+/// Adds the objects that lie on the desk, for Furnishing::ClutteredDesk.
 void clutterDesk(Furniture& room);
 
 } // namespace dewpoint::simulation

@@ -14,7 +14,8 @@ public:
   /// Z.
   void add(Shape shape, const Vector3f& center, const Vector3f& halfSize, const Material& material,
            float yaw = 0.0F);
-  /// Adds a book, lying or standing, as two solids: its cover and its pages.
+  /// Adds a book, lying or standing, as two solids: the cover and the pages. Arguments are as for
+  /// add().
   void addBook(const Vector3f& center, const Vector3f& halfSize, const Vector3f& color, float yaw);
 
   const std::vector<Solid>& solids() const { return solids_; }

@@ -19,17 +19,18 @@ struct AdditionalLamp {
   /// Color, BGR. 1 is full light on a surface perpendicular to the rays.
   Vector3f color{0.0F, 0.0F, 0.0F};
   /// Distance in meters up to which the light is constant (`color`), because the lamp is broad.
-  /// Beyond this distance, the light decreases with the square of the distance, so that near
-  /// objects are lit more than the walls. If infinite, the light is equal everywhere, like
+  /// Beyond this distance, the light decreases with the square of the distance, so near objects get
+  /// more light than the walls. If the distance is infinite, the light is equal everywhere, like
   /// sunlight.
   float reach = std::numeric_limits<float>::infinity();
 
-  /// Returns the fraction of `color` that remains at a distance (meters). It is 1 up to `reach`.
+  /// Returns the fraction of `color` that remains at a distance (meters) from the lamp. The
+  /// fraction is 1 up to `reach`.
   float falloff(float distance) const;
 };
 
-/// Shadow of a tall object that passes in front of the room lamp. It is a vertical band that
-/// darkens walls, desk and bodies.
+/// Shadow of a tall object that passes in front of the room lamp: a vertical band that moves over
+/// walls, desk and bodies and darkens them.
 struct MovingShadow {
   /// Direction in which the band moves: horizontal unit vector, world frame.
   Vector3f direction = Vector3f::UnitX();
@@ -45,7 +46,7 @@ struct MovingShadow {
 /// and time (seconds), 0 to `depth`.
 float shadowAt(const MovingShadow& shadow, const Vector3f& point, double time);
 
-/// Light of a room. By default, it is the light of the room lamp alone.
+/// Light of a room. The default is the light of the room lamp alone.
 struct Illumination {
   Vector3f lamp = kLampPosition; ///< position of the room lamp, world frame, meters
   float roomGain = 1.0F; ///< factor by which the room's own light (ambient and lamp) is multiplied
@@ -74,14 +75,15 @@ struct RelitBackground {
   cv::Mat direct;  ///< CV_32FC3, BGR: contribution of the direct light of the room lamp
 };
 
-/// Returns the surface normal at a pixel: unit vector, world frame, toward the camera. It is
-/// computed from the distances at the pixel and at its neighbors (RoomView::distances).
+/// Returns the surface normal at a pixel: unit vector, world frame, toward the camera. The normal
+/// is computed from the distances at the pixel and its neighbors (RoomView::distances).
 Vector3f surfaceNormal(const RoomView& view, int column, int row);
 
-/// Computes the image of a room at rest under an illumination.
+/// Returns the image of a room at rest under an illumination, without the moving shadow.
 RelitBackground relightBackground(const RoomView& view, const Illumination& illumination);
 
-/// Returns the image of the room at rest (CV_32FC3) at a time in seconds.
+/// Returns the image of the room at rest (CV_32FC3) at a time in seconds, with the moving shadow.
+/// `background` must come from relightBackground() with the same illumination.
 cv::Mat backgroundAt(const RoomView& view, const RelitBackground& background,
                      const Illumination& illumination, double time);
 

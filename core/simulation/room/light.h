@@ -7,13 +7,13 @@
 
 namespace dewpoint::simulation {
 
-/// Color temperature for which the simulated sensors are balanced, in kelvin: daylight, like D55 of
-/// CIE 15.
+/// Color temperature in kelvin for which the simulated sensors are balanced, so that white looks
+/// white: daylight, like the illuminant D55 of CIE 15.
 inline constexpr double kBalancedKelvin = 5500.0;
 
-/// Returns the response of a sensor balanced for kBalancedKelvin to light with color temperature
-/// `kelvin`, per channel (BGR) and relative to green. It follows Planck's law at one wavelength per
-/// channel (460, 540, 620 nm).
+/// Returns how strongly each channel (BGR) of a sensor responds to light of color temperature
+/// `kelvin`, relative to green. For kBalancedKelvin, all values are 1. Method: Planck's law at one
+/// wavelength per channel (460, 540, 620 nm).
 Eigen::Vector3d temperatureGain(double kelvin);
 
 } // namespace dewpoint::simulation

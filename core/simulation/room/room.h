@@ -38,13 +38,14 @@ inline constexpr float kLampRadius = 0.12F;
 /// Fraction of full light that comes from the lamp; the rest is ambient.
 inline constexpr float kLampFraction = 0.62F;
 
-/// Returns the light on a matte surface at `point` with unit normal `normal`, where 1 is full
-/// light. It is the sum of ambient light, which is brighter from above, and the Lambertian light of
-/// the lamp. The light of the lamp is multiplied by `lit`, which ranges from 0 (in shadow) to 1.
+/// Returns the light on a matte surface at `point` (world, meters) with unit normal `normal`, where
+/// 1 is full light. The light is the sum of ambient light, which is brighter from above, and the
+/// Lambertian light of a lamp at `lamp`. The light of the lamp is multiplied by `lit`, which ranges
+/// from 0 (in shadow) to 1.
 float shade(const Vector3f& point, const Vector3f& normal, float lit,
             const Vector3f& lamp = kLampPosition);
 
-/// First intersection of a ray with the room. `distance` is along the unit direction, meters. It is
+/// First intersection of a ray with the room. `distance` (meters) is measured along the ray, and is
 /// infinite if there is no intersection.
 struct RoomHit {
   float distance = std::numeric_limits<float>::infinity();
@@ -68,26 +69,27 @@ enum class Furnishing {
 
 /// Modifications of a furnished room.
 struct RoomDesign {
-  Furniture additionalFurniture; ///< furniture in addition to that of the Furnishing
+  Furniture additionalFurniture; ///< furniture in addition to the furniture of the Furnishing
   std::optional<Material> walls; ///< material of the walls, if it differs from the default
   /// Lamp position, if it differs from the default; world frame, meters.
   std::optional<Vector3f> lamp;
 };
 
-/// Furnished room of the simulation, at rest. Its textures are functions of the world position, so
-/// all cameras see the same room.
+/// Furnished room of the simulation, at rest. Textures are functions of the world position, so all
+/// cameras see the same room.
 class Room {
 public:
   explicit Room(Furnishing furnishing, const RoomDesign& design = {});
 
   /// Returns the first intersection of a ray with the room; `direction` is a unit vector.
   RoomHit cast(const Vector3f& origin, const Vector3f& direction) const;
-  /// Returns the color of the room where a ray hits it. Whether this point is in shadow is tested
-  /// with one point on the lamp; different values of `jitter` select different points.
+  /// Returns the color of the room at the point `hit`, where a ray hits the room. Whether this
+  /// point is in shadow is tested for one point on the lamp. Different values of `jitter` select
+  /// different points on the lamp.
   ShadedColor shadedColorOf(const Vector3f& origin, const Vector3f& direction, const RoomHit& hit,
                             std::uint32_t jitter) const;
-  /// Returns the lamp position (world frame, meters): that of the RoomDesign, otherwise
-  /// kOfficeLampPosition in the office and kLampPosition elsewhere.
+  /// Returns the lamp position (world frame, meters): RoomDesign::lamp if it is set, otherwise
+  /// kOfficeLampPosition in the office and kLampPosition in other rooms.
   const Vector3f& lamp() const { return lamp_; }
 
 private:

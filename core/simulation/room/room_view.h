@@ -12,9 +12,9 @@
 
 namespace dewpoint::simulation {
 
-/// Returns the center of a subpixel when a pixel is divided into side x side equal parts. `sample`
-/// counts the parts row by row. The result is the offset to the right of and below the pixel
-/// center, in pixels.
+/// Returns the center of a subpixel, as an offset (right, down) from the pixel center in pixels.
+/// The pixel is divided into `side` x `side` equal subpixels, and `sample` is the number of the
+/// subpixel, counted row by row from 0.
 std::array<float, 2> subpixel(int sample, int side);
 
 /// Camera view of a room at rest: everything that does not change from frame to frame. All arrays
@@ -26,12 +26,11 @@ struct RoomView {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(column);
   }
-  /// Returns the unit direction, in the world frame, of the ray through the image point that is
-  /// `right` and `down` pixels from the center of a pixel. The result is a first-order
-  /// approximation.
+  /// Returns the unit direction (world frame) of the ray through the image point that lies `right`
+  /// and `down` pixels from the center of a pixel. The result is a first-order approximation.
   Vector3f direction(int column, int row, float right, float down) const;
-  /// Returns the pixels that can show a sphere (world, meters): the bounding box of its silhouette,
-  /// clipped to the image.
+  /// Returns the pixels that can show a sphere (world, meters): the bounding box of the sphere's
+  /// silhouette, clipped to the image.
   cv::Rect boundsOfSphere(const Eigen::Vector3d& center, double radius) const;
 
   Projector projector;

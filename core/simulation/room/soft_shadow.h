@@ -18,15 +18,15 @@ struct ShadowCaster {
   float radius = 0.0F;
   Eigen::Vector3f lamp; ///< center of the lamp
   float lampRadius = 0.0F;
-  /// Smallest half width of the soft edge, used for a ball close to the floor.
+  /// Smallest half width of the shadow's soft edge; applies to a ball close to the floor.
   float minBlur = 0.0F;
   float highest = 0.0F; ///< only points up to this height (world z) count as floor
 };
 
 /// Calls `shade(row, column, pixel, covered, blur)` for each pixel of `area` that shows the floor
 /// below the ball. `pixel` is view.index(column, row). `covered` is the fraction of the lamp, 0 to
-/// 1, that the ball hides from the floor at this pixel. It has a smooth edge with half width `blur`
-/// (meters).
+/// 1, that the ball hides from the floor at this pixel. The edge of the shadow is smooth, with half
+/// width `blur` (meters).
 template <class Shade>
 void forEachShadedPixel(const RoomView& view, const cv::Rect& area, const ShadowCaster& caster,
                         const Shade& shade) {

@@ -10,12 +10,12 @@
 
 namespace dewpoint::simulation {
 
-/// Cache of camera views of rooms at rest. Each view is rendered once, so that many seeds of a
-/// scenario share one background. The cache is thread-safe. A view does not change after it was
-/// created.
+/// Cache of camera views of rooms at rest. Each view is rendered once, so that many runs of a
+/// scenario share one background. The cache is thread-safe. A view never changes after its
+/// creation.
 class ViewCache {
 public:
-  /// Returns a camera's view of a room, rendering it on first use.
+  /// Returns a camera's view of a room. The first call for a view renders the view.
   std::shared_ptr<const RoomView> view(const Camera& camera, Furnishing furnishing);
 
 private:

@@ -10,12 +10,13 @@ namespace dewpoint::simulation {
 CameraRig threeCameraDeskRig();
 
 /// Returns the first `count` (2 to 8) of eight 320x240 cameras around the desk, 1.1 m from the
-/// center of the volume (0.5, 0.5, 0.15). They are ordered so that consecutive cameras are far
-/// apart.
+/// center of the volume (0.5, 0.5, 0.15). The cameras are ordered so that consecutive cameras are
+/// far apart.
 CameraRig deskRingRig(int count);
 
-/// Returns the first `count` (2 to 4) of four 640x480 cameras in the corners of the hall. They are
-/// 1.9 m above the floor, look at the center of the hall, and have focal lengths of 400 px.
+/// Returns the first `count` (2 to 4) of four 640x480 cameras in the corners of the hall. The
+/// cameras are 1.9 m above the floor, look at the center of the hall, and have focal lengths of 400
+/// px.
 CameraRig hallRig(int count);
 
 } // namespace dewpoint::simulation

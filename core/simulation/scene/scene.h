@@ -26,11 +26,11 @@ enum class Motion {
 /// frame, meters. Chosen to be half a meter in front of both cameras of demoRig().
 inline const Eigen::Vector3d kDeskCenter{0.5, 0.5, 0.15};
 
-/// Focal length of the cameras at the desk, pixels. It gives a field of view of 49 degrees across
-/// 320 pixels. Chosen by judgment.
+/// Focal length of the cameras at the desk, pixels. With this focal length, the field of view is 49
+/// degrees across 320 pixels. Chosen by judgment.
 inline constexpr double kDeskFocal = 350.0;
 
-/// Ball whose true position is known at every time.
+/// Ball of a simulated scene. Its true position is known at every time.
 struct SceneBall {
   std::string name = "pink ball";
   double radius = kDefaultBallRadius;        ///< meters
@@ -44,7 +44,7 @@ struct SceneBall {
   double stillSeconds = 0.0; ///< time at rest before the ball starts to move, seconds
 
   // HSI ranges that contain the rendered pixels of the ball and almost no others. Hue is in degrees
-  // and circular (hueMin > hueMax wraps through 0). Saturation and intensity are in [0, 1].
+  // and circular: if hueMin > hueMax, the range contains 0. Saturation and intensity are in [0, 1].
   double hueMin = 320.0;
   double hueMax = 352.0;
   double saturationMin = 0.25;
@@ -55,7 +55,7 @@ struct SceneBall {
 
 /// Light at one time: an entry of Scene::lights. Between the times of two entries, the light is
 /// interpolated, with brightness on a logarithmic scale. Before the first and after the last entry,
-/// it is constant.
+/// the light is constant.
 struct SceneLight {
   double time = 0.0;       ///< seconds
   double brightness = 1.0; ///< factor; 1 is full light
@@ -63,11 +63,11 @@ struct SceneLight {
   double kelvin = kBalancedKelvin;
 };
 
-/// Maximum number of distractors: there are only this many positions for them on the desk.
+/// Maximum number of distractors, which is the number of positions for distractors on the desk.
 inline constexpr int kMaxDistractors = 4;
 
-/// Simulated scene: everything that determines its images and its truth. Frame f is taken at f /
-/// framesPerSecond seconds, and its exposure is centered on this time.
+/// Simulated scene: everything that determines the images and the true positions. Frame f is taken
+/// at f / framesPerSecond seconds, and its exposure is centered on this time.
 struct Scene {
   std::string name = "demo";
   CameraRig cameras;

@@ -22,8 +22,8 @@ public:
   SceneRenderer(SceneRenderer&&) noexcept;
   SceneRenderer& operator=(SceneRenderer&&) noexcept;
 
-  /// Renders the image of one camera in one frame (CV_8UC3, BGR). This is a pure function of scene,
-  /// camera and frame, so it may be called from several threads and in any order.
+  /// Renders the image of one camera in one frame (CV_8UC3, BGR). The result depends only on scene,
+  /// camera and frame, so the function may be called from several threads and in any order.
   cv::Mat render(int camera, std::int64_t frame) const;
 
   const Scene& scene() const;

@@ -23,12 +23,12 @@
 
 namespace dewpoint::simulation {
 
-/// Returns a position (world frame, meters) at a time (seconds).
+/// Function that returns a position (world frame, meters) at a time (seconds).
 using Path = std::function<Eigen::Vector3d(double)>;
 
-/// Returns the parts of a body at a time (seconds). Positions are relative to the body's position
-/// on its path, along the world axes (meters). The number and order of the parts must not depend on
-/// the time.
+/// Function that returns the parts of a body at a time (seconds). Positions are relative to the
+/// body's position on its path, along the world axes (meters). The number and order of the parts
+/// must not depend on the time.
 using PartsPath = std::function<std::vector<MovingPart>(double)>;
 
 /// Moving object on a stage: a ball, a box, or a body made of parts. A flat box can serve as a
@@ -36,7 +36,8 @@ using PartsPath = std::function<std::vector<MovingPart>(double)>;
 struct StageBody {
   std::string name;
   bool box = false;
-  /// Radius of the ball, meters. For a body made of parts, radius of the ball that it contains.
+  /// Radius of the ball, meters. For a body made of parts, this is the radius of the ball that the
+  /// body contains.
   double radius = kDefaultBallRadius;
   Eigen::Vector3d halfSize =
       Eigen::Vector3d::Zero(); ///< half size of the box along its own axes, meters
@@ -45,9 +46,9 @@ struct StageBody {
   Path path;
   std::function<bool(double)>
       present; ///< returns whether the object is present at a time (seconds); empty: always present
-  /// Parts of a body; empty for a plain ball or box. If there are any, only the parts are drawn. If
-  /// some parts are marked as target, the true position is their centroid. Otherwise it is `path`,
-  /// as for a ball.
+  /// Parts of a body; empty for a plain ball or box. If there are parts, only the parts are drawn.
+  /// If some parts are marked as target, the true position is the centroid of these parts.
+  /// Otherwise the true position is `path`, as for a ball.
   PartsPath parts{};
   /// Value of `radius` for which the parts have the right size. For other values of `radius`, the
   /// parts are scaled.
@@ -68,8 +69,8 @@ struct Light {
   bool dark = false;                              ///< no light at all
 };
 
-/// Camera whose pose changes once, at the time `since`. `view` is its view of the room at rest from
-/// the new pose.
+/// Camera whose pose changes once, at the time `since`. `view` shows the room at rest from the new
+/// pose.
 struct MovedCamera {
   std::size_t camera = 0;
   double since = 0.0; ///< time of the change, seconds
@@ -85,8 +86,8 @@ struct RelitView {
   Eigen::Vector3d meanGain = Eigen::Vector3d::Ones();
 };
 
-/// Everything that determines the images of a setup with known truth: objects at rest, moving
-/// objects, light and sensors.
+/// Everything that determines the simulated images: objects at rest, moving objects, light and
+/// sensors. The true positions of the objects are known.
 struct Stage {
   std::uint64_t seed = 1; ///< seed of the sensor noise
   std::vector<StageBody> bodies;
@@ -120,7 +121,7 @@ struct Stage {
 void prepareLight(Stage& stage);
 
 /// Returns the brightness that a camera's automatic control measures at a time (seconds), per
-/// channel (BGR). It is given in stops (factors of two) relative to the nominal light. It is
+/// channel (BGR), in stops (factors of two) relative to the nominal light. The brightness is
 /// computed from `Stage::light` and from the mean gain of `Stage::illumination` on the room at
 /// rest; moving objects are ignored. Complete darkness counts as kDarkStops.
 Eigen::Vector3d meteredBrightnessStops(const Stage& stage, std::size_t camera, double time);
@@ -128,9 +129,9 @@ Eigen::Vector3d meteredBrightnessStops(const Stage& stage, std::size_t camera, d
 /// light. Chosen so that a camera cannot compensate for it (ControlLoop::limit).
 inline constexpr double kDarkStops = -4.0;
 
-/// Renders the image (CV_8UC3, BGR) of one camera with its exposure centered on `time` (seconds).
-/// This is a pure function of its arguments. `frame` is the camera's frame number; it selects the
-/// random numbers for the noise.
+/// Renders the image (CV_8UC3, BGR) of one camera with the exposure centered on `time` (seconds).
+/// `frame` is the frame number of the camera, which selects the random numbers for the noise. The
+/// result depends only on the arguments.
 cv::Mat renderStage(const Stage& stage, std::size_t camera, double time, std::int64_t frame);
 
 } // namespace dewpoint::simulation

@@ -23,7 +23,7 @@ struct ControlLoop {
 /// Returns the corrections with which the loop compensates for a disturbance, such as a change of
 /// the light. Disturbance and corrections are in stops, with one entry per frame; 0 means no
 /// disturbance. The first correction is `start`. Fast loops with a long lag overshoot. The loop is
-/// stable if speed < 2 sin(pi / (4 lagFrames + 2)), as for a discrete integrator with delay.
+/// stable if speed < 2 sin(pi / (4 lagFrames + 2)).
 std::vector<double> corrections(const ControlLoop& loop, std::span<const double> disturbance,
                                 double start);
 
@@ -48,9 +48,9 @@ struct AutomaticGain {
   ControlLoop exposure;
   ControlLoop whiteBalance;
   double firstStops = 0.0; ///< error of the exposure at frame 0, stops
-  double levelStops = 0.0; ///< settled exposure relative to the nominal one, stops
-  /// Amplitude of a periodic error in the measured brightness, stops. It represents objects that
-  /// enter and leave the image.
+  double levelStops = 0.0; ///< settled exposure relative to the nominal exposure, stops
+  /// Amplitude of a periodic error in the measured brightness, stops. The error imitates objects
+  /// that enter and leave the image.
   double huntingStops = 0.0;
   double huntingPeriod = 4.0; ///< period of this error, seconds
   double huntingPhase = 0.0;  ///< phase of this error, radians
@@ -59,7 +59,7 @@ struct AutomaticGain {
 };
 
 /// Returns the gains of a run, one entry per frame. `lightStops` contains, for each frame, the
-/// light per channel (BGR) relative to the nominal light, in stops. This is a pure function of its
+/// light per channel (BGR) relative to the nominal light, in stops. The result depends only on the
 /// arguments.
 GainCurve automaticGains(const AutomaticGain& control, std::span<const Eigen::Vector3d> lightStops,
                          double framesPerSecond);

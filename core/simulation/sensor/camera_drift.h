@@ -17,18 +17,18 @@ struct CameraDrift {
   double settleSeconds = 5.0;
 };
 
-/// Returns the rotation reached at `time` (seconds). It is the identity before time 0.
+/// Returns the rotation reached at `time` (seconds). The result is the identity before time 0.
 Eigen::Matrix3d rotationAt(const CameraDrift& drift, double time);
 
-/// Rotates a point about the camera center (world frame, meters). The camera at rest sees the
-/// result at the pixel where the rotated camera sees the point.
+/// Returns `point` after a rotation about the camera center (world frame, meters). The camera at
+/// rest sees the returned point at the pixel where the rotated camera sees `point`.
 Eigen::Vector3d rotatedAbout(const Eigen::Vector3d& center, const Eigen::Matrix3d& rotation,
                              const Eigen::Vector3d& point);
 
 /// Returns the image (CV_32FC3) that the camera of `view` records after a rotation by `rotation`.
-/// `image` is the image of the camera at rest. The function uses a homography. This is exact for a
-/// pinhole camera, and accurate to a few hundredths of a pixel for a distorting lens and the
-/// intended rotations of a few milliradians. Outside `image`, its border pixels are repeated.
+/// `image` is the image of the camera at rest. Method: a homography, which is exact for a pinhole
+/// camera. For a lens with distortion and rotations of a few milliradians, the error is a few
+/// hundredths of a pixel. Outside `image`, the border pixels are repeated.
 cv::Mat rotatedImage(const RoomView& view, const cv::Mat& image, const Eigen::Matrix3d& rotation);
 
 } // namespace dewpoint::simulation

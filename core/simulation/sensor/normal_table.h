@@ -11,8 +11,9 @@ namespace dewpoint::simulation {
 /// Number of entries in normalTable(): 2^16, because 16 random bits select one entry.
 inline constexpr std::size_t kNormalCount = 65536;
 
-/// Returns a table of standard normal numbers for random selection. Drawing new numbers for every
-/// pixel would take longer than the rest of a frame. The numbers are always the same.
+/// Returns a table of kNormalCount standard normal numbers, which are always the same. Noise is
+/// selected at random from this table, because computing new numbers for every pixel would take
+/// longer than the rest of a frame.
 const std::vector<float>& normalTable();
 
 } // namespace dewpoint::simulation

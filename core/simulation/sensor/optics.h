@@ -7,9 +7,9 @@
 
 namespace dewpoint::simulation {
 
-/// Returns the image (CV_32F) as blurred by a lens. The point spread function is a Gaussian with a
-/// standard deviation of `sigmaPx` pixels, the same everywhere. Outside the image, its border
-/// pixels are repeated. If `sigmaPx` is 0, the image is unchanged.
+/// Returns the image (CV_32F) after blurring by a lens. The point spread function is a Gaussian
+/// with a standard deviation of `sigmaPx` pixels, the same everywhere. Outside the image, the
+/// border pixels are repeated. If `sigmaPx` is 0, the image is returned unchanged.
 cv::Mat blurred(const cv::Mat& image, double sigmaPx);
 
 } // namespace dewpoint::simulation

@@ -11,8 +11,8 @@ namespace dewpoint::simulation {
 /// standard deviation of `noiseSigma` gray levels, drawn from `stream`.
 cv::Mat digitize(const cv::Mat& image, double noiseSigma, const RandomStream& stream);
 
-/// Unsharp masking as in a webcam's processor: adds to the image `amount` times the detail that a
-/// Gaussian blur of `sigmaPx` pixels removes. It creates halos at edges.
+/// Unsharp masking, as in a webcam's processor: the detail that a Gaussian blur of `sigmaPx` pixels
+/// removes is multiplied by `amount` and added to the image. This creates halos at edges.
 struct Sharpening {
   double amount = 0.0;
   double sigmaPx = 1.0;
@@ -21,7 +21,7 @@ struct Sharpening {
 cv::Mat sharpened(const cv::Mat& image, const Sharpening& sharpening);
 
 /// Returns the image (CV_8UC3) after JPEG compression with `quality` from 1 to 100. Colors have
-/// half the resolution (4:2:0), like the encoder's default and nearly every webcam.
+/// half the resolution (4:2:0), as in nearly every webcam.
 cv::Mat jpegCompressed(const cv::Mat& image, int quality);
 
 /// Returns the gain of each pixel (CV_32FC3) for uneven light. The light decreases toward the

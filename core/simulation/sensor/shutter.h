@@ -7,8 +7,7 @@
 
 namespace dewpoint::simulation {
 
-/// Times at which the rows of an image collect light. The time of a frame is the time of its
-/// central row.
+/// Timing of the exposure of each image row. The time of a frame is the time of its central row.
 struct Shutter {
   double exposureSeconds =
       kDefaultExposureSeconds; ///< exposure of each row, centered on the row's time
@@ -16,18 +15,18 @@ struct Shutter {
 };
 
 /// Returns the time of row `row` relative to the frame time, in seconds, for an image with `rows`
-/// rows. It is negative in the upper half of the image.
+/// rows. The time is negative in the upper half of the image.
 double rowTime(const Shutter& shutter, int row, int rows);
 
-/// Rows [begin, end) that are rendered at one time.
+/// Band of image rows [begin, end) that are rendered as if they had the same time.
 struct RowBand {
   int begin = 0;
   int end = 0;
   double time = 0.0; ///< time of the band's central row, seconds from the frame's time
 };
 
-/// Divides an image with `rows` rows into bands, from top to bottom. For a global shutter, there is
-/// one band.
+/// Divides an image with `rows` rows into bands, from top to bottom. A global shutter gives a
+/// single band.
 std::vector<RowBand> rowBands(const Shutter& shutter, int rows);
 
 /// Flicker of lamps on alternating current, whose light oscillates at twice the mains frequency.

@@ -5,8 +5,8 @@
 
 namespace dewpoint::simulation {
 
-// Camera defaults. They were chosen once for the demo. All results of grade `ideal` were measured
-// with them.
+// Camera defaults, chosen for the demo. All results of grade `ideal` were measured with these
+// defaults.
 
 /// Frames per second, supported by nearly all webcams.
 inline constexpr double kDefaultFrameRate = 30.0;

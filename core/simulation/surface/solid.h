@@ -38,7 +38,8 @@ struct Solid {
   float bound = 0.0F;  ///< radius of a sphere around the solid, meters
 };
 
-/// Creates a solid, and sets the fields that are derived from its size and rotation.
+/// Creates a solid, including the fields that are derived from its size and rotation. Lengths are
+/// in meters, `yaw` in radians.
 Solid makeSolid(Shape shape, const Vector3f& center, const Vector3f& halfSize,
                 const Material& material, float yaw);
 

@@ -7,11 +7,11 @@
 
 namespace dewpoint::simulation {
 
-/// Patch of another color. It covers the surface where the angle between the surface normal and
-/// `axis` is below a limit. On a ball, the patch is a spherical cap.
+/// Patch of another color on a surface. The patch covers the points at which the angle between the
+/// surface normal and `axis` is below a limit. On a ball, the patch is a spherical cap.
 struct SurfacePatch {
   Vector3f axis{0.0F, 0.0F, 1.0F};  ///< unit vector in the body's own axes
-  float cosine = 1.0F;              ///< cosine of the largest angle; 0: half of the ball
+  float cosine = 1.0F;              ///< cosine of the limit of the angle; 0: half of the ball
   Vector3f color{0.0F, 0.0F, 0.0F}; ///< BGR in full light, [0, 255]
 };
 
@@ -23,7 +23,7 @@ struct SurfaceSeam {
 };
 
 /// Pattern painted on a surface in addition to its color. Where patches and seams overlap, patches
-/// are visible. Where patches overlap, the one that comes first in `patches` is visible.
+/// are visible. Where patches overlap, the first patch in `patches` is visible.
 struct SurfacePattern {
   std::vector<SurfacePatch> patches;
   std::vector<SurfaceSeam> seams;
@@ -33,9 +33,10 @@ struct SurfacePattern {
   Vector3f colorAt(const Vector3f& normal, const Vector3f& plain) const;
 };
 
-/// Reflection of the lamp on a surface. It adds white light of `peak` gray levels times cos^power
-/// of the angle between the normal and the bisector of the directions to lamp and camera (Blinn,
-/// SIGGRAPH 1977). The highlight is clipped where the sum reaches 255.
+/// Reflection of the lamp on a surface (Blinn, SIGGRAPH 1977). The reflection adds white light of
+/// peak * cos(a)^power gray levels, where a is the angle between the surface normal and the
+/// bisector of the directions to lamp and camera. The highlight is clipped where the sum reaches
+/// 255.
 struct Gloss {
   float peak = 0.0F;
   float power = 12.0F;
@@ -45,7 +46,8 @@ struct Gloss {
   float at(const Vector3f& normal, const Vector3f& towardsLamp, const Vector3f& direction) const;
 };
 
-/// Gloss of plain balls. Chosen to look like rubber, on which the lamp is barely visible.
+/// Gloss of plain balls. Chosen to look like rubber, on which the reflection of the lamp is barely
+/// visible.
 inline constexpr Gloss kBallGloss{12.0F, 12.0F};
 
 } // namespace dewpoint::simulation
