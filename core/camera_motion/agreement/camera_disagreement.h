@@ -35,8 +35,8 @@ struct CameraDisagreement {
   /// [turn]x is the cross-product matrix of the rotation vector.
   std::vector<Eigen::Vector3d> turns = {};
   double scale = 1.0; ///< for Unit: meters per unit of the calibration
-  /// Log odds (natural logarithm) of this fault against no fault; 0 if the fault was found in the
-  /// rig itself and is certain.
+  /// Log odds (natural logarithm) of this fault against no fault; 0 for Unit and SamePose, which
+  /// are certain when they are found.
   double logOdds = 0.0;
 
   /// Returns whether this fault and `other` are of the same kind and affect the same cameras.
