@@ -9,7 +9,7 @@
 namespace dewpoint::base {
 
 /// Histogram that holds any number of durations in a fixed amount of memory. Each bucket is one
-/// percent wider than the previous one, so quantiles are accurate to half a percent. The buckets
+/// percent wider than the previous bucket, so quantiles are accurate to half a percent. The buckets
 /// cover 1 ns to 20 minutes. Longer and shorter durations are counted in the last and first bucket.
 /// The longest duration is stored exactly.
 class DurationHistogram {

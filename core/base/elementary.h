@@ -10,9 +10,9 @@
 #include <numbers>
 
 /// Elementary functions built from additions and multiplications in a fixed order, without
-/// branches. Loops over them compile to vector code. They produce the same bits on every processor
-/// and with every library, which std::log, std::sin and std::exp do not guarantee. Their errors are
-/// a few units in the last place.
+/// branches. Loops that call these functions compile to vector code. The functions produce the same
+/// bits on every processor and with every library, which std::log, std::sin and std::exp do not
+/// guarantee. Errors are a few units in the last place.
 namespace dewpoint::base {
 
 /// Evaluates the polynomial c[0] + c[1] x + c[2] x^2 + ...

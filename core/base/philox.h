@@ -9,8 +9,8 @@
 namespace dewpoint::base {
 
 /// Random number generator Philox4x32-10 (Salmon et al., "Parallel random numbers: as easy as 1, 2,
-/// 3", SC 2011). Computes four random words from a counter and a key, and from nothing else. The
-/// words therefore do not depend on which thread computes them, or in which order.
+/// 3", SC 2011). Computes four random words from a counter and a key alone, so the words do not
+/// depend on the thread or on the order of computation.
 struct Philox {
   using Counter = std::array<std::uint32_t, 4>;
   using Key = std::array<std::uint32_t, 2>;

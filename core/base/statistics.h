@@ -8,7 +8,7 @@
 
 namespace dewpoint::base {
 
-/// Returns the upper median of the values, none of which may be NaN. For an even count, this is the
+/// Returns the upper median of the values. No value may be NaN. For an even count, this is the
 /// larger of the two central values, so the result is always one of the values. Returns 0 if there
 /// are no values.
 double upperMedian(std::vector<double> values);

@@ -141,8 +141,9 @@ public:
     return true;
   }
 
-  /// Returns the tables in an array of tables; empty if the key is absent. If the value is not such
-  /// an array, or has more than `most` tables, records an error and returns an empty list.
+  /// Returns the tables in an array of tables, or an empty list if the key is absent. If the value
+  /// is not such an array, or has more than `most` tables, records an error and returns an empty
+  /// list.
   std::vector<const toml::table*> tables(const char* key,
                                          std::size_t most = std::size_t{1} << 20U) {
     std::vector<const toml::table*> result;

@@ -17,9 +17,9 @@ Result<std::string> readTextFile(const std::filesystem::path& file);
 /// crash. Error: FileUnwritable with the reason.
 Status writeTextFile(const std::filesystem::path& file, const std::string& text);
 
-/// Writes a text directly to `file` and flushes it to disk; unlike writeTextFile(), it is not
-/// atomic. Use it to write several temporary files that are renamed only after all of them are
-/// complete. If it returns the error FileUnwritable, the file may be incomplete.
+/// Writes a text directly to `file` and flushes the file to disk. Unlike writeTextFile(), this
+/// function is not atomic. Use it to write several temporary files that are renamed only after all
+/// of them are complete. Error: FileUnwritable; the file may then be incomplete.
 Status writeAndFlush(const std::filesystem::path& file, const std::string& text);
 
 } // namespace dewpoint::base
