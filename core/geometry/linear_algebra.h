@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eigen's decompositions of matrices of any size. They are compiled in one place, because each one
-// would add up to twelve seconds to the compilation of every file that instantiates it.
+// Eigen's decompositions of matrices of any size. These decompositions are compiled in one place,
+// because each would add up to twelve seconds to the compilation of every file that uses it.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ namespace dewpoint::geometry {
 
 /// Returns the least-squares solution x of `matrix` * x = `right`. x has one column for each column
 /// of `right`. Method: QR decomposition with column pivoting. If several x are equally good, the
-/// result is one of them, in general not the smallest.
+/// result is one of them, not necessarily the x with the smallest norm.
 Eigen::MatrixXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 Eigen::VectorXd leastSquares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
@@ -70,8 +70,8 @@ public:
   SingularValues& operator=(const SingularValues&) = delete;
   ~SingularValues();
 
-  /// Returns the singular values in descending order. Their number is the number of rows or columns
-  /// of the matrix, whichever is smaller.
+  /// Returns the singular values in descending order. There are as many singular values as the
+  /// matrix has rows or columns, whichever is fewer.
   const Eigen::VectorXd& values() const;
   /// Returns the right singular vectors as columns.
   const Eigen::MatrixXd& matrixV() const;

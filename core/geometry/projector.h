@@ -24,8 +24,8 @@ public:
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& pointWorld) const;
 
   /// Projects `count` points given as three columns, meters. The pixels are written to two more
-  /// columns, with NaN where project() returns nothing. The results are bit-identical to those of
-  /// project(). Columns must not overlap.
+  /// columns, with NaN where project() returns nothing. The results are bit-identical to the
+  /// results of project(). Columns must not overlap.
   void projectBatch(std::int64_t count, const double* x, const double* y, const double* z,
                     double* column, double* row) const;
 

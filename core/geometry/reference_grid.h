@@ -20,8 +20,8 @@ enum class GridKind {
 };
 
 /// Grid of known size in the world, drawn over the real surface in the images (the calibration
-/// method of Barrera, Cañas and Matellán 2005). It starts at `origin` and extends by `size` along
-/// its own axes, which are the world axes rotated by `turn` about the vertical.
+/// method of Barrera, Cañas and Matellán 2005). The grid starts at `origin` and extends by `size`
+/// along its own axes, which are the world axes rotated by `turn` about the vertical.
 struct ReferenceGrid {
   GridKind kind = GridKind::Floor;
   Eigen::Vector3d size{4.0, 4.0,

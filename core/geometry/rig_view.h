@@ -18,15 +18,15 @@ Eigen::Vector3d rigAimPoint(const CameraRig& rig);
 /// The box is empty if no camera has a pose.
 Eigen::AlignedBox3d rigBounds(const CameraRig& rig);
 
-/// How much a rig differs from an earlier calibration of the same project. This determines whether
-/// the user's 3D view of the earlier rig still suits the new one.
+/// How much a rig differs from an earlier calibration of the same project. The change determines
+/// whether the user's 3D view of the earlier rig still suits the new rig.
 enum class RigChange {
   /// At most one camera was adjusted. The size and position of the rig are about the same.
   OneCamera,
   /// Refined calibration: the same cameras in a room of about the same size.
   Refined,
   /// Different cameras, or the same cameras in a room of a different size or at a different
-  /// position. A view of the previous rig does not apply to the new one.
+  /// position. A view of the earlier rig does not suit the new rig.
   Elsewhere
 };
 

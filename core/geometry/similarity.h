@@ -18,7 +18,7 @@ struct Similarity {
   Eigen::Vector3d operator*(const Eigen::Vector3d& point) const {
     return scale * (rotation * point) + translation;
   }
-  /// Returns the transform that applies `first`, then this one.
+  /// Returns the transform that applies `first`, then this transform.
   Similarity operator*(const Similarity& first) const {
     return {scale * first.scale, rotation * first.rotation, *this * first.translation};
   }
