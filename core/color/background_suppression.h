@@ -15,12 +15,12 @@ namespace dewpoint::color {
 inline constexpr int kBackgroundTolerance = 14;
 inline constexpr int kBackgroundToleranceShift = 3;
 
-/// Returns the images (CV_8UC3), in which background pixels whose color matches `ranges` are
-/// painted black. No range matches black, so these pixels are not mistaken for a target. Trackers
-/// that use background images see the scene in the same way. A pixel is background if it hardly
-/// differs from the background image (kBackgroundTolerance). `backgroundImages` has the same order
-/// as `images`. If a background image is empty or has a different size, the image is left
-/// unchanged. An image without pixels to replace shares its memory with the result.
+/// Returns `images` (CV_8UC3) with those background pixels painted black whose color matches
+/// `ranges`. No range matches black, so these pixels are not mistaken for a target. Trackers that
+/// use background images see the scene in the same way. A pixel is background if it hardly differs
+/// from the background image (kBackgroundTolerance). `backgroundImages` has the same order as
+/// `images`. If a background image is empty or has a different size, the image is left unchanged.
+/// An image without pixels to replace shares its memory with the result.
 std::vector<cv::Mat> withoutBackgroundColors(const ColorRanges& ranges,
                                              const std::vector<cv::Mat>& images,
                                              const std::vector<cv::Mat>& backgroundImages);

@@ -81,8 +81,8 @@ struct ColorAssessment {
   /// much of the background. Empty while missesTarget() is false.
   std::optional<double> backgroundShareOfFullRange;
   std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
-  /// Number of objects with the target's color and about its size, including the target, in the
-  /// image that shows the most of them.
+  /// Number of objects with the target's color and about the target's size, including the target,
+  /// in the image that shows most such objects.
   int similarObjectCount = 1;
   /// True if there are several samples, and the ranges match almost no color of at least one
   /// sample.
@@ -97,9 +97,8 @@ struct ColorAssessment {
 
   /// Returns the separability as displayed, 0 to 100.
   int score() const { return static_cast<int>(std::lround(inPercent(separability))); }
-  /// Returns whether the color separates the target well from the background. The matching pixels
-  /// of the background are then few compared with those of the target, even if they form large
-  /// regions.
+  /// Returns whether the color separates the target well from the background. The background then
+  /// has few matching pixels compared with the target, even if these pixels form large regions.
   bool isGood() const { return targetKnown && score() >= kGoodScore; }
   /// Returns whether much of the target does not match, which lowers the score.
   bool missesTarget() const { return targetKnown && targetShare < kMinTargetShare; }

@@ -14,8 +14,9 @@
 
 namespace dewpoint::color {
 
-/// What one image shows of the target and of objects that may be the target. Masks are CV_8UC1 with
-/// the size of the image, containing 255 or 0. All members are empty if there is no image.
+/// Evidence from one image: the pixels that show the target or may show the target. Masks are
+/// CV_8UC1 with the size of the image, containing 255 or 0. All members are empty if there is no
+/// image.
 struct ImageEvidence {
   cv::Mat image; ///< shares the pixels of the input
   /// Region of the clicked object if the image still shows this object; otherwise empty.
@@ -34,8 +35,8 @@ struct EvidenceCost {
   int counts = 0;  ///< number of images whose pixels were counted, all or some of them
 };
 
-/// What samples and images show about colors: the colors of the target, and the colors of
-/// everything else (the rest). A target color is learned from this evidence. Weights are in pixels.
+/// Evidence from which a target color is learned: the colors of the target, and the colors of
+/// everything else in the images (the rest). Weights are in pixels.
 struct ColorEvidence {
   std::vector<WeightedHsiColor> target;
   /// `target`, split into one list for each separate color of the samples (groupSamplesByColor()).
@@ -67,9 +68,9 @@ struct ColorEvidence {
 /// If no region of plausible size has the typical colors, the target is the largest region of
 /// plausible size that matches `ranges`.
 ///
-/// `undecided` marks the pixels that are not counted as the rest of an image. It contains a mask
-/// for each camera, as in ImageEvidence::undecided, and may have fewer entries than there are
-/// cameras.
+/// `undecided` marks the pixels that are not counted as the rest of an image. `undecided` contains
+/// a mask for each camera, as in ImageEvidence::undecided, and may have fewer entries than there
+/// are cameras.
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images,
                             const std::optional<ColorRanges>& ranges = std::nullopt,

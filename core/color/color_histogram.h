@@ -12,8 +12,8 @@
 namespace dewpoint::color {
 
 /// Histograms of hue (whole degrees), saturation and intensity (hundredths) as fractions of the
-/// pixels. The color picker displays them behind its handles. Gray pixels have no hue, so the hue
-/// fractions add up to the fraction of colored pixels.
+/// pixels. The color picker displays these histograms behind its handles. Gray pixels have no hue,
+/// so the hue fractions add up to the fraction of colored pixels.
 struct ColorHistogram {
   std::array<double, 360> hue{};
   std::array<double, 101> saturation{};

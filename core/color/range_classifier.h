@@ -15,10 +15,10 @@ namespace dewpoint::color {
 /// result equals matches(hsiFromBgr(b, g, r), range).
 ///
 /// The hue is the direction of the vector (2R - G - B, sqrt(3) (G - B)), so each hue bound is a
-/// half-plane. A range of up to 180 degrees is the intersection of the two half-planes; a wider one
-/// is their union. In terms of channel differences, a half-plane is an IntegerLine. The saturation
-/// bounds become bounds on min(R,G,B) relative to R + G + B - 3 min, which are lines as well. The
-/// intensity is R + G + B.
+/// half-plane. A range of up to 180 degrees is the intersection of the two half-planes; a wider
+/// range is their union. In terms of channel differences, a half-plane is an IntegerLine. The
+/// saturation bounds become bounds on min(R,G,B) relative to R + G + B - 3 min, which are lines as
+/// well. The intensity is R + G + B.
 class RangeClassifier {
 public:
   /// Creates a classifier for a range, which must have passed checkColorRange().

@@ -19,13 +19,13 @@ inline constexpr std::size_t kMostColorsOfTarget = 3;
 /// Groups the samples that show the target by color. Returns the sample indices for each color, in
 /// the order of each color's first sample. Samples of one color in different light, or in cameras
 /// with different white balance, stay together. If there are more than kMostColorsOfTarget colors,
-/// the closest ones are merged.
+/// the most similar colors are merged.
 std::vector<std::vector<std::size_t>> groupSamplesByColor(const std::vector<ColorSample>& samples);
 
 /// Returns at least two ranges for a multicolored target, in the order of
 /// ColorEvidence::targetByColor. A color that is also common in the surroundings is left out.
-/// Returns nothing if the samples show one color, or if the single range `one` for all of them
-/// separates about as well.
+/// Returns nothing if the samples show one color, or if the single range `one` separates all
+/// samples from the rest about as well.
 std::optional<ColorRanges> multicolorRanges(const ColorEvidence& evidence, const ColorRange& one);
 
 } // namespace dewpoint::color

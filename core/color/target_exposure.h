@@ -14,7 +14,7 @@ class Mat;
 
 namespace dewpoint::color {
 
-/// What is wrong with the exposure of a target's pixels.
+/// Fault of the exposure of a target's pixels.
 enum class ExposureFault : std::uint8_t { None, Overexposed, TooDark };
 
 /// How bright the pixels of a target are. The brightness of a pixel is its largest channel, because
@@ -49,7 +49,7 @@ struct TargetExposure {
 /// Returns the exposure of the pixels of `bgr` (CV_8UC3) at which `mask` (CV_8UC1, of the same
 /// size) is not 0.
 TargetExposure exposureOf(const cv::Mat& bgr, const cv::Mat& mask);
-/// Returns the exposure of colors, for example those of a sample.
+/// Returns the exposure of colors, for example of the colors of a sample.
 TargetExposure exposureOf(const std::vector<BgrColor>& colors);
 
 } // namespace dewpoint::color

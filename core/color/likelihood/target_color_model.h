@@ -25,9 +25,9 @@ struct ColorGain {
 };
 
 /// Color model of a target, common to all cameras and expressed in the colors of the reference
-/// camera. It consists of the observed colors and the HSI range that the user sees and edits. The
-/// range is the prior, which determines the values for colors that were never seen. The range
-/// widened by margins is the limit: no color outside it counts as the target.
+/// camera. The model consists of the observed colors and the HSI range that the user sees and
+/// edits. The range is the prior, which determines the values for colors that were never seen. The
+/// range widened by margins is the limit: no color outside it counts as the target.
 ///
 /// The table for a camera, per color cell, is
 ///   (1 - w) prior + w ln((t + u exp(prior / 2)) / (k r + u exp(-prior / 2))),   w = n / (n + 20).
@@ -35,8 +35,8 @@ struct ColorGain {
 /// relative to colors spread evenly), u is kUnseenDensity, and k is restPerTarget. n is the number
 /// of pixels of the target or of the rest, whichever is smaller. If one of the two has no pixels, n
 /// is the number of pixels of the other. With few pixels, the result is close to the prior. For
-/// colors that were never seen, the result is the prior. It is about 0 for colors that are k times
-/// as dense in the target as in the rest.
+/// colors that were never seen, the result is the prior. The result is about 0 for colors that are
+/// k times as dense in the target as in the rest.
 class TargetColorModel {
 public:
   // The constants below are judgments, not measurements.
