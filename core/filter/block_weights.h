@@ -17,7 +17,8 @@ namespace dewpoint::filter {
 /// blocks, so each is written only once.
 class BlockWeights {
 public:
-  /// Sets the number of particles. Their weights are undefined until they are set.
+  /// Sets the number of particles. The weights are undefined until setBlock() or setEqual() sets
+  /// them.
   void resize(std::int64_t count);
   /// Sets the weights of the block that begins at particle `begin` from its `length` log weights. A
   /// log weight that is not finite becomes weight zero. Different threads may set different blocks

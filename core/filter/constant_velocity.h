@@ -12,8 +12,8 @@
 namespace dewpoint::filter {
 
 /// Motion model with nearly constant velocity. States are x y z vx vy vz (meters and meters per
-/// second). Between two steps a constant, random acceleration acts on each axis (discrete white
-/// noise acceleration model: Bar-Shalom, Li and Kirubarajan 2001, section 6.3.2).
+/// second). Between two steps, a constant acceleration, drawn at random, acts on each axis
+/// (discrete white noise acceleration model: Bar-Shalom, Li and Kirubarajan 2001, section 6.3.2).
 struct ConstantVelocity {
   double interval = 0.0;          ///< seconds since the last step
   double accelerationSigma = 0.0; ///< standard deviation along each axis, m/s²

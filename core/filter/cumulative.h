@@ -11,9 +11,9 @@
 
 namespace dewpoint::filter {
 
-/// Cumulative sums of the weights, in particle order. They never decrease. The weights are summed
-/// in stretches: fixed runs of kStretch particles (prefix_sums.h). The sums are therefore the same
-/// for any number of threads. For up to kStretch particles, they are plain running sums.
+/// Cumulative sums of the weights, in particle order. The sums never decrease. The weights are
+/// summed in stretches: fixed runs of kStretch particles (prefix_sums.h). The sums are therefore
+/// the same for any number of threads. For up to kStretch particles, they are plain running sums.
 class CumulativeWeights {
 public:
   /// Computes the sums. The weights are not copied, so they must stay in memory unchanged.

@@ -12,8 +12,9 @@ namespace dewpoint::filter {
 struct StateEstimate {
   Eigen::VectorXd mean;       ///< weighted mean (MMSE)
   Eigen::MatrixXd covariance; ///< weighted covariance about the mean, divisor 1
-  Eigen::Index bestIndex =
-      0; ///< particle with the highest weight (MAP); the first one if there are ties
+  /// Index of the particle with the highest weight (MAP); the first such particle if there are
+  /// ties.
+  Eigen::Index bestIndex = 0;
   double effectiveSampleSize = 0.0; ///< 1 / sum of squared weights
   /// True if no log weight was finite, so that all particles were weighted equally.
   bool degenerate = false;

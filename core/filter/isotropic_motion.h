@@ -13,7 +13,8 @@
 namespace dewpoint::filter {
 
 /// Random walk of x, y and z that is equal in all directions (Barrera et al. 2005, equations 1 to
-/// 3). It adds N(0, sigma²) noise to each coordinate. Other state coordinates do not change.
+/// 3). Each step adds N(0, sigma²) noise to each of these coordinates. Other state coordinates do
+/// not change.
 struct IsotropicMotion {
   double sigma = 0.03; ///< standard deviation, meters per iteration; Barrera et al. 2005 use 0.03
 

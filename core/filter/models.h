@@ -20,8 +20,8 @@ concept MotionModel = requires(const M& model, StateRows rows, std::uint32_t fir
   { model.predict(rows, firstIndex, stream) } -> std::same_as<void>;
 };
 
-/// Proposal distribution, which draws new states from a density q(X(t) | X(t-1), observation). It
-/// adds log(p / q) to the log weights, where p is the density of the motion model.
+/// Proposal distribution, which draws new states from a density q(X(t) | X(t-1), observation).
+/// propose() also adds log(p / q) to the log weights, where p is the density of the motion model.
 template <class P>
 concept Proposal = requires(const P& proposal, StateRows rows, LogWeightSegment logWeights,
                             std::uint32_t firstIndex, const RandomStream& stream) {

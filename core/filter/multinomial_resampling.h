@@ -16,7 +16,7 @@ namespace dewpoint::filter {
 /// must be positive.
 ///
 /// The draws are generated in ascending order (SortedDraws). The ancestors are therefore also
-/// ascending, and memory is read from front to back. The ancestors equal those of a binary search
+/// ascending, and memory is read from front to back. The result is the same as with a binary search
 /// in CumulativeWeights for each draw.
 class MultinomialResampling {
 public:

@@ -69,8 +69,8 @@ public:
     return result;
   }
 
-  /// Changes the number of particles in the next iteration to `count`, by drawing them again from
-  /// the weighted particles.
+  /// Changes the number of particles in the next iteration to `count`, by drawing the particles of
+  /// the next iteration again from the weighted particles.
   template <Resampler R>
   void resize(const R& resampler, Eigen::Index count, const RandomKey& key, ThreadTeam& team) {
     resample(resampler, count, key.stream(RandomPurpose::Resize), team);

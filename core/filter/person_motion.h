@@ -41,8 +41,8 @@ struct PersonMotion {
 };
 
 /// Motion model of a person on the floor. States: x y vx vy (m, m/s) and height (m). Between two
-/// steps a constant, random acceleration acts on x and y. The height changes little and returns
-/// slowly to the usual height.
+/// steps, a constant acceleration, drawn at random, acts on x and y. The height changes little and
+/// returns slowly to `usualHeight`.
 struct WalkingMotion {
   double interval = 0.0;          ///< seconds since the last step
   double accelerationSigma = 3.0; ///< standard deviation along each axis, m/s²

@@ -25,8 +25,8 @@ inline constexpr std::int64_t kPrefixBlock = kStretch * kLanes;
 using StretchSums = std::array<double, kLanes>;
 
 /// Computes the running sums within each stretch of a block of `count` <= kPrefixBlock values, and
-/// calls put(index, sum) for each of them. Returns the total of each stretch, which is zero for an
-/// empty stretch.
+/// calls put(index, sum) for each running sum. Returns the total of each stretch, which is zero for
+/// an empty stretch.
 template <class Value, class Put>
 [[gnu::always_inline]] inline StretchSums prefixSums(const Value* values, std::int64_t count,
                                                      const Put& put) {
