@@ -71,7 +71,7 @@ public:
   double novelShare() const { return novelShare_; }
 
   /// Returns the light of the last image relative to the reference light, per channel (blue, green,
-  /// red). The reference light is that of the first image, or of the last call of
+  /// red). The reference light is the light of the first image, or the light at the last call of
   /// resetReferenceLight().
   const Eigen::Array3d& light() const { return light_; }
   void resetReferenceLight() { light_.setOnes(); }

@@ -27,7 +27,7 @@ namespace dewpoint::observation {
 /// chosen box. Each figure is rated by how well its colors, as TargetColors would learn them,
 /// distinguish the figure from its surroundings. The result is the largest figure that is rated
 /// nearly as well as the best figure. If the region is part of the object, only figures that
-/// contain the region are considered; if none of them is rated well enough, the result is the
+/// contain the region are considered; if no such figure is rated well enough, the result is the
 /// region's box. For an object of several colors, the result may be only the part that was clicked.
 /// Returns nothing if no box differs from its surroundings.
 std::optional<ImageBox> clickBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel);

@@ -21,8 +21,8 @@ cv::Mat maskScores(const cv::Mat& mask, const cv::Mat& explained);
 
 /// Adds the log ratio of the pixel's color, multiplied by `weight`, to the scores of the moving
 /// pixels (nonzero in `mask`) in `area`. The log ratio says how much better the color fits one
-/// person than other people. It is taken from `ratio[1]` for image rows above the row `waist`, and
-/// from `ratio[0]` for the row `waist` and the rows below.
+/// person than other people. The log ratio is taken from `ratio[1]` for image rows above the row
+/// `waist`, and from `ratio[0]` for the row `waist` and the rows below.
 void addColorScores(const cv::Mat& image, const cv::Mat& mask, const cv::Rect& area, int waist,
                     const ClothesRatio& ratio, double weight, cv::Mat& scores);
 

@@ -14,7 +14,7 @@ namespace dewpoint::observation {
 struct ColorRegion {
   double area = 0.0;
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< covariance of its pixels, px²
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< covariance of the pixels, px²
   cv::Rect box;                                         ///< bounding box
   int rim = 0;       ///< number of rim pixels: at least one of the four neighbors has another color
   int cutRim = 0;    ///< number of rim pixels at the image border

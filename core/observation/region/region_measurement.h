@@ -42,8 +42,8 @@ RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected
 /// expected outline" against "the target is not there". The ratio depends on two fractions with the
 /// target color: the fraction of the expected outline, and the fraction of a ring around the
 /// outline. `fill` is the fraction of the outline that a visible target fills. The largest ratio
-/// equals that of SphereEvidence, so that an image has the same influence for a target of any shape
-/// as for a ball.
+/// equals the largest ratio of SphereEvidence, so that an image has the same influence for a target
+/// of any shape as for a ball.
 double regionEvidence(const RegionMeasurement& measurement, double fill);
 /// Returns the value of regionEvidence() for an image that shows the whole target.
 double fullRegionEvidence();

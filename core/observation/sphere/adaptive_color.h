@@ -53,9 +53,9 @@ public:
   /// first kReferenceUpdates updates of a range do not change the range; they measure the colors in
   /// the initial light. `others` are outlines of other objects with the same color.
   ///
-  /// Returns whether the ranges were moved. They are not moved if too few pixels inside the outline
-  /// have approximately the color in use, or if the new ranges would match too much of the ring
-  /// around the target or of the rest of the image.
+  /// Returns whether the ranges were moved. The ranges are not moved if too few pixels inside the
+  /// outline have approximately the color in use, or if the new ranges would match too much of the
+  /// ring around the target or of the rest of the image.
   bool adapt(std::size_t camera, const cv::Mat& image, const SphereImage& outline,
              const std::vector<SphereImage>& others, double share);
 
