@@ -18,8 +18,9 @@ enum class ParameterKind { Integer, Real };
 
 /// Group of parameters with the same subject. Editors show the groups in this order.
 enum class ParameterGroup {
-  Essential, ///< the most important parameters, always visible; all of them if the method has only
-             ///< a few
+  /// The most important parameters, which are always visible. If a method has only a few
+  /// parameters, all of them are in this group.
+  Essential,
   Motion,
   Measurement, ///< evaluation of the images and their assumed reliability
   Area,        ///< where people can be, and when they count as present
@@ -73,8 +74,9 @@ public:
   Status set(std::string_view key, double value);
   /// Sets a value from its text, as on the command line. Errors are those of set().
   Status setText(std::string_view key, std::string_view text);
-  /// Returns whether a value is given, so that it is not derived from the cameras. The result is
-  /// false only for a key with ParameterDeclaration::fromCameras that nobody has set.
+  /// Returns whether the value of a key is given, which means that it is not derived from the
+  /// cameras. The result is false only for a key with ParameterDeclaration::fromCameras that nobody
+  /// has set.
   bool isGiven(std::string_view key) const;
   /// Marks the current value of a key as given (isGiven()). Does nothing for an unknown key.
   void markGiven(std::string_view key);

@@ -21,9 +21,9 @@ struct StartVolume {
 };
 
 /// Returns the declarations of the parameters of a start volume: start_x, start_half_x and so on.
-/// All methods with a start volume use them.
+/// All methods with a start volume use these declarations.
 std::vector<ParameterDeclaration> startParameters(const StartVolume& defaults);
-/// Returns the start volume that these parameters define. They must include startParameters().
+/// Returns the start volume that `parameters` define. `parameters` must declare startParameters().
 StartVolume startVolume(const ParameterValues& parameters);
 
 /// Returns the part of a start volume inside a box, or the whole box if they do not overlap.

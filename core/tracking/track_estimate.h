@@ -27,7 +27,7 @@ struct SphereEstimate {
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
   int camerasSeeing = 0; ///< number of cameras that show the target's color at the projected mean
-  bool valid = false;    ///< confirmed by at least two cameras, or by the only one
+  bool valid = false;    ///< confirmed by at least two cameras, or by the only camera
   /// True if another object is about as likely to be the target, or if the estimate moved to
   /// another object in this frame. The covariance then also covers the other candidates.
   bool ambiguous = false;

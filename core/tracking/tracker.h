@@ -27,7 +27,7 @@ public:
   virtual void restart(std::uint64_t seed) = 0;
   /// Returns the number of iterations per frame.
   virtual int iterationsPerFrame() const = 0;
-  /// Sets the frame to process; null releases the images of the last frame.
+  /// Sets the frame to process. If `frames` is null, releases the images of the last frame.
   virtual void beginFrame(FrameSetPtr frames) = 0;
   /// Runs one filter iteration for all tracks.
   virtual void iterate(ThreadTeam& team) = 0;

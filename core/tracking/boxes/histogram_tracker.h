@@ -14,7 +14,7 @@ namespace dewpoint::tracking {
 /// The `histogram` method, which implements and extends the future work listed by Sugandi et al.
 /// (2009). See docs/method-sugandi.md. The state is (x, y, vx, vy, s, a) in pixels and pixels per
 /// image; s is the logarithm of the scale, and a is the logarithm of the aspect ratio (width /
-/// height). The color histograms of six parts of the box are compared with those of its
+/// height). The color histograms of six parts of the box are compared with the histogram of the
 /// surroundings. Some particles jump to other positions with these colors. The histograms adapt to
 /// slow color changes. A hidden target keeps its position and is found again.
 class HistogramTracker final {
@@ -57,7 +57,7 @@ private:
   double sharpness_ = 0.0;
   double adaptation_ = 0.0;
   double hiddenBelow_ = 0.0;
-  /// Number of particles for the next image; `states_` has the particles of the current one.
+  /// Number of particles for the next image; `states_` has the particles of the current image.
   Eigen::Index particleCount_ = 0;
   std::uint64_t seed_ = 0;
   std::uint32_t frame_ = 0;

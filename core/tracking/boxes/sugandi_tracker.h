@@ -32,7 +32,7 @@ private:
 
   double positionSigma_ = 0.0;
   double likelihoodSigma_ = 0.0;
-  /// Number of particles for the next image; `states_` has the particles of the current one.
+  /// Number of particles for the next image; `states_` has the particles of the current image.
   Eigen::Index particleCount_ = 0;
   std::uint64_t seed_ = 0;
   std::uint32_t frame_ = 0;

@@ -15,20 +15,19 @@ namespace dewpoint::tracking {
 
 /// Estimates the delays of the cameras' time stamps during tracking, from the motion of targets.
 ///
-/// If the images of a camera are late, a moving target appears in them behind its position in the
-/// other cameras, by its velocity times the delay. Errors of the calibration also displace the
-/// target, but independently of its velocity. A Kalman filter (in information form) separates the
-/// two effects. The state of the filter consists of five numbers per camera: the delay, its drift,
-/// the time that the shutter takes from the first row of an image to the last one, and two angles
-/// by which the target appears displaced. The angles change as the target moves through the image,
-/// because the calibration error differs from place to place.
+/// If the images of a camera are late, a moving target appears in this camera behind its position
+/// in the other cameras, by its velocity times the delay. Errors of the calibration also displace
+/// the target, but independently of its velocity. A Kalman filter (in information form) separates
+/// the two effects. The state of the filter consists of five numbers per camera: the delay, its
+/// drift, the time that the shutter takes from the first row of an image to the last row, and two
+/// angles by which the target appears displaced. The angles change as the target moves through the
+/// image, because the calibration error differs from place to place.
 class ClockEstimator {
 public:
   explicit ClockEstimator(const CameraRig& rig);
 
-  /// Sets another calibration of the same cameras. If the calibration differs from the current
-  /// calibration, all estimates are discarded, because they depend on the errors of the
-  /// calibration.
+  /// Sets another calibration of the same cameras. If the calibration changes, all estimates are
+  /// discarded, because they depend on the errors of the calibration.
   void setCameras(const CameraRig& rig);
 
   /// Assumptions that apply before any motion is seen.
@@ -36,7 +35,7 @@ public:
     double delaySigma = 0.0;     ///< seconds; 0: all time stamps are exact
     double directionSigma = 0.0; ///< radians, error of the directions in which cameras see objects
   };
-  /// Sets the prior. If it differs from the current one, all estimates are discarded.
+  /// Sets the prior. If the prior changes, all estimates are discarded.
   void setPrior(const Prior& prior);
   /// Discards all estimates.
   void restart();

@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-// Reports of the `dewpoint` method about a target that supplement its estimate. They do not affect
-// tracking.
+// Reports of the `dewpoint` method about a target that supplement its estimate. The reports do not
+// affect tracking.
 namespace dewpoint::tracking {
 
 /// Returns for each camera whether the camera confirms a target, and the reason if not; see

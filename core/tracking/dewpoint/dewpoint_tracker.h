@@ -15,8 +15,8 @@
 
 namespace dewpoint::tracking {
 
-/// The `dewpoint` method, developed for this project. It detects every target by its outline in all
-/// cameras, as a sphere of one color (docs/method-dewpoint.md). Targets of the same color are
+/// The `dewpoint` method, developed for this project. Every target is detected by its outline in
+/// all cameras, as a sphere of one color (docs/method-dewpoint.md). Targets of the same color are
 /// distinguished by their former positions, and no two targets can be at one position.
 class DewpointTracker final : public Tracker,
                               public Configurable,

@@ -12,8 +12,8 @@
 namespace dewpoint::tracking {
 
 /// All objects that the `dewpoint` method tracks in one run: the targets in the order of the
-/// project, then the distractors (other objects that look like a target). No two of them can be at
-/// one position, and a pixel counts as evidence for only one of them.
+/// project, then the distractors (other objects that look like a target). No two objects can be at
+/// one position, and a pixel counts as evidence for only one object.
 class TrackedObjects {
 public:
   TrackedObjects(const std::vector<Target>& targets, const CameraRig& rig);

@@ -32,7 +32,8 @@ public:
   void learn(double squaredDistance, const Eigen::Vector3d& velocity);
 
   /// Returns the covariance to add to the prediction when deciding which measurements can belong to
-  /// the target. It allows for the full acceleration limit since the target was last visible.
+  /// the target. The covariance allows for the full acceleration limit since the target was last
+  /// visible.
   const Gaussian6::Matrix& gatingCovariance() const { return gatingCovariance_; }
 
 private:

@@ -125,8 +125,8 @@ private:
                         const std::vector<OccupiedSphere>& occupied, const RandomKey& key,
                         ThreadTeam& team, std::vector<double>& logMasses);
   /// Adjusts the masses (probabilities before normalization) of the first hypotheses of a target.
-  /// Their log likelihood ratio is not limited by kSaturationShare, neighboring hypotheses do not
-  /// count against them, and the mismatch of their size is subtracted.
+  /// For these hypotheses, the log likelihood ratio is not limited by kSaturationShare, neighboring
+  /// hypotheses do not count as contrary evidence, and the mismatch of the size is subtracted.
   void scoreInitialHypotheses(SphereObservation& observation, std::vector<double>& logMasses) const;
   /// Returns a hypothesis of unknown velocity, without particles.
   TrackHypothesis newHypothesis(const Gaussian3& position, double radius, double logRadiusVariance);

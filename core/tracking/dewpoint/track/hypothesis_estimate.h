@@ -16,12 +16,13 @@ namespace dewpoint::tracking {
 /// mean is the mean of the particles. The covariance is the covariance of the hypothesis' Gaussian
 /// plus the `errors`.
 ///
-/// `existenceProbability` is the probability that the target is at the estimate. It is the product
-/// of the hypothesis' probability and 1 - `identityAmbiguity` (0 to 1, the probability that the
-/// hypothesis is an identical object). While no camera sees the target, it is also multiplied by
-/// the probability that the target is within its radius of the estimate. `valid` is true if the
-/// hypothesis is more likely than not, regardless of the identity, and the position is known
-/// precisely enough to be useful. The function sets the radius of the observation.
+/// `existenceProbability` is the probability that the target is at the estimate. This probability
+/// is the product of the hypothesis' probability and 1 - `identityAmbiguity`, where
+/// `identityAmbiguity` (0 to 1) is the probability that the hypothesis is an identical object.
+/// While no camera sees the target, it is also multiplied by the probability that the target is
+/// within its radius of the estimate. `valid` is true if the hypothesis is more likely than not,
+/// regardless of the identity, and the position is known precisely enough to be useful. The
+/// function sets the radius of the observation.
 SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double identityAmbiguity,
                                   const SystematicErrors& errors, SphereObservation& observation);
 

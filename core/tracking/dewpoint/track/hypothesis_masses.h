@@ -51,10 +51,10 @@ double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 /// logarithm.
 double shareOfLargest(std::span<const double> logMasses, double absence);
 
-/// Returns whether the images must be searched for the target. This is the case if there is no
-/// hypothesis. It is also the case if the most likely hypothesis can be seen by only one of several
-/// cameras, has less than 0.98 of all mass, or has less than 0.55 of the log likelihood ratio that
-/// it would have if fully visible.
+/// Returns whether the images must be searched for the target, because there is no hypothesis or
+/// the most likely hypothesis is doubtful. A hypothesis is doubtful if only one of several cameras
+/// can see it, if it has less than 0.98 of all mass, or if its log likelihood ratio is less than
+/// 0.55 of the value for a fully visible target.
 bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
                 const std::vector<double>& logMasses);
 

@@ -14,9 +14,9 @@
 namespace dewpoint::tracking {
 
 /// Track of a target that is not assumed to be a ball. The track has one hypothesis about the
-/// position, and an ellipsoid for the extent, learned from the regions of the target's color. It is
-/// a Bernoulli filter like BernoulliTrack. The extent is smoothed from frame to frame, as in the
-/// random-matrix approach (Koch 2008). World frame, meters.
+/// position, and an ellipsoid for the extent, learned from the regions of the target's color. The
+/// track is a Bernoulli filter like BernoulliTrack. The extent is smoothed from frame to frame, as
+/// in the random-matrix approach (Koch 2008). World frame, meters.
 class RegionTrack {
 public:
   explicit RegionTrack(const Target& target) : target_(target) {}
@@ -49,7 +49,8 @@ public:
   const Eigen::Matrix3d& extent() const { return state_->extent; }
   /// Returns the longest semi-axis of the extent in meters.
   double longestAxis() const;
-  /// Returns the measurement of each camera at the last update; empty without a hypothesis.
+  /// Returns the measurement of each camera at the last update, or an empty list if there is no
+  /// hypothesis.
   std::vector<RegionMeasurement> views() const {
     return state_ ? state_->views : std::vector<RegionMeasurement>();
   }
