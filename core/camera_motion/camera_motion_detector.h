@@ -35,10 +35,10 @@ struct CameraMotionState {
 
 /// Detects camera motion during tracking. Each camera is checked a few times per second. Patches of
 /// the background are located in the image, and the camera rotation on which most patches agree is
-/// fitted. Patches that do not agree are ignored, because moving objects or shadows cover them. A
-/// motion is reported if the median rotation of the last five checks is more than 0.05 degrees and
-/// clearly larger than its standard error. A rotation of 0.1 degrees is reported within about a
-/// second.
+/// fitted. Patches that do not agree are ignored, because they probably show moving objects or
+/// shadows. A motion is reported if the median rotation of the last five checks is more than 0.05
+/// degrees and clearly larger than its standard error. A rotation of 0.1 degrees is reported within
+/// about a second.
 ///
 /// The first images received are the reference images; they are assumed to match the calibration.
 /// Objects that are at rest for a long time gradually become part of the background. A camera whose
