@@ -9,8 +9,8 @@ namespace dewpoint::simulation {
 inline constexpr const char* kOfficeSceneName = "office";
 
 /// Returns a scene of half a minute in the simulated office. Three people in different clothes
-/// enter through doors, two of them meet and talk, and all of them cross the room and leave. There
-/// are no people for the first 1.5 s.
+/// enter through doors, two people meet and talk, and all three cross the room and leave. There are
+/// no people for the first 1.5 s.
 OfficeScene builtInOfficeScene();
 
 } // namespace dewpoint::simulation

@@ -27,9 +27,9 @@ inline constexpr float kDeskHeight = 0.75F;
 
 // Light. The values are chosen so that shadows are distinct but not black.
 
-/// Position of the room lamp in all rooms except the office, world frame, meters. It is the only
-/// lamp unless an Illumination adds others. The lamp is a small area light, so that shadows have
-/// soft borders.
+/// Position of the room lamp in all rooms except the office, world frame, meters. This is the only
+/// lamp unless an Illumination adds other lamps. The lamp is a small area light, so that shadows
+/// have soft borders.
 inline const Vector3f kLampPosition{0.15F, -0.25F, 1.7F};
 /// Position of the room lamp in the office, above people's heads. World frame, meters.
 inline const Vector3f kOfficeLampPosition{0.2F, -0.3F, 2.6F};
