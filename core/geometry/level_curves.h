@@ -27,8 +27,8 @@ using LevelCurve = std::vector<Eigen::Vector2d>;
 /// corners decides.
 std::vector<LevelCurve> levelCurves(const GroundGrid& grid, double level);
 
-/// Returns the level at which the grid values above this level add up to the fraction `probability`
-/// of the sum of all values. The curve at this level is the border of the smallest region with this
+/// Returns the level L for which the grid values above L add up to the fraction `probability` of
+/// the sum of all values. The curve at this level is the border of the smallest region with this
 /// probability. Returns 0 if the sum is zero.
 double levelForProbability(const GroundGrid& grid, double probability);
 
