@@ -21,12 +21,12 @@ double colorDistance(const BgrColor& one, const BgrColor& other);
 ///
 /// For a given tolerance, the region consists of all pixels that are connected to the clicked pixel
 /// by pixels whose colorDistance() to the clicked color is at most the tolerance. The regions of
-/// all tolerances are nested, and they are found in one pass. The function selects the region whose
-/// outline has the strongest edge compared with the differences inside it (Fisher's criterion), is
-/// not ragged, and whose overall color is close to the clicked one. As with maximally stable
-/// regions (Matas et al., BMVC 2002), no tolerance has to be chosen. The region is then grown
-/// again, with its median color in place of the color of the clicked pixel. Highlights inside the
-/// region are filled.
+/// all tolerances are nested, and they are found in one pass. The function selects a region with
+/// three properties. Its outline has the strongest edge compared with the differences inside the
+/// region (Fisher's criterion). Its outline is not ragged. Its overall color is close to the
+/// clicked color. As with maximally stable regions (Matas et al., BMVC 2002), no tolerance has to
+/// be chosen. The region is then grown again, with its median color in place of the color of the
+/// clicked pixel. Highlights inside the region are filled.
 ///
 /// `within` is a dragged box that limits the region, or empty for the whole image. If nothing in
 /// the box has a clear outline, the region is the box itself.

@@ -16,9 +16,9 @@ namespace dewpoint::color {
 ///
 /// The hue is the direction of the vector (2R - G - B, sqrt(3) (G - B)), so each hue bound is a
 /// half-plane. A range of up to 180 degrees is the intersection of the two half-planes; a wider
-/// range is their union. In terms of channel differences, a half-plane is an IntegerLine. The
-/// saturation bounds become bounds on min(R,G,B) relative to R + G + B - 3 min, which are lines as
-/// well. The intensity is R + G + B.
+/// range is their union. Each half-plane is tested as an IntegerLine between two channel
+/// differences. Each saturation bound is tested as an IntegerLine between min(R, G, B) and R + G +
+/// B - 3 min(R, G, B). The intensity bounds are tested as bounds on R + G + B.
 class RangeClassifier {
 public:
   /// Creates a classifier for a range, which must have passed checkColorRange().

@@ -10,11 +10,12 @@ namespace dewpoint::color {
 
 /// Smoothed density of weighted colors in the space of all colors.
 ///
-/// A fraction of each color's weight is spread the way changes in lighting would spread it: along
-/// the ray through black (brightness), toward gray and away from it (highlights, haze, saturation),
-/// and around the gray axis (tint of the light). The spread is a normal distribution with the
-/// standard deviations of withLightVariations(). Channels above 255 are clipped, as in a sensor.
-/// The result is then smoothed equally in all directions by the noise of sensor and compression.
+/// A fraction of each color's weight is spread as changes in lighting would spread the color. The
+/// weight is spread along the ray through black (brightness), toward gray and away from gray
+/// (highlights, haze, saturation), and around the gray axis (tint of the light). The spread is a
+/// normal distribution with the standard deviations of withLightVariations(). Channels above 255
+/// are clipped, as in a sensor. The result is then smoothed equally in all directions by the noise
+/// of sensor and compression.
 class ColorDensity {
 public:
   /// Computes the density of weighted colors. `otherLight`: fraction of each color's weight that is

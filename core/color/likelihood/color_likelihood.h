@@ -19,8 +19,8 @@ public:
   /// and smaller than the error of any learned table.
   static constexpr double kStep = 1.0 / 16.0;
   /// Largest absolute log ratio of a color, in steps. 72 steps are 4.5 nats, which is ln(0.9 /
-  /// 0.01): nine in ten target pixels are assumed to have the target's color, and one in a hundred
-  /// of all other pixels has it by chance. For a matching pixel,
+  /// 0.01). The assumption is that nine in ten target pixels have the target's color, and that one
+  /// in a hundred of all other pixels has this color by chance. For a matching pixel,
   /// core/observation/sphere/sphere_evidence.cpp uses the same values.
   static constexpr int kMostSteps = 72;
   static constexpr double kMost = kMostSteps * kStep; ///< nats

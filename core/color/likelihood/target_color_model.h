@@ -51,8 +51,8 @@ public:
   /// prior.
   static constexpr double kUnseenDensity = 0.3;
   /// Margins between the range and the limits. The hue margin is at least twice the effect of other
-  /// light on a hue (withLightVariations()); the other margins are about equal to that effect,
-  /// because a fitted range ends where the background begins.
+  /// light on a hue (withLightVariations()). The other margins are about equal to the effect of
+  /// other light, because a fitted range ends where the background begins.
   static constexpr double kHueMarginDegrees = 20.0;
   static constexpr double kSaturationMargin = 0.15;
   static constexpr double kIntensityMargin = 0.10;
