@@ -24,8 +24,8 @@ struct Assignment {
 /// cost is not finite is forbidden. The number of pairs is maximized first, then their total cost
 /// is minimized. Equal inputs give equal results, even when there are ties. Method: shortest
 /// augmenting paths (Jonker & Volgenant 1987, in the rectangular form of Crouse 2016, "On
-/// implementing 2D rectangular assignment algorithms"), at most s² l steps, where s is the shorter
-/// and l the longer side of the matrix.
+/// implementing 2D rectangular assignment algorithms"). The method takes at most s² l steps, where
+/// s is the shorter and l the longer side of the matrix.
 Assignment assignMinimumCost(const Eigen::MatrixXd& cost);
 
 } // namespace dewpoint::filter

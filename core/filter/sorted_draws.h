@@ -10,9 +10,9 @@
 namespace dewpoint::filter {
 
 /// Independent uniform draws from [0, total), generated in ascending order without sorting. Method:
-/// n sorted draws are distributed like the first n partial sums of n + 1 independent exponential
-/// spacings, divided by the sum of all spacings and multiplied by `total` (Devroye 1986,
-/// "Non-Uniform Random Variate Generation", section V.3.1).
+/// draw n + 1 independent exponential spacings. Their first n partial sums, divided by the sum of
+/// all spacings and multiplied by `total`, are distributed like n sorted uniform draws (Devroye
+/// 1986, "Non-Uniform Random Variate Generation", section V.3.1).
 ///
 /// The spacings are grouped in blocks of kBlock. The sum of the spacings in a block is independent
 /// of their ratios. The sums of all blocks are therefore drawn first, from their gamma
