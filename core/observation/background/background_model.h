@@ -59,8 +59,8 @@ public:
   void learn(const cv::Mat& image, const std::vector<ExcludedCircle>& hidden,
              bool noTargetElsewhere = false);
   /// Discards what learn() with `noTargetElsewhere` has learned about target colors in the
-  /// background, because a target was there after all. The version with a circle discards only what
-  /// was learned inside the circle.
+  /// background. Call this function if the learned pixels may have shown a target after all. The
+  /// version with a circle discards only what was learned inside the circle.
   void forgetFamiliarPixels();
   void forgetFamiliarPixels(const ExcludedCircle& circle);
   /// Returns the size of the model's images, bytes.

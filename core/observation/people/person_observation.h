@@ -23,14 +23,14 @@ struct PersonCamera {
   cv::Mat image; ///< CV_8UC3 of the same size; used by the color cue only
 };
 
-/// Observation model of Mohedano et al. 2009. The likelihood of a particle is the product over all
-/// cameras of D at the particle's projection (MS), with a color cue also of the color likelihood at
-/// this pixel (MS+C). D is the motion likelihood image. The columns of a state are x y z vx vy vz
-/// (meters, m/s). With a color cue, hue and saturation follow, both in [0, 1]. If the projection of
-/// a particle is outside a camera's image, each cue has its lowest value: D = `floor` (p_B), and
-/// h_B s_B for the color. The paper does not specify this case. Without the color factor, a
-/// particle outside the image would get a higher likelihood than a particle inside it at pixels of
-/// the wrong color.
+/// Observation model of Mohedano et al. 2009. In the MS variant, the likelihood of a particle is
+/// the product over all cameras of D at the particle's projection, where D is the motion likelihood
+/// image. In the MS+C variant, the product also contains the color likelihood at this pixel. The
+/// columns of a state are x y z vx vy vz (meters, m/s). With MS+C, hue and saturation follow, both
+/// in [0, 1]. If the projection of a particle is outside a camera's image, each cue has its lowest
+/// value: D = `floor` (p_B), and h_B s_B for the color. The paper does not specify this case.
+/// Without the color factor, a particle outside the image would get a higher likelihood than a
+/// particle inside it at pixels of the wrong color.
 class PersonObservation {
 public:
   PersonObservation(std::vector<PersonCamera> cameras, double floor, std::optional<ColorCue> color)

@@ -10,7 +10,7 @@ namespace dewpoint::observation {
 /// Scores of a moving pixel and of a still pixel within a person's silhouette. Motion is evidence
 /// for a person, and no motion is evidence against a person. The scale is chosen so that a fully
 /// visible body has the score 1. The two values are approximately proportional to log(0.6 / 0.03)
-/// and log(0.4 / 0.97): a pixel is assumed to move with a probability of 0.6 on a person, because
+/// and log(0.4 / 0.97). A pixel is assumed to move with a probability of 0.6 on a person, because
 /// masks have holes, and of 0.03 elsewhere.
 inline constexpr double kMovingPixel = 1.0;
 inline constexpr double kStillPixel = -0.3;

@@ -32,9 +32,9 @@ struct RegionMeasurement {
   double missing() const { return 1.0 - visible; }
 };
 
-/// Measures a target in an image near its expected outline, whose center has the covariance
-/// `centerCovariance` (px²). Every piece with the target color that overlaps the outline is
-/// assigned completely to the target. Labels are computed as needed.
+/// Measures a target in an image near its expected outline. `centerCovariance` (px²) is the
+/// covariance of the center of the expected outline. Every piece with the target color that
+/// overlaps the outline is assigned completely to the target. Labels are computed as needed.
 RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected,
                                 const Eigen::Matrix2d& centerCovariance);
 

@@ -20,9 +20,9 @@ namespace dewpoint::observation {
 /// shifted by the difference between the current and the initial quantiles. Bounds of intensity are
 /// multiplied by the ratio of these quantiles. In the current light, the background may also have
 /// the target color, because noise in dark images has any hue, for example. A bound then moves
-/// closer to its quantile, as long as this raises the F1 score: the harmonic mean of the fraction
-/// of matching pixels that show the target, and the fraction of target pixels that match. Learn
-/// only from frames in which the position of the target is certain and nothing covers the target.
+/// closer to its quantile, as long as this raises the F1 score (the harmonic mean of precision and
+/// recall of the matching pixels). Learn only from frames in which the position of the target is
+/// certain and nothing covers the target.
 class AdaptiveColor {
 public:
   /// Starts with at least one range. All ranges must have passed checkColorRange().
