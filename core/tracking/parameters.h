@@ -74,9 +74,9 @@ public:
   Status set(std::string_view key, double value);
   /// Sets a value from its text, as on the command line. Errors are those of set().
   Status setText(std::string_view key, std::string_view text);
-  /// Returns whether the value of a key is given, which means that it is not derived from the
-  /// cameras. The result is false only for a key with ParameterDeclaration::fromCameras that nobody
-  /// has set.
+  /// Returns whether the value of a key is given, which means that the value is not derived from
+  /// the cameras. The result is false only for a key with ParameterDeclaration::fromCameras that
+  /// nobody has set.
   bool isGiven(std::string_view key) const;
   /// Marks the current value of a key as given (isGiven()). Does nothing for an unknown key.
   void markGiven(std::string_view key);

@@ -41,8 +41,8 @@ struct SphereEstimate {
   std::optional<Gaussian3> measurement;
   bool degenerate = false; ///< no particle had a usable weight; all weights were set equal
   /// Likelihood, existence probability and visible fraction at the mean for each camera, in the
-  /// order of the cameras in the rig; empty if the method does not compute them or the position is
-  /// unknown.
+  /// order of the cameras in the rig. Empty if the method does not compute these values or the
+  /// position is unknown.
   std::vector<CameraEvidence> cameras;
   /// Colors in use in each camera if they adapt to the light; empty while all cameras use the
   /// colors of the target.

@@ -16,9 +16,9 @@ namespace dewpoint::tracking {
 /// iterate() any number of times. The class is not thread-safe. The same seed gives bit-identical
 /// results for any size of the ThreadTeam.
 ///
-/// Every method implements this interface. tracker_capabilities.h declares interfaces that only
-/// some methods implement; capability<LikelihoodMapping>(tracker), for example, returns such an
-/// interface.
+/// Every method implements this interface. The file tracker_capabilities.h declares further
+/// interfaces that only some methods implement. To obtain such an interface, call for example
+/// capability<LikelihoodMapping>(tracker).
 class Tracker {
 public:
   virtual ~Tracker() = default;

@@ -32,10 +32,10 @@ bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
 void forgetFamiliarPixelsAt(const TrackedObject& object, const Eigen::Vector3d& position,
                             FrameImages& images);
 
-/// Makes the background models forget all pixels that were learned as background although they have
-/// the color of a target, if this target has not been found for `patience` seconds: these pixels
-/// may have shown the target. `interval` is the time in seconds since the last frame; it is added
-/// to the time for which each target has not been found.
+/// If a target has not been found for `patience` seconds, makes the background models forget all
+/// pixels of the target's color that were learned as background, because these pixels may have
+/// shown the target. `interval` is the time in seconds since the last frame. It is added to the
+/// time for which each target has not been found.
 void forgetFamiliarPixelsOfLostTargets(TrackedObjects& objects, FrameImages& images,
                                        double interval, double patience);
 

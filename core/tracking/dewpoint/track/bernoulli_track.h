@@ -83,8 +83,8 @@ public:
   void removeOccupied(const std::vector<OccupiedSphere>& occupied);
   /// Keeps only the most likely of several hypotheses between which images cannot decide; see
   /// resolveAmbiguity(). The probability that this choice is wrong lowers the existence probability
-  /// in estimate(), unless `identicalTargets` is true: other targets then look the same, so any of
-  /// the positions is correct.
+  /// in estimate(). Set `identicalTargets` if other targets look the same: any of the positions is
+  /// then correct, and the existence probability is not lowered.
   void resolveIdentity(bool identicalTargets);
   /// Multiplies the probability of the most likely hypothesis by 0.001, because another object was
   /// found at its position.

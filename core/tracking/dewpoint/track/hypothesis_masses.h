@@ -45,10 +45,10 @@ void capMassWithoutRim(std::vector<TrackHypothesis>& hypotheses);
 /// kSaturationShare times the log likelihood ratio of a fully visible target.
 double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 
-/// Returns the probability of the most likely of several hypotheses that compete with each other
-/// and with absence: exp(largest m) / (absence + the sum of exp(m) over all m in `logMasses`).
-/// `logMasses` must have at least one element. `absence` is the mass of absence itself, not its
-/// logarithm.
+/// Returns the probability of the most likely hypothesis among several that compete with each other
+/// and with absence. The result is exp(largest m) / (absence + the sum of exp(m) over all m in
+/// `logMasses`). `logMasses` must have at least one element. `absence` is the mass of absence
+/// itself, not its logarithm.
 double shareOfLargest(std::span<const double> logMasses, double absence);
 
 /// Returns whether the images must be searched for the target, because there is no hypothesis or
@@ -62,8 +62,8 @@ bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
 void normalizeMasses(std::vector<TrackHypothesis>& hypotheses,
                      const std::vector<double>& logMasses);
 
-/// Returns whether the target is more likely than not at one of the hypotheses, but other
-/// hypotheses fit about as well as the first hypothesis, which is the most likely.
+/// Returns whether the target is more likely than not at one of the hypotheses, but it is undecided
+/// at which: other hypotheses fit about as well as the first (the most likely) hypothesis.
 bool isUndecided(const std::vector<TrackHypothesis>& hypotheses);
 
 /// Returns the covariance (m²) of the target's position for the mixture of all hypotheses, about

@@ -30,8 +30,8 @@ public:
   /// Discards the hypothesis.
   void discardHypothesis();
   /// Replaces the hypothesis by a new hypothesis at this position (m, m²), with probability 0.98
-  /// and the approximate extent `extent` (m²), and updates the new hypothesis with the images of
-  /// the frame. `byHand` is true if the user gave the position.
+  /// and the approximate extent `extent` (m²). Updates the new hypothesis with the images of the
+  /// frame. `byHand` is true if the user gave the position.
   void startAt(const Gaussian3& position, const Eigen::Matrix3d& extent, bool byHand,
                RegionObservation& observation, const RandomKey& key, ThreadTeam& team);
 
