@@ -65,8 +65,8 @@ struct AgreementFit {
 /// camera saw at the same time. At most one of these regions shows the same object. The ray to this
 /// region must pass close to the ray of the sighting, in front of both cameras, and the sizes must
 /// match. Rays are compared by the sine of the angle between one ray and the epipolar plane of the
-/// other (first-order "Sampson" error, normalized by the uncertainty of both centers), so that the
-/// unit of the rig does not matter.
+/// other ray, so that the unit of the rig does not matter. This is the first-order ("Sampson")
+/// error, normalized by the uncertainty of both centers.
 ///
 /// Each camera may have the errors that are usual for calibrations and clocks. In addition, it may
 /// have an error that is caused by the shapes of its regions and looks like a rotation. All these
