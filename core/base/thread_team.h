@@ -23,7 +23,7 @@ public:
   int threadCount() const { return threadCount_; }
 
   /// Calls `body(begin, end)` for contiguous pieces that cover [0, count), and returns when all
-  /// calls are done. `body` must not call this function, and must not throw.
+  /// calls are done. `body` must not use this ThreadTeam, and must not throw.
   void forEachRange(std::int64_t count,
                     const std::function<void(std::int64_t, std::int64_t)>& body);
 

@@ -27,10 +27,10 @@ struct PersonCamera {
 /// the product over all cameras of D at the particle's projection, where D is the motion likelihood
 /// image. In the MS+C variant, the product also contains the color likelihood at this pixel. The
 /// columns of a state are x y z vx vy vz (meters, m/s). With MS+C, hue and saturation follow, both
-/// in [0, 1]. If the projection of a particle is outside a camera's image, each cue has its lowest
-/// value: D = `floor` (p_B), and h_B s_B for the color. The paper does not specify this case.
-/// Without the color factor, a particle outside the image would get a higher likelihood than a
-/// particle inside it at pixels of the wrong color.
+/// in [0, 1]. If the projection of a particle is outside a camera's image, each factor has its
+/// lowest value: `floor` for D, and exp(ColorCue::logFloor()) for the color. The paper does not
+/// specify this case. Without the color factor, a particle outside the image would get a higher
+/// likelihood than a particle inside the image at pixels of the wrong color.
 class PersonObservation {
 public:
   PersonObservation(std::vector<PersonCamera> cameras, double floor, std::optional<ColorCue> color)
