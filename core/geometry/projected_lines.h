@@ -26,7 +26,7 @@ std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const WorldB
 /// between visible parts, the result has several pieces.
 std::vector<ImageLine> projectedLine(const Projector& projector, const Eigen::Vector3d& from,
                                      const Eigen::Vector3d& to);
-/// Projects all edges of a box, each like projectedLine().
+/// Projects the twelve edges of a box like projectedLine(), and returns the pieces of all edges.
 std::vector<ImageLine> projectedEdges(const Projector& projector, const WorldBox& box);
 /// Projects a ray like projectedLine(), up to 1000 m from the origin of the ray. If the ray belongs
 /// to a pixel of another camera, the result is the epipolar line of that pixel.
