@@ -17,8 +17,8 @@ struct WeightedHsiColor {
   double weight = 0.0;
 };
 
-/// Counts colors. Colors that differ by less than sensor noise share a cell, which is represented
-/// by their mean color.
+/// Counts how often colors occur. Colors that differ by less than sensor noise share a cell. A cell
+/// is represented by the mean of its colors.
 class HsiCounts {
 public:
   HsiCounts();

@@ -13,7 +13,7 @@ namespace dewpoint::color {
 /// bins.
 inline constexpr int kRgbBinCount = 512;
 
-/// Returns the bin of a color: h(x) in equation 7.
+/// Returns the bin of a color, 0 to kRgbBinCount - 1: h(x) in equation 7 of Sugandi et al. 2009.
 inline std::uint16_t rgbBin(std::uint8_t blue, std::uint8_t green, std::uint8_t red) {
   return static_cast<std::uint16_t>(((red >> 5) << 6) | ((green >> 5) << 3) | (blue >> 5));
 }
@@ -22,7 +22,7 @@ inline std::uint16_t rgbBin(std::uint8_t blue, std::uint8_t green, std::uint8_t 
 inline constexpr int kFineRgbBinsPerChannel = 16;
 inline constexpr int kFineRgbBinCount = 4096;
 
-/// Returns the fine bin of a color.
+/// Returns the fine bin of a color, 0 to kFineRgbBinCount - 1.
 inline std::uint16_t fineRgbBin(std::uint8_t blue, std::uint8_t green, std::uint8_t red) {
   return static_cast<std::uint16_t>(((red >> 4) << 8) | ((green >> 4) << 4) | (blue >> 4));
 }

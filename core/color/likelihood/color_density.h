@@ -18,8 +18,8 @@ namespace dewpoint::color {
 /// of sensor and compression.
 class ColorDensity {
 public:
-  /// Computes the density of weighted colors. `otherLight`: fraction of each color's weight that is
-  /// spread as by changes in lighting, 0 to 1.
+  /// Computes the density of weighted colors. `otherLight` (0 to 1) is the fraction of each color's
+  /// weight that is spread as changes in lighting would spread the color.
   ColorDensity(const std::vector<WeightedBgrColor>& colors, double otherLight);
 
   /// Returns the density in a cell, relative to colors spread evenly over all cells, so that the

@@ -19,7 +19,8 @@ namespace dewpoint::color {
 /// target.
 class OtherCameraLikelihood {
 public:
-  /// `target`: colors of target pixels in the other camera, at least one.
+  /// Prepares the likelihood from `target`, the colors of target pixels in the other camera.
+  /// `target` must contain at least one color.
   explicit OtherCameraLikelihood(const std::vector<BgrColor>& target);
 
   /// Returns the table for a camera, based on the pixels of its image `bgr` (CV_8UC3). `near`
