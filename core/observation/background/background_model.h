@@ -17,7 +17,8 @@ namespace dewpoint::observation {
 /// moved or a lamp is switched on or off.
 class BackgroundModel {
 public:
-  /// Circle in an image, in pixels. Nothing is learned inside it, because it may show a target.
+  /// Circle in an image, in pixels. Nothing is learned inside the circle, because it may show a
+  /// target.
   struct ExcludedCircle {
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
     double radius = 0.0;

@@ -49,7 +49,7 @@ public:
     return sizeof(double) * surroundings_.capacity() * (2 * kParts + 1);
   }
 
-  /// Returns a part of a box.
+  /// Returns part number `part` of a box. Parts are numbered row by row from the upper left.
   static ImageBox partOf(const ImageBox& box, int part);
 
 private:

@@ -25,7 +25,8 @@ namespace dewpoint::observation {
 /// certain and nothing covers the target.
 class AdaptiveColor {
 public:
-  /// Starts with at least one range. All ranges must have passed checkColorRange().
+  /// Starts with the ranges `learned` in every camera. There must be at least one range, and all
+  /// ranges must have passed checkColorRange().
   AdaptiveColor(const ColorRanges& learned, std::size_t cameras);
 
   /// Returns the classifier for the color as first learned. Label images keep pointers to this

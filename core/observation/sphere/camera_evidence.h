@@ -11,7 +11,7 @@ namespace dewpoint::observation {
 struct CameraEvidence {
   bool inView = false;        ///< the camera has an image into which the position projects
   double logLikelihood = 0.0; ///< from the method's observation model; 0 if not in view
-  /// Probability that the target is at the position, if it was one half before the image was seen.
+  /// Posterior probability that the target is at the position, for a prior probability of one half.
   double existenceProbability = 0.5;
   /// Fraction of the target's outline (or of the window of ColorWindow) that has the target color,
   /// 0 to 1.
