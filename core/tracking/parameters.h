@@ -88,7 +88,7 @@ public:
   /// Replaces the values that are not given (isGiven()). The new values come from `values`, limited
   /// to their ranges. Keys that are not in `values` get their defaults.
   void setDerived(const ByKey& values);
-  /// Returns whether the values are equal and the same values are given.
+  /// Returns whether both objects have the same values, and the same values are given (isGiven()).
   bool operator==(const ParameterValues& other) const {
     return values_ == other.values_ && given_ == other.given_;
   }

@@ -112,7 +112,7 @@ struct Method {
 /// Returns all methods that a project can use. The first method is the default, and the first
 /// method of each family is the default of this family.
 std::span<const Method> methods();
-/// Returns the name of the first method.
+/// Returns the name of the default method, which is the first of methods().
 std::string_view defaultMethod();
 /// Returns the method with this name, or null for an unknown name.
 const Method* findMethod(std::string_view name);

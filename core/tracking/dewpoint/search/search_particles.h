@@ -12,8 +12,9 @@
 
 namespace dewpoint::tracking {
 
-/// Particle filter with a random walk that shows, in views, where a target without a confirmed
-/// position is searched for. No hypothesis about the target depends on these particles.
+/// Particles that show, in the views, where a target without a confirmed position is searched for.
+/// They come from a particle filter with a random walk. No hypothesis about the target depends on
+/// these particles.
 class SearchParticles {
 public:
   /// Draws `count` particles with equal weights from the prior. Particles outside the bounds are

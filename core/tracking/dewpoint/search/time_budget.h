@@ -17,7 +17,8 @@ namespace dewpoint::tracking {
 /// clock is read, and a run is reproducible bit by bit.
 class TimeBudget {
 public:
-  /// Kind of deferrable work.
+  /// Kind of deferrable work: labeling pixels, finding spots, triangulating candidates (the three
+  /// stages of SlicedSearch), and learning backgrounds.
   enum class Part { Labels, Spots, Candidates, Learning };
   static constexpr std::size_t kPartCount = 4;
   /// Number of deferrals after which work is done even without enough time. Too small a budget
