@@ -20,7 +20,8 @@ namespace dewpoint::simulation {
 CameraRig officeRig();
 
 /// Scene with people in the simulated office, with shadows, and with furniture that partly hides
-/// people. Clothes may have colors of the room; the motion masks of people then break into pieces.
+/// people. Clothes may have the same colors as the room, so that the motion masks of people break
+/// into pieces.
 struct OfficeScene {
   CameraRig cameras = officeRig();
   std::vector<simulation::Walker> people;
