@@ -25,18 +25,21 @@ struct BoardDescription {
   double squareSize = 0.025; ///< side of a square, meters
   double markerSize = 0.0;   ///< side of a marker, meters; ChArUco only
   std::string dictionary;    ///< OpenCV name such as "DICT_4X4_50"; ChArUco only
-  /// True for ChArUco boards with an even number of rows that were made by OpenCV before 4.6: the
-  /// first square is white.
+  /// True if the first square of a ChArUco board is white, as on boards with an even number of rows
+  /// that OpenCV before 4.6 created.
   bool legacy = false;
   bool inverted = false; ///< printed with black and white exchanged
 
-  /// Returns the number of inner corners in a row. The next two functions return the number in a
-  /// column and the total number. Inner corners are what the detector finds.
+  /// Returns the number of inner corners in a row. Inner corners are those that a BoardDetector
+  /// finds.
   int cornerColumns() const { return kind == Kind::Chessboard ? columns : columns - 1; }
+  /// Returns the number of inner corners in a column.
   int cornerRows() const { return kind == Kind::Chessboard ? rows : rows - 1; }
+  /// Returns the number of inner corners of the whole board.
   int cornerCount() const { return cornerColumns() * cornerRows(); }
-  /// Returns the number of squares in a row. The next function returns the number in a column.
+  /// Returns the number of squares in a row, for any kind of board.
   int squareColumns() const { return kind == Kind::Chessboard ? columns + 1 : columns; }
+  /// Returns the number of squares in a column, for any kind of board.
   int squareRows() const { return kind == Kind::Chessboard ? rows + 1 : rows; }
 
   /// Returns the position of corner `id` in the board frame, meters. Ids run along the rows,
@@ -56,11 +59,12 @@ struct BoardDescription {
 
 /// Parses `chessboard:9x6:0.025` (inner corners, square size) or
 /// `charuco:7x5:0.054:0.040:DICT_4X4_50[:legacy][:inverted]` (squares, square size, marker size and
-/// dictionary). Sizes are in meters. BadValue names `field` and the part that is wrong.
+/// dictionary). Sizes are in meters. Error: BadValue, which names `field` and the invalid part of
+/// the text.
 Result<BoardDescription> parseBoard(const std::string& text, const std::string& field = "--board");
 
-/// Checks a board that was not created by parseBoard(), by the same rules and with the same error
-/// messages. BadValue names `field` and what is wrong.
+/// Checks a board by the rules of parseBoard(). Use it for boards that parseBoard() did not create.
+/// Error: BadValue, which names `field` and the invalid part.
 Status checkBoard(const BoardDescription& board, const std::string& field = "--board");
 
 /// Returns the text from which parseBoard() recreates the board.

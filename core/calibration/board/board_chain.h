@@ -12,13 +12,17 @@ namespace dewpoint::calibration {
 struct PosedView {
   std::size_t camera = 0;
   const BoardView* view = nullptr;
-  BoardDetection detection; ///< on a symmetric board, all cameras give a corner the same number
+  /// Detected corners. Their numbers agree with those of the other cameras, even on a symmetric
+  /// board.
+  BoardDetection detection;
   Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
   double rmsPx = 0.0;
 };
 
 /// Result of chainCameras(): start values for bundle adjustment.
 struct BoardChain {
+  /// For each camera, the transformation from the frame of the first camera to the frame of this
+  /// camera; meters.
   std::vector<Eigen::Isometry3d> cameraFromFirst;
   /// Board poses in the frame of the first camera, by BoardView::instant.
   std::map<std::int64_t, Eigen::Isometry3d> firstFromBoard;
@@ -31,11 +35,11 @@ struct BoardChain {
 /// computed in each view. Then the relative pose of each pair of cameras is computed from the
 /// instants (BoardView::instant) at which both cameras saw the board. The pairs with the most
 /// instants that agree on one relative pose connect all cameras with the first one. Error:
-/// Undetermined, with the names of the cameras that cannot be connected.
+/// Undetermined, which names the cameras that cannot be connected.
 Result<BoardChain> chainCameras(const ExtrinsicsRequest& request);
 
-/// Returns `view` as if the board was rotated about its normal by `quarterTurns` quarter turns. The
-/// pixels stay the same; the corners are renumbered, and the pose is that of the rotated board.
+/// Returns `view` for a board that is rotated about its normal by `quarterTurns` quarter turns. The
+/// corners get other numbers, and the pose is that of the rotated board. The pixels stay the same.
 PosedView rotatedView(const BoardDescription& board, const Camera& camera, const PosedView& view,
                       int quarterTurns);
 

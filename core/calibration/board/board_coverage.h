@@ -13,8 +13,8 @@ namespace dewpoint::calibration {
 /// Tilt of a board relative to a camera, named after the side that is nearer to the camera.
 enum class BoardTilt { Flat, LeftNear, RightNear, TopNear, BottomNear };
 
-/// Returns the tilt of a board: Flat below 15 degrees, otherwise determined by the larger tilt
-/// component.
+/// Returns the tilt of a board: Flat if the angle between the board's normal and the optical axis
+/// is below 15 degrees. Otherwise, the larger one of the horizontal and the vertical tilt decides.
 BoardTilt tiltOf(const Eigen::Isometry3d& cameraFromBoard);
 
 /// Returns the angle between the board's normal and the direction from the camera to the center of

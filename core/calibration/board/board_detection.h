@@ -33,19 +33,21 @@ enum class DetectionEffort {
 
 /// Finds the corners of a board. Chessboards must be completely visible; ChArUco boards may be
 /// partly hidden. Corners are numbered from the first square of the board if its colors identify
-/// this square. The colors of a symmetric chessboard (BoardDescription::symmetry()) do not; it is
-/// then numbered so that its rows run as nearly as possible to the right in the image. ChArUco
-/// corners are interpolated from the neighboring markers and then refined in the image (Foerstner's
-/// method, cv::cornerSubPix), because the corners from Debian's OpenCV 4.6 are half a pixel off.
+/// this square. The colors of a symmetric chessboard (BoardDescription::symmetry()) do not identify
+/// this square. Its corners are then numbered so that the rows run to the right in the image, as
+/// nearly as possible. ChArUco corners are interpolated from the neighboring markers and then
+/// refined in the image (Foerstner's method, cv::cornerSubPix).
 class BoardDetector {
 public:
   explicit BoardDetector(const BoardDescription& board);
 
   const BoardDescription& board() const { return board_; }
-  /// Detects the board. Returns nothing if it is not found. `image`: CV_8UC1 or CV_8UC3 (BGR).
+  /// Returns the corners of the board in an image (CV_8UC1 or CV_8UC3, BGR), or nothing if the
+  /// board is not found.
   std::optional<BoardDetection> detect(const cv::Mat& image, DetectionEffort effort) const;
-  /// Returns how many corners of a ChArUco board are found, even if they are too few to count as a
-  /// detection; 0 for a chessboard. `image` as above.
+  /// Returns the number of corners of a ChArUco board that are found in an image (CV_8UC1 or
+  /// CV_8UC3, BGR). Also counts corners that are too few for a detection. Returns 0 for a
+  /// chessboard.
   int countCorners(const cv::Mat& image) const;
 
 private:
@@ -57,8 +59,9 @@ private:
 /// they have none in common.
 std::optional<double> motionBetween(const BoardDetection& one, const BoardDetection& other);
 
-/// Renumbers the corners of a symmetric chessboard after `quarterTurns` quarter turns (an even
-/// number, unless the board is square).
+/// Returns the detection of a symmetric chessboard with its corners renumbered, as if the board
+/// were rotated by `quarterTurns` quarter turns. This number must be even unless the board is
+/// square.
 BoardDetection rotated(const BoardDetection& detection, const BoardDescription& board,
                        int quarterTurns);
 

@@ -29,8 +29,8 @@ struct GuidanceSettings {
   double softEdgeFraction =
       0.008; ///< edges wider than this fraction of the image width count as soft
   double nearAreaFraction =
-      0.25; ///< fraction of the image area that the board should fill in at least one view
-  int minViews = 10;
+      0.25;          ///< fraction of the image area that the board should fill in at least one view
+  int minViews = 10; ///< minimum number of views before the guidance can end
   int maxViews = 60; ///< maximum number of views; the guidance then ends, whatever the accuracy
   /// The guidance ends when IntrinsicsResult::worstProjectionPx is at most this value, pixels.
   double requestedProjectionPx = 0.3;
@@ -41,19 +41,21 @@ struct GuidanceState {
   GuidanceAdvice advice = GuidanceAdvice::ShowBoard;
   /// Index (in BoardCoverage) of the region in which to show the board; -1 if none is requested.
   int region = -1;
-  BoardTilt tilt = BoardTilt::Flat;   ///< tilt to show if the advice is TiltTo
-  BoardCoverage coverage;             ///< coverage of the captured views
-  int views = 0;                      ///< number of views captured so far
-  double holdProgress = 0.0;          ///< elapsed fraction of GuidanceSettings::holdSeconds, 0 to 1
-  bool captured = false;              ///< true if this image was captured as a view
-  std::optional<double> projectionPx; ///< independentProjectionPx of the latest result, px
+  BoardTilt tilt = BoardTilt::Flat; ///< tilt to show if the advice is TiltTo
+  BoardCoverage coverage;           ///< coverage of the captured views
+  int views = 0;                    ///< number of views captured so far
+  double holdProgress = 0.0;        ///< elapsed fraction of GuidanceSettings::holdSeconds, 0 to 1
+  bool captured = false;            ///< true if this image was captured as a view
+  /// IntrinsicsResult::independentProjectionPx of the latest calibration, pixels; empty before the
+  /// first calibration.
+  std::optional<double> projectionPx;
 };
 
 /// Guides the user in showing a board to one camera. From the detections in a live stream, it
-/// determines what to show next. It handles no images itself, and has neither threads nor a clock.
-/// It captures a view automatically when the board is still and sharp, and has a new position or
-/// tilt. It ends when a calibration from the captured views is accurate enough. The caller computes
-/// this calibration and passes it to acceptCalibration().
+/// determines what the user should show next. It handles no images itself, and has neither threads
+/// nor a clock. It captures a view automatically when the board is still and sharp, and has a new
+/// position or tilt. It ends when a calibration from the captured views is accurate enough. The
+/// caller computes this calibration and passes it to acceptCalibration().
 class BoardGuidance {
 public:
   BoardGuidance(const BoardDescription& board, int width, int height,
@@ -62,8 +64,8 @@ public:
   /// Processes the detection in the next image; `detection` is empty if no board was found.
   /// `seconds` is the time of the image by any clock, later than in the previous call.
   GuidanceState step(double seconds, const std::optional<BoardDetection>& detection);
-  /// Captures the latest view as it is, at the user's request. Does nothing if the latest image
-  /// does not show the board.
+  /// Captures the latest view at the user's request, even if the board is not still or sharp. Does
+  /// nothing if the latest image does not show the board.
   GuidanceState captureNow();
   /// Accepts a calibration that the caller computed from the views captured so far. From now on,
   /// the guidance estimates board poses with this calibration, and it ends if the accuracy of the

@@ -22,8 +22,8 @@ struct BoardInRig {
 };
 
 /// Estimates the pose of a board from images that the cameras of a rig took at the same time. The
-/// cameras stay as they are. The pose is first computed for each camera (boardPose()). The pose
-/// that fits all images best is then refined with the corners of all cameras (adjustBundle(), Huber
+/// cameras do not change. The pose is first computed for each camera (boardPose()). The pose that
+/// fits all images best is then refined with the corners of all cameras (adjustBundle(), Huber
 /// loss).
 ///
 /// `seen` has one entry per camera, which is empty if the camera does not see the board. Errors:

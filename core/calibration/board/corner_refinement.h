@@ -11,9 +11,9 @@
 
 namespace dewpoint::calibration {
 
-/// Refines corners to the saddle point of the gray levels (cv::cornerSubPix) within a window of
-/// `halfWindow` pixels around each. Stops when a corner moves by less than `tolerance` pixels, or
-/// after `steps` steps.
+/// Refines corners to the saddle point of the gray levels (cv::cornerSubPix) within `halfWindow`
+/// pixels of each corner, in each direction. Stops when a corner moves by less than `tolerance`
+/// pixels, or after `steps` steps.
 void refineCorners(const cv::Mat& gray, int halfWindow, int steps, double tolerance,
                    std::vector<cv::Point2f>& corners);
 
@@ -23,8 +23,8 @@ double smallestSpacing(const std::vector<cv::Point2f>& grid, int columns);
 
 /// Returns the median width, in pixels, of the edges between neighboring corners of a detection; 0
 /// if nothing could be measured. The width of an edge is the contrast across it divided by its
-/// steepest slope. `reach` is the distance, in squares, to which both sides of an edge show nothing
-/// but plain black or white.
+/// steepest slope. `reach` is the distance from an edge, in squares, up to which the board is plain
+/// black on one side and plain white on the other.
 double edgeWidth(const cv::Mat& gray, const BoardDescription& board,
                  const BoardDetection& detection, double reach);
 

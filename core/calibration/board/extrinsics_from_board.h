@@ -17,16 +17,16 @@ struct BoardCamera {
   Camera camera; ///< its name is used in errors; its pose matters only if it defines the world
   /// Views of different cameras that were taken at the same time have the same BoardView::instant.
   std::vector<BoardView> views;
-  /// Standard deviation, in pixels, of the projection of a ray with the intrinsics of `camera`,
-  /// where it is largest in the image. Empty if unknown.
+  /// Standard deviation of the projection of a ray, in pixels, due to errors of the intrinsics of
+  /// `camera`. It is the largest one in the image. Empty if unknown.
   std::optional<double> lensError = {};
 };
 
 /// Standard deviation of the projection of a ray, in pixels, above which intrinsics are too
 /// inaccurate to calibrate with.
 inline constexpr double kWorstRayPx = 10.0;
-/// The same as a share of the width of the image, above which images do not determine intrinsics
-/// at all. Chosen: a lens that may be wrong by a quarter of the image says nothing.
+/// Standard deviation of the projection of a ray, as a fraction of the image width, above which the
+/// intrinsics count as undetermined. Chosen by judgment.
 inline constexpr double kUndeterminedRayShare = 0.25;
 
 /// Input of calibrateExtrinsics().
@@ -57,8 +57,9 @@ struct CameraFit {
   double rmsPx = 0.0;
   std::vector<ViewFit> views;
   BoardCoverage coverage;
-  /// Standard deviation of the camera position relative to the first camera, meters. It assumes
-  /// independent errors, until setCameraSigmas() replaces it by what the recording itself shows.
+  /// Standard deviation of the camera position relative to the first camera, meters. Assumes that
+  /// the errors of the corners are independent. setCameraSigmas() replaces the value by an estimate
+  /// without this assumption.
   double centerSigma = 0.0;
   double rotationSigma = 0.0; ///< same for the camera orientation, radians
   bool lensRefined = false;   ///< true if the intrinsics were adjusted as well
@@ -70,13 +71,13 @@ struct ExtrinsicsResult {
   std::vector<CameraFit> fits;
   std::vector<BoardPose> boardPoses; ///< in order of instants
   double rmsPx = 0.0;
-  /// Covariance of the camera poses, scaled to the residuals that were found.
+  /// Covariance of the camera poses, scaled to match the size of the residuals.
   BundleCovariance covariance;
   int iterations = 0;
   std::vector<std::string> notices; ///< messages for the user
   BundleProblem problem;            ///< last adjusted problem, in the world frame of the result
-  /// Solution of `problem`; its covariance is not scaled to the residuals, but assumes the pixel
-  /// sigmas of `problem`.
+  /// Solution of `problem`. Its covariance assumes the pixel sigmas of `problem` and is not scaled
+  /// to the residuals.
   BundleResult bundle;
   std::vector<DetectedFault> faults = {}; ///< filled by findBoardFaults()
 };
@@ -85,13 +86,14 @@ struct ExtrinsicsResult {
 ///
 /// First, the pose of the board is computed in each view (cv::solvePnP). Then the pairs of cameras
 /// that agree best form a chain that connects all cameras. Finally, all cameras and boards are
-/// refined by bundle adjustment (adjustBundle). A symmetric chessboard is rotated so that pairs of
-/// cameras agree. Views that fit badly are left out and named in the result.
+/// refined by bundle adjustment (adjustBundle). The corners of a symmetric chessboard are
+/// renumbered so that pairs of cameras agree. Views that fit badly are left out and named in the
+/// result.
 ///
 /// Errors:
 /// - NotFound if there is no camera;
-/// - Undetermined, with the names of the cameras that share no instant with the others;
-/// - Undetermined, with `worldInstant`, if the board was not seen at that instant;
+/// - Undetermined, which names the cameras that share no instant with the others;
+/// - Undetermined, which names `worldInstant`, if the board was not seen at that instant;
 /// - Canceled;
 /// - the errors of adjustBundle().
 Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,

@@ -21,7 +21,7 @@ public:
   Eigen::VectorXd of(const Camera& camera) const;
   /// Returns the camera with these parameter values.
   Camera applied(Camera camera, const Eigen::VectorXd& values) const;
-  /// Returns the step sizes for numeric derivatives.
+  /// Returns a step size for each parameter, in the order of names(), for numeric derivatives.
   Eigen::VectorXd steps(const Camera& camera) const;
 
 private:
@@ -38,33 +38,34 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
                                      const IntrinsicsParameters& parameters,
                                      const std::vector<ViewFit>& views);
 
-/// Returns what each used view says about the intrinsics, in the order of instants.
+/// Returns the information about the intrinsics in each used view, in ascending order of instants.
 std::vector<LensEvidence> lensEvidence(const BoardDescription& board, const Camera& camera,
                                        const IntrinsicsParameters& parameters,
                                        const std::vector<ViewFit>& views);
 
-/// Returns the change of the parameters (in the order of IntrinsicsResult::parameters) if the views
-/// with instants from `first` to before `end` are left out, to first order. 0 if the other views do
-/// not determine the intrinsics.
+/// Returns how much the parameters change, to first order, if the views with instants from `first`
+/// to before `end` are left out. The order is that of IntrinsicsResult::parameters. All changes are
+/// 0 if the remaining views do not determine the intrinsics.
 Eigen::VectorXd lensChangeWithout(const std::vector<LensEvidence>& evidence, std::int64_t first,
                                   std::int64_t end);
 
-/// Returns the camera of a result as it would be without the views with instants from `first` to
-/// before `end`, to first order.
+/// Returns the camera that would result without the views with instants from `first` to before
+/// `end`; computed to first order.
 Camera lensWithout(const IntrinsicsResult& result, std::int64_t first, std::int64_t end);
 
-/// Returns the covariance of the intrinsics that the views themselves show: the scatter of ten
-/// results, each without a block of neighboring views (delete-a-group jackknife, Kott 2001), for
-/// Student's t instead of the normal distribution. It contains errors that the corners of a view,
-/// or neighboring views, share. Returns an empty matrix if there are fewer than four views.
+/// Returns the covariance of the intrinsics, estimated from the scatter of up to ten results. Each
+/// result leaves out one block of neighboring views (delete-a-group jackknife, Kott 2001). The
+/// scatter includes errors that the corners of a view, or neighboring views, share. The covariance
+/// is enlarged so that 1.96 standard deviations bound 95 % of the errors despite the small number
+/// of results (Student's t). Returns an empty matrix if there are fewer than four views.
 Eigen::MatrixXd lensJackknife(const std::vector<LensEvidence>& evidence);
 
-/// Returns `covariance` with each parameter's variance increased to that of `found`, if it is
-/// smaller. The correlations stay as they are.
+/// Returns `covariance` with each variance replaced by the variance in `found`, if the latter is
+/// larger. The correlations do not change.
 Eigen::MatrixXd widenedCovariance(const Eigen::MatrixXd& covariance, const Eigen::MatrixXd& found);
 
 /// Returns the standard deviation, in pixels, of the projection of a ray: the largest one among 9 x
-/// 9 points across the image. Errors that a rotation of the camera could compensate are excluded,
+/// 9 points across the image. Errors that a rotation of the camera would compensate are excluded,
 /// because the pose of the camera is estimated later (following mrcal's projection uncertainty).
 double projectionSigma(const Camera& camera, const IntrinsicsParameters& parameters,
                        const Eigen::MatrixXd& covariance);

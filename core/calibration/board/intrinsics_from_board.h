@@ -22,8 +22,8 @@ enum class IntrinsicsModel {
 /// Whether pixels are assumed to be square (focalX = focalY).
 enum class PixelShape {
   Measured, ///< square, unless the images clearly show otherwise
-  Square,
-  Free
+  Square,   ///< square: focalX = focalY
+  Free      ///< not assumed: focalX and focalY are estimated separately
 };
 
 /// Input of calibrateIntrinsics(). Image width and height are in pixels.
@@ -43,12 +43,15 @@ struct EstimatedParameter {
   double sigma = 0.0;
 };
 
-/// What one view says about the intrinsics, with the pose of the board eliminated: in the order of
-/// IntrinsicsResult::parameters, and for corners with a standard deviation of one pixel.
+/// Information about the intrinsics in one view: its part of the normal equations, with the pose of
+/// the board eliminated. Rows and columns are in the order of IntrinsicsResult::parameters. Corners
+/// are assumed to have a standard deviation of one pixel.
 struct LensEvidence {
   std::int64_t instant = 0;    ///< BoardView::instant
   Eigen::MatrixXd information; ///< normal matrix
-  Eigen::VectorXd gradient;    ///< right-hand side: `information` times the step this view asks for
+  /// Right-hand side of the normal equations: `information` times the parameter step that fits this
+  /// view best.
+  Eigen::VectorXd gradient;
 };
 
 /// Intrinsics of one camera, with their accuracy.
@@ -59,28 +62,29 @@ struct IntrinsicsResult {
   std::vector<ViewFit> views;
   std::vector<EstimatedParameter> parameters;
   Eigen::MatrixXd covariance; ///< covariance of `parameters`, in the same order
-  /// One for each view used, in the order of instants. See lensWithout().
+  /// Information in each view used, in ascending order of instants; see lensWithout().
   std::vector<LensEvidence> evidence;
   BoardCoverage coverage; ///< coverage of the views used
   /// Largest standard deviation of the projection of a ray across the image, in pixels; see
   /// projectionSigma().
   double worstProjectionPx = 0.0;
-  /// The same if the errors of all corners were independent of each other. It shrinks with each
-  /// view, so that it can say whether there are enough views.
+  /// Same as worstProjectionPx, but under the assumption that the errors of all corners are
+  /// independent. It decreases with every added view, and so indicates whether there are enough
+  /// views.
   double independentProjectionPx = 0.0;
 };
 
 /// Estimates intrinsics from images of a board with Zhang's method (2000), using OpenCV's
-/// cv::calibrateCamera or cv::fisheye on all views together. Views that fit badly are left out and
-/// named: those whose error is above five times the median error and above 0.25 % of the image
-/// diagonal. Errors: Undetermined if fewer than three views remain; Canceled if canceled; BadValue
-/// if the views do not determine a camera, or if nothing fits, for instance because the number of
-/// corners is wrong.
+/// cv::calibrateCamera or cv::fisheye on all views together. A view is left out, and named in the
+/// result, if its error is above five times the median error and above 0.25 % of the image
+/// diagonal. Errors: Undetermined if fewer than three views remain; Canceled; BadValue if the views
+/// do not determine a camera, or if nothing fits, for instance because the number of corners is
+/// wrong.
 Result<IntrinsicsResult> calibrateIntrinsics(const IntrinsicsRequest& request,
                                              const CalibrationProgress& progress = {});
 
-/// Returns an initial guess that needs no knowledge of the lens: the focal length is 1.0 times the
-/// image width.
+/// Returns a first guess of a camera for images of this size in pixels. Its focal length is equal
+/// to the image width.
 Camera guessedCamera(int width, int height);
 
 } // namespace dewpoint::calibration

@@ -12,8 +12,8 @@
 
 namespace dewpoint::calibration {
 
-/// A predefined dictionary of ArUco markers. Hides the differences between the ArUco modules of
-/// OpenCV: until 4.6 it is in opencv_contrib, from 4.7 on in objdetect with another interface.
+/// A predefined dictionary of ArUco markers. Works with both ArUco interfaces of OpenCV: the one
+/// before version 4.7 and the one since.
 class MarkerDictionary {
 public:
   /// `name` is one of markerDictionaries().
@@ -22,24 +22,25 @@ public:
   MarkerDictionary(MarkerDictionary&&) noexcept;
   MarkerDictionary& operator=(MarkerDictionary&&) noexcept;
 
-  /// Number of markers; their ids count from 0.
+  /// Returns the number of markers in the dictionary. Their ids count from 0.
   int size() const;
-  /// Number of cells in a row of a marker, without its black border.
+  /// Returns the number of cells in a row of a marker, without its black border.
   int cells() const;
   /// Returns the cells of a marker without its border: CV_8UC1, 0 for black and 1 for white.
   cv::Mat cellsOf(int id) const;
 
-  /// Markers in an image.
+  /// Result of detect().
   struct Detections {
-    std::vector<std::vector<cv::Point2f>> outlines; ///< four corners of each marker, in pixels,
-                                                    ///< clockwise from the first one of the marker
-    std::vector<int> ids;                           ///< of each outline
-    /// Quadrilaterals that may be markers, but not of this dictionary.
+    /// Four corners of each marker in pixels, clockwise from the marker's own upper left corner.
+    std::vector<std::vector<cv::Point2f>> outlines;
+    std::vector<int> ids; ///< id of the marker in each outline
+    /// Outlines of quadrilaterals that look like markers but do not belong to this dictionary,
+    /// pixels.
     std::vector<std::vector<cv::Point2f>> otherOutlines;
   };
-  /// Detects the markers in a gray image (CV_8UC1), in any order. Of two outlines that are closer
-  /// than `minDistanceRate` times their perimeter, only one counts; if not given, OpenCV's default
-  /// holds.
+  /// Returns the markers in a gray image (CV_8UC1), in any order. If two outlines are closer to
+  /// each other than `minDistanceRate` times their perimeter, only one of them is returned. If
+  /// `minDistanceRate` is empty, OpenCV's default is used.
   Detections detect(const cv::Mat& gray, std::optional<double> minDistanceRate = {}) const;
 
 private:

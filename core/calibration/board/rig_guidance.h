@@ -24,11 +24,12 @@ public:
     /// Minimum distance between captured positions of the board, as a fraction of the image width.
     double minDistanceFraction = 0.1;
   };
+  /// State of the guidance after a step.
   struct State {
-    int instants = 0;
-    bool captured = false;
-    bool finished = false;
-    double holdProgress = 0.0;
+    int instants = 0;          ///< number of instants captured so far
+    bool captured = false;     ///< true if the latest detections were captured
+    bool finished = false;     ///< true if all cameras are connected by enough captured instants
+    double holdProgress = 0.0; ///< elapsed fraction of Settings::holdSeconds, 0 to 1
     /// Indices of the cameras to which the board should be shown together next; -1 when finished.
     int firstCamera = -1;
     int secondCamera = -1;
@@ -39,8 +40,8 @@ public:
   /// Processes the current detections of all cameras. `seconds` is their time by any clock. Views
   /// that are captured together get the same BoardView::instant.
   State step(double seconds, const std::vector<std::optional<BoardDetection>>& detections);
-  /// Captures the latest detections as they are, at the user's request. Does nothing if fewer than
-  /// two cameras saw the board.
+  /// Captures the latest detections at the user's request, even if the board is not still. Does
+  /// nothing if fewer than two cameras saw the board.
   State captureNow();
   /// Increases Settings::instantsPerPair by `instants`.
   void requireMore(int instants);

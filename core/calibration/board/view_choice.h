@@ -7,10 +7,10 @@
 
 namespace dewpoint::calibration {
 
-/// Selects at most `count` views of one camera for a calibration. The views are sharp, if there are
-/// enough sharp ones, and differ as much as possible in position, size and tilt (farthest point
-/// sampling, Gonzalez 1985). If there are no more than `count` views, returns all of them.
-/// Preserves the order.
+/// Returns at most `count` views of one camera for a calibration, in their original order. They
+/// differ as much as possible in position, size and tilt (farthest point sampling, Gonzalez 1985).
+/// Sharp views are preferred if there are enough of them. If there are no more than `count` views,
+/// returns all of them. `width` and `height`: image size, pixels.
 std::vector<BoardView> chooseViews(const BoardDescription& board, std::vector<BoardView> views,
                                    int width, int height, int count);
 

@@ -57,10 +57,12 @@ struct BundleCovariance {
   int gaugeFreedoms = 0; ///< degrees of freedom that nothing fixes: 0, 1 (size), 6 (pose) or 7
 };
 
-/// Returns the standard deviation of a camera's position in meters, or of its orientation in
-/// radians: the square root of the summed variances of the three coordinates or rotation
-/// components. 0 if the camera is not free.
+/// Returns the standard deviation of a camera's position in meters: the square root of the summed
+/// variances of its three coordinates. 0 if the pose of the camera was not estimated.
 double centerSigma(const BundleCovariance& covariance, std::size_t camera);
+/// Returns the standard deviation of a camera's orientation in radians: the square root of the
+/// summed variances of its three rotation components. 0 if the pose of the camera was not
+/// estimated.
 double rotationSigma(const BundleCovariance& covariance, std::size_t camera);
 
 /// Computes the covariance of the first `cameraColumns` parameters. `jacobian` contains the

@@ -17,13 +17,13 @@ enum class CalibrationFault {
   WrongUnitInches,      ///< a length was entered in inches as if it were in another unit
   CamerasSwapped,       ///< the videos of two cameras are exchanged
   WrongSquareCount,     ///< the number of squares in a row differs from the one entered
-  WrongSquareSize,
-  HalfPixel,      ///< image points or principal points are half a pixel off in all cameras
-  CameraDelayed,  ///< one video is shifted in time relative to the others, by whole frames
-  CameraMoved,    ///< a camera was moved at some time
-  VideoFlipped,   ///< a video is mirrored or upside down
-  ZoomChanged,    ///< the focal length differs from the calibrated one
-  WrongResolution ///< lens data is for a different image size
+  WrongSquareSize,      ///< the size of the squares differs from the one entered
+  HalfPixel,            ///< image points or principal points are half a pixel off in all cameras
+  CameraDelayed,        ///< one video is shifted in time relative to the others, by whole frames
+  CameraMoved,          ///< a camera was moved at some time
+  VideoFlipped,         ///< a video is mirrored or upside down
+  ZoomChanged,          ///< the focal length differs from the calibrated one
+  WrongResolution       ///< the intrinsics are for another image size
 };
 
 /// Fault that explains the observations clearly better than assuming no fault.

@@ -12,7 +12,7 @@ namespace dewpoint::calibration {
 /// Returns all supported formats, starting with this program's own.
 const std::vector<CalibrationFormat>& calibrationFormats();
 
-/// Returns the format with a name. NotFound lists the valid names.
+/// Returns the format with this name. Error: NotFound, which lists the valid names.
 Result<const CalibrationFormat*> calibrationFormat(const std::string& name);
 
 /// Format recognized from the content of a file, with a sentence that gives the reason.

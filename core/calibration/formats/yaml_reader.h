@@ -15,8 +15,8 @@
 namespace dewpoint::calibration {
 
 /// Parses YAML. Also accepts the output of OpenCV's FileStorage, whose first line is not valid
-/// YAML, and Python dictionaries of numbers and strings. NotParsed contains the line. Catches all
-/// exceptions of yaml-cpp.
+/// YAML, and Python dictionaries of numbers and strings. Error: NotParsed, which contains the line.
+/// Catches all exceptions of yaml-cpp.
 Result<YAML::Node> parseYaml(const std::string& text, const std::string& file);
 
 /// Reads values from a YAML mapping and keeps the first error, with its line. Unknown keys are

@@ -59,8 +59,8 @@ std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
 
 /// Number of clicked points that a camera needs for its pose. Three points allow up to four poses.
 inline constexpr int kFewestPointsOfPose = 4;
-/// Number of clicked points that a camera needs for its pose and focal length. Chosen: four points
-/// determine these seven numbers only barely, so that one wrong click falsifies the focal length.
+/// Number of clicked points that a camera needs for its pose and focal length. Four points would
+/// barely determine these seven numbers, so one wrong click would spoil the focal length.
 inline constexpr int kFewestPointsOfFocal = 6;
 
 /// Reason why a camera has no reliable pose from its points.

@@ -64,14 +64,15 @@ public:
                  const PoseCovariance& covariance = PoseCovariance::Zero());
 
   const VolumeGrid& grid() const { return grid_; }
-  /// Returns the number of cameras that see the center of each cell. This function and the next two
-  /// return one value per cell, indexed by VolumeGrid::index.
+  /// Returns, for each cell, the number of cameras that see its center; indexed by
+  /// VolumeGrid::index.
   const std::vector<std::uint8_t>& cameraCounts() const { return counts_; }
-  /// Returns the standard deviation along the worst direction, meters. NaN if fewer than two
-  /// cameras see the center, or if all cameras that see it look along the same line.
+  /// Returns, for each cell, the standard deviation along the worst direction, meters; indexed by
+  /// VolumeGrid::index. NaN if fewer than two cameras see the center of the cell, or if all cameras
+  /// that see it look along the same line.
   const std::vector<float>& largestSigmas() const { return largest_; }
-  /// Returns the standard deviations along x, y and z in the world, meters; NaN as in
-  /// largestSigmas().
+  /// Returns, for each cell, the standard deviations along x, y and z in the world, meters; indexed
+  /// by VolumeGrid::index. NaN where largestSigmas() is NaN.
   const std::vector<std::array<float, 3>>& axisSigmas() const { return axes_; }
 
   /// Returns the values of largestSigmas() in one horizontal layer of cells, x varying fastest.

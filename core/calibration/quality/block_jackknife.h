@@ -11,35 +11,36 @@
 
 namespace dewpoint::calibration {
 
-/// Returns the cameras as they are before the adjustment if the states from `first` to before `end`
-/// are left out. Needed if the intrinsics were estimated from the same images: they then depend on
-/// these states, too.
+/// Function that returns the start cameras of an adjustment that leaves out the states with indices
+/// from `first` to before `end`. Needed if the intrinsics were estimated from the same images,
+/// because the intrinsics then depend on these states, too.
 using CamerasWithout = std::function<CameraRig(std::size_t first, std::size_t end)>;
 
-/// Solutions of an adjustment, each without one block of neighboring states.
+/// Solutions of an adjustment that was repeated, each time without one block of neighboring states.
 struct BlockJackknife {
-  std::vector<CameraRig> rigs; ///< cameras of each solution, in the gauge of the whole solution
+  /// Cameras of each solution, in the world frame of the solution with all states.
+  std::vector<CameraRig> rigs;
   double squares = 0.0; ///< sum of the squared reprojection errors of the states left out, pixels²
-  std::size_t points = 0; ///< number of these image points
+  std::size_t points = 0; ///< number of image points in `squares`
 
-  /// Factor by which the deviations of the solutions from their mean are multiplied, so that the
-  /// sum of their squares is a variance that 1.96 standard deviations bound with 95 %: the factor
-  /// of the delete-one jackknife, (G - 1) / G, and Student's t for G - 1 degrees of freedom instead
-  /// of the normal distribution. 0 if there are fewer than four solutions.
+  /// Returns the factor by which to multiply the deviations of the G solutions from their mean. The
+  /// sum of the squares of the products is a variance; 95 % of errors are below 1.96 times its
+  /// square root. The factor combines the jackknife's sqrt((G - 1) / G) with Student's t for G - 1
+  /// degrees of freedom. 0 if there are fewer than four solutions.
   double factor() const;
 };
 
 /// Repeats an adjustment without each of at most ten blocks of neighboring states (delete-a-group
-/// jackknife: Efron & Stein 1981; Kott 2001). Errors that neighboring states share, such as those
-/// of delayed images or of a lens that does not fit in one part of the image, are left out as a
-/// whole, so the scatter of the solutions contains them. A solution that cannot be found is left
-/// out. States that are `fixed` always take part.
+/// jackknife: Efron & Stein 1981; Kott 2001). Neighboring states may share errors, for example
+/// because of delayed images or of a lens model that does not fit one part of the image. Such an
+/// error is left out together with its block, so the scatter of the solutions includes it. A
+/// repetition without a solution is skipped. States that are `fixed` are never left out.
 BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
                               const CamerasWithout& camerasWithout = nullptr);
 
-/// Returns how much each position moves (3 rows for each position) if it is triangulated with the
-/// cameras of each solution (columns) from the pixels at which `rig` sees it. A position that fewer
-/// than two cameras see does not move.
+/// Returns the displacement of each position (3 rows for each position; meters) for each solution
+/// (columns). The position is triangulated by the cameras of the solution, from the pixels at which
+/// the cameras in `rig` see it. A position that fewer than two cameras see does not move.
 Eigen::MatrixXd positionChanges(const std::vector<Eigen::Vector3d>& positions, const CameraRig& rig,
                                 const std::vector<CameraRig>& solutions);
 

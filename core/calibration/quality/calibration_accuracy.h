@@ -20,17 +20,17 @@ struct AccuracyPriors {
   /// Standard deviation of the upward direction about each of two horizontal axes, radians; empty
   /// if the upward direction is arbitrary.
   std::optional<double> upSigma;
-  /// If the intrinsics were estimated from the same images: the cameras without a part of them.
+  /// Set if the intrinsics were estimated from the same images; see CamerasWithout.
   CamerasWithout camerasWithout = nullptr;
 };
 
-/// Accuracy of one camera's pose. An error of 1.96 times these values is not exceeded with a
-/// probability of 95 %.
+/// Accuracy of one camera's pose. With a probability of 95 %, the error is at most 1.96 times these
+/// values.
 struct CameraAccuracy {
-  /// Of the position relative to the camera that is held, or to the target if none is; meters. 0 if
-  /// the pose was not estimated.
+  /// Standard deviation of the position, meters; 0 if the pose was not estimated. It is relative to
+  /// the camera with a fixed pose, or to the target if no camera has one.
   double positionSigma = 0.0;
-  double rotationSigma = 0.0; ///< same for the orientation, radians
+  double rotationSigma = 0.0; ///< standard deviation of the orientation, radians
 };
 
 /// Accuracy of a calibration. Errors are computed after the best-fitting rigid motion, so they do
@@ -47,15 +47,15 @@ struct CalibrationAccuracy {
   /// because nothing was observed there. Never below position95. Empty if there are too few such
   /// positions.
   std::optional<double> outside95;
-  /// 95 % of these positions are nearer to that volume than this; meters. 0 if `outside95` is
-  /// empty.
+  /// Distance from the calibrated volume within which 95 % of the positions of `outside95` lie,
+  /// meters; 0 if `outside95` is empty.
   double outsideDistance = 0.0;
   std::optional<double> scale95; ///< relative error of the scale, 95 %
   std::optional<double> up95;    ///< error of the upward direction, radians, 95 %
   /// Accuracy of each camera of the problem.
   std::vector<CameraAccuracy> cameras;
-  /// Factor by which the errors of positions are larger than the covariance predicts, according to
-  /// the cross-validation. The values above include it. 1: not clearly larger.
+  /// Factor by which position errors in the cross-validation are larger than the covariance
+  /// predicts; 1 if they are not clearly larger. The values above already include this factor.
   double modelFactor = 1.0;
   /// Root mean square reprojection error of the image points left out in the cross-validation,
   /// pixels.

@@ -17,10 +17,10 @@ struct CommonView {
   std::vector<std::vector<std::size_t>> cameras; ///< indices of the cameras that see each position
 };
 
-/// Returns the positions that at least two cameras see. They are chosen from a lattice of 16 x 16 x
-/// 16 positions, which fills the box around the views of all cameras. Of the `targets` that a
-/// camera sees, 95 % lie within a certain distance; the camera's view ends at 1.25 times this
-/// distance. A camera that sees no target is left out. Empty if fewer than two cameras see targets.
+/// Returns positions that at least two cameras see. They are chosen from a lattice of 16 x 16 x 16
+/// positions, which fills the box around the views of all cameras. Of the `targets` that a camera
+/// sees, 95 % lie within a certain distance; the camera's view ends at 1.25 times this distance. A
+/// camera that sees no target is left out. Empty if fewer than two cameras see targets.
 CommonView commonView(const CameraRig& rig, const std::vector<Eigen::Vector3d>& targets);
 
 /// Box whose sides are parallel to the principal axes of some positions.

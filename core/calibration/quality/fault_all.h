@@ -8,8 +8,8 @@
 
 namespace dewpoint::calibration {
 
-/// Finds a fault that is common to all cameras: image points that are half a pixel off. `fit` is
-/// the joint fit of all cameras.
+/// Finds a fault that all cameras share: image points that are half a pixel off. Returns nothing if
+/// there is no such fault. `fit` is the joint fit of all cameras.
 std::optional<DetectedFault> findCommonFault(const FaultSearchInput& input,
                                              const ImagePoints& imagePoints, const PointFit& fit);
 

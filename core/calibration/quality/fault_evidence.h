@@ -18,8 +18,8 @@ struct ImagePoint {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
 
-/// Image points of all cameras. The lengths of the bodies are left out, so that a wrong length has
-/// no effect.
+/// Image points of all cameras, without the lengths of the bodies. A wrong length therefore has no
+/// effect on a search that uses only image points.
 struct ImagePoints {
   std::vector<double> times; ///< time of each state, seconds
   std::vector<std::vector<ImagePoint>> perCamera;

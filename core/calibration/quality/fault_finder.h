@@ -26,12 +26,12 @@ struct FaultReport {
 /// time. In addition, each pair of cameras is exchanged, and all poses are estimated again.
 ///
 /// A hypothesis must increase the log likelihood (Student's t, 4 degrees of freedom) by more than
-/// 30, and by more than 0.1 per measured coordinate. It must also explain the images nearly as well
-/// as those of the cameras that agree are explained. If several hypotheses fulfill this, the best
-/// one is reported. If no camera is reported, three more faults are tested: half-pixel shifts of
-/// all cameras, lengths relative to the size of the initial rig, and a board that is mirrored or
-/// has another number of columns. With only two cameras, faults of a single camera cannot be
-/// identified and are not searched for.
+/// 30, and by more than 0.1 per measured coordinate. It must also explain the images of the suspect
+/// camera nearly as well as the images of the cameras that agree are explained. If several
+/// hypotheses fulfill this, the best one is reported. If no camera is reported, three more faults
+/// are tested: half-pixel shifts of all cameras, lengths relative to the size of the initial rig,
+/// and a board that is mirrored or has another number of columns. With only two cameras, faults of
+/// a single camera cannot be identified and are not searched for.
 FaultReport findFaults(const FaultSearchInput& input);
 
 /// Searches for faults in the observations of a wand. Errors: those of checkViews().

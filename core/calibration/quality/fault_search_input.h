@@ -27,8 +27,8 @@ struct FaultSearchInput {
   std::optional<BoardDescription> board = {}; ///< board represented by the first body
   /// True if the focal lengths are not known, so that a wrong focal length is no fault.
   bool focalUnknown = false;
-  /// True if cameras run without synchronization, or offsets are to be estimated. A much larger
-  /// gain is then required.
+  /// True if the cameras are not synchronized, or if time offsets are to be estimated. A fault is
+  /// then reported only if its gain is much larger than kMinGain.
   bool unsynchronized = false;
 };
 

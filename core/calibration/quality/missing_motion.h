@@ -35,8 +35,8 @@ struct MotionGap {
   /// fraction of the volume or of the image, 0 to 1. SeenTogether: number of frames.
   double value = 0.0;
   ImageSide side = ImageSide::Edges; ///< WholeImage: side at which the ball was not seen
-  /// How much of the least motion required is missing, as a fraction from 0 to 1. 1: there was no
-  /// such motion.
+  /// Fraction of the required minimum motion that is missing, 0 to 1; 1 if there was no such
+  /// motion.
   double severity = 0.0;
 };
 

@@ -13,9 +13,11 @@
 
 namespace dewpoint::calibration {
 
-/// Errors of an initial rig that are assumed unless the user states others: of its orientations,
-/// radians, and of its positions, meters. Chosen for cameras that were placed by hand.
+/// Default for the expected error of the orientations in an initial rig, radians. Chosen for
+/// cameras that were placed by hand.
 inline constexpr double kInitialRotationError = 0.06;
+/// Default for the expected error of the positions in an initial rig, meters. Chosen for cameras
+/// that were placed by hand.
 inline constexpr double kInitialPositionError = 0.12;
 
 /// Observation of a ball in one image.
@@ -60,7 +62,8 @@ struct WandProblem {
   bool findDistortion = false; ///< estimate k1 for every camera
   /// Expected error of the initial rig's orientations, radians.
   double initialRotationError = kInitialRotationError;
-  double initialPositionError = kInitialPositionError; ///< same for its positions, meters
+  /// Expected error of the initial rig's positions, meters.
+  double initialPositionError = kInitialPositionError;
   int starts = 6;         ///< number of starts: the initial rig and perturbed copies of it
   std::uint64_t seed = 1; ///< random seed for the perturbations
   /// Maximum number of wand positions used, spread evenly over the recording.
@@ -121,8 +124,9 @@ using WandCallback = std::function<bool(const WandProgress&)>;
 /// stays aligned with the initial rig unless floor touches or a fall define the upward direction.
 /// Deterministic.
 ///
-/// Errors: too few views of a camera (named), cameras that are not connected by common views,
-/// touches at times when the ball was not seen by two cameras, and Canceled.
+/// Fails if a camera has too few views (the error names the camera), if the cameras are not
+/// connected by common views, or if fewer than two cameras saw the ball at the time of a touch.
+/// Also returns Canceled.
 Result<WandResult> calibrateFromWand(const WandProblem& problem,
                                      const WandCallback& callback = nullptr);
 
