@@ -12,7 +12,7 @@
 namespace dewpoint::capture {
 
 /// Returns an image (CV_8UC3) that uses pixels owned by `owner`, without copying them. `owner` is
-/// released together with the last cv::Mat that uses the pixels, on whichever thread that happens.
+/// released together with the last cv::Mat that uses the pixels. This may happen in any thread.
 /// `stride` is the distance between rows in bytes, at least 3 * width. The pixels must not be
 /// modified while an image uses them.
 cv::Mat borrowedImage(int width, int height, std::uint8_t* pixels, std::size_t stride,

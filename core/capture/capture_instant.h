@@ -10,12 +10,13 @@ namespace dewpoint::capture {
 
 /// Where the capture time of a live image comes from.
 enum class TimeOrigin {
-  Driver,  ///< the driver of the camera, or the camera itself
-  Sender,  ///< the sender of a network stream; its clock is related to ours by the fastest packets
-  Arrival, ///< the time at which the image arrived here
+  Driver, ///< the driver of the camera, or the camera itself
+  /// The sender of a network stream; the packets with the shortest delay relate its clock to ours.
+  Sender,
+  Arrival, ///< the time at which the image arrived at this computer
 };
 
-/// Returns the name of an origin, as in tables of capture times: driver, sender or arrival.
+/// Returns the name of an origin as written to tables of capture times: driver, sender or arrival.
 constexpr const char* originName(TimeOrigin origin) {
   switch (origin) {
   case TimeOrigin::Driver:
@@ -32,17 +33,17 @@ constexpr const char* originName(TimeOrigin origin) {
 struct CaptureInstant {
   std::chrono::steady_clock::time_point time{};
   TimeOrigin origin = TimeOrigin::Arrival;
-  /// Identifies the image within its connection: the same for the compressed and the decoded image;
-  /// -1 if there is none.
+  /// Number that identifies the image within its connection, both in compressed and in decoded
+  /// form; -1 if the connection provides no such number.
   std::int64_t stamp = -1;
 };
 
-/// When a live image passed the stages of its way through the computer.
+/// Times at which a live image passed the stages of its processing.
 struct LiveInstants {
-  std::chrono::steady_clock::time_point
-      captured{};                                  ///< see CaptureInstant, minus the camera's delay
-  std::chrono::steady_clock::time_point arrived{}; ///< its data were here, not yet decoded
-  std::chrono::steady_clock::time_point decoded{}; ///< the image was finished
+  /// CaptureInstant::time minus the camera's delay.
+  std::chrono::steady_clock::time_point captured{};
+  std::chrono::steady_clock::time_point arrived{}; ///< arrival of its data, before decoding
+  std::chrono::steady_clock::time_point decoded{}; ///< end of decoding
   std::int64_t stamp = -1;                         ///< CaptureInstant::stamp
 };
 

@@ -17,8 +17,9 @@ namespace dewpoint::capture {
 /// `delay` seconds earlier. Each frame set gets the image that shows the scene closest to its time.
 ///
 /// With capture times, each frame set gets the image with the closest capture time. If this time
-/// differs by more than half a frame interval, the camera has no image in the frame set. Frame set
-/// 0 is at the time when the last camera starts.
+/// differs from the time of the frame set by more than half a frame interval, the camera has no
+/// image in the frame set. Frame set 0 is at the time of the first image of the camera that starts
+/// last.
 class CaptureSchedule {
 public:
   /// Images of one camera.
@@ -28,8 +29,8 @@ public:
     /// Capture time of each image, by a common clock. Either all cameras have capture times or
     /// none.
     std::optional<CaptureTimes> times = std::nullopt;
-    /// For each image, its position (from 0, ascending) in the complete sequence, in which missing
-    /// images are counted too. Empty if no image is missing. Not used if there are capture times.
+    /// Positions of the images in the complete sequence, ascending from 0. The complete sequence
+    /// includes missing images. Empty if no image is missing. Not used if there are capture times.
     std::vector<std::int64_t> sequenceNumbers = {};
   };
   /// `rate`: frame sets per second, > 0. `cameras`: at least one.
@@ -39,10 +40,10 @@ public:
   /// that ends first.
   std::int64_t frameCount() const { return count_; }
 
-  /// Image of one camera in a frame set.
+  /// One image of a camera, as assigned to a frame set.
   struct ScheduledImage {
     std::int64_t number = 0; ///< index of the image
-    double time = 0.0; ///< time at which the scene looked like this, seconds since frame set 0
+    double time = 0.0;       ///< time at which the image shows the scene, seconds after frame set 0
   };
   /// Returns the image of a camera in a frame set, or nothing if the camera has none.
   std::optional<ScheduledImage> imageAt(std::size_t camera, std::int64_t frame) const;
@@ -51,8 +52,8 @@ public:
   static std::int64_t lengthOf(const CameraImages& camera) {
     return camera.sequenceNumbers.empty() ? camera.count : camera.sequenceNumbers.back() + 1;
   }
-  /// Returns the frame rate of the fastest camera in images per second, computed from the capture
-  /// times; 0 if unknown.
+  /// Returns the highest frame rate of any camera in images per second, computed from the capture
+  /// times; 0 if it is unknown.
   static double rateOf(const std::vector<CameraImages>& cameras);
 
 private:

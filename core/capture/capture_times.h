@@ -12,22 +12,24 @@ namespace dewpoint::capture {
 /// is the same for all cameras in the recording.
 using CaptureTimes = std::vector<double>;
 
-/// First line of a table that grew with its recording; ...
+/// First line of a table of capture times that is written during a recording.
 inline constexpr const char* kRecordedTimesHeading =
     "# Capture times of a recording; a last line with the number of images ends it";
-/// ... and the beginning of its last line, without which the recording was cut off.
+/// Beginning of the last line of a table of capture times that is written during a recording. The
+/// number of images follows. If this line is missing, the recording was cut off.
 inline constexpr const char* kRecordedTimesEnd = "# complete, images:";
 
-/// What a table says about whether it has the time of every image.
+/// Completeness of a table of capture times.
 enum class TableCompleteness {
-  Unknown,  ///< it was not written by a recording of this program
-  Complete, ///< it has exactly the images of its video, which has their times, too
-  /// The recording was cut off, by a full disk or because the program was killed: either the table
-  /// or the video has some more images.
+  Unknown,  ///< the table was not written during a recording of this program
+  Complete, ///< the table has one time for each image of its video
+  /// The recording was cut off, for example because the disk was full or the program was killed.
+  /// The table and the video may then differ by a few images.
   CutOff,
 };
 
-/// Returns what a table of capture times says about its completeness; Unknown if it cannot be read.
+/// Returns the completeness of a table of capture times, according to its first and last line.
+/// Returns Unknown if the table cannot be read.
 TableCompleteness completenessOf(const std::string& file);
 
 /// Returns the names by which a table of capture times may identify a camera: its name, the number
@@ -40,8 +42,9 @@ std::vector<std::string> captureTimeIds(const std::string& camera, const std::st
 /// lines beginning with # are ignored. Without a header, the only (or last) column contains
 /// seconds. With a header, the column is named time_s, timestamp_s, frame_time, timestamp, time or
 /// t (seconds), or one of these names with the suffix _ms, _us or _ns. If there is a column named
-/// cam_id, camera, camera_id, cam, port or device, only the lines of one camera are read: the first
-/// of `ids` that occurs in it. Lines may be in any order.
+/// cam_id, camera, camera_id, cam, port or device, only the lines of one camera are read. It is the
+/// camera whose identifier is the first of `ids` that occurs in this column. Lines may be in any
+/// order.
 ///
 /// `field` names the camera in errors. Errors: FileMissing, FileUnreadable, NotParsed (with the
 /// line), and BadValue if there are no times, no lines for the camera, or two images with the same

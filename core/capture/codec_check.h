@@ -9,7 +9,7 @@
 
 namespace dewpoint::capture {
 
-/// Result of checkCodecs() for one type of recording: whether this computer can write and read it.
+/// Result of checkCodecs() for one type of recording.
 struct CodecOutcome {
   std::string name; ///< for example "FFV1"
   /// True if this program needs the codec for its own recordings. Otherwise the codec is only
@@ -17,14 +17,15 @@ struct CodecOutcome {
   bool isNeeded = false;
   bool isLossless = false;
   std::string problem = {}; ///< what went wrong; empty if there was no problem
-  /// True if this computer cannot write this type, so that reading was not tested.
+  /// True if this computer cannot write this type. Reading was then not tested.
   bool isMissing = false;
   double difference =
       0.0; ///< mean absolute difference between written and read images, in gray levels
 };
 
-/// Writes a short moving sequence to an existing folder as Motion JPEG, FFV1 and H.264 videos and
-/// as a folder of PNG images, then reads each of them back. The files are kept.
+/// Tests whether this computer can write and read recordings. Writes a short moving sequence to an
+/// existing folder as Motion JPEG, FFV1 and H.264 videos and as a folder of PNG images, and reads
+/// each of them back. Returns one result per type. The files are kept.
 std::vector<CodecOutcome> checkCodecs(const std::filesystem::path& folder);
 
 } // namespace dewpoint::capture

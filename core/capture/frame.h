@@ -17,10 +17,10 @@ namespace dewpoint::capture {
 struct Frame {
   std::int64_t index = 0;  ///< frame number of this camera, from 0
   TimeStamp captureTime{}; ///< capture time by the camera's own clock
-  cv::Mat image;           ///< CV_8UC3; blue, green, red
+  cv::Mat image;           ///< CV_8UC3 (blue, green, red)
   /// Where a live camera's capture time comes from; not used for recordings.
   TimeOrigin origin = TimeOrigin::Arrival;
-  LiveInstants instants{}; ///< of a live image; all zero for recordings
+  LiveInstants instants{}; ///< processing times of a live image; all zero for recordings
 };
 using FramePtr = std::shared_ptr<const Frame>;
 

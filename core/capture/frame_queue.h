@@ -19,6 +19,7 @@ public:
   /// Creates an empty queue. `capacity`: maximum number of waiting frames.
   explicit FrameQueue(std::size_t capacity) : capacity_(capacity) {}
 
+  /// Appends a frame. If the queue is full, drops the oldest waiting frame.
   void put(FramePtr frame) {
     std::scoped_lock lock(mutex_);
     if (frames_.size() == capacity_) {

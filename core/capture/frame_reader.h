@@ -25,8 +25,8 @@ public:
   /// Reads image number `frame`. Returns an empty image after the last image of the recording. The
   /// caller owns the pixels. Reading is fast if the numbers increase one by one.
   virtual Result<cv::Mat> read(std::int64_t frame) = 0;
-  /// Returns, for each image, its position (from 0, ascending) in the complete sequence, in which
-  /// missing images are counted too. Empty if no image is missing.
+  /// Returns the positions of the images in the complete sequence, ascending from 0. The complete
+  /// sequence includes missing images. The result is empty if no image is missing.
   virtual std::vector<std::int64_t> sequenceNumbers() const { return {}; }
   /// Returns the file that contains an image, for error messages.
   virtual std::string fileOf(std::int64_t frame) const = 0;

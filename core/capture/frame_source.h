@@ -14,8 +14,8 @@ namespace dewpoint::capture {
 /// not recorded.
 inline constexpr double kDefaultFramesPerSecond = 30;
 
-/// Source of frame sets, delivered one after the other. Implementations convert every exception
-/// from the libraries they use to an Error. For use by one thread only.
+/// Source of frame sets, delivered one after the other. Implementations convert all exceptions of
+/// libraries to an Error. For use by one thread only.
 class FrameSetSource {
 public:
   virtual ~FrameSetSource() = default;

@@ -15,7 +15,7 @@ class VideoWriter;
 
 namespace dewpoint::capture {
 
-/// Writes the images of one camera losslessly: reading them back yields the same bytes.
+/// Writes the images of one camera without loss: reading them back returns the same pixels.
 class FrameWriter {
 public:
   /// Creates a writer for a folder of PNG files 000000.png, 000001.png, ... The folder is created

@@ -13,7 +13,7 @@
 
 namespace dewpoint::capture {
 
-/// Fault of a camera's images. phrase(code) says what is wrong; `detail` adds numbers or advice.
+/// Fault of a camera's images. phrase(code) describes the fault; `detail` adds numbers or advice.
 struct ImageFault {
   ErrorCode code = ErrorCode::ImagesBlack;
   std::string detail;
@@ -28,8 +28,8 @@ public:
   using Clock = std::chrono::steady_clock;
 
   static constexpr std::chrono::milliseconds kWindow{1000}; ///< period whose images are assessed
-  /// How long images must be black, identical or late before this is a fault. Chosen so that a
-  /// short disturbance is no fault, and a fault is still reported within a second.
+  /// Time for which images must be black, identical or late to count as a fault. Chosen so that a
+  /// short disturbance does not count, but a fault is reported within a second.
   static constexpr std::chrono::milliseconds kPatience{700};
   /// A pixel is black if its largest channel is at most this. Chosen to allow for the noise of a
   /// covered camera.
@@ -37,22 +37,23 @@ public:
   /// An image is black if at most this fraction of its pixels is not black. Chosen to allow for a
   /// few defective pixels.
   static constexpr double kBrightShare = 0.002;
-  /// If at least this fraction of the images in the window was sent before, the camera repeats
-  /// images. A judgment: a camera that sends every image twice repeats half of them.
+  /// A camera repeats images if at least this fraction of the images in the window was sent before.
+  /// Chosen by judgment: a camera that sends every image twice repeats half of them.
   static constexpr double kRepeatedShare = 0.3;
   /// An image is late if more than this time plus the camera's delay passes between its capture and
   /// its arrival.
   static constexpr std::chrono::milliseconds kLateness{500};
-  /// A camera below this fraction of its rate is slow. A judgment: it includes cameras that halve
-  /// their rate in poor light, but not a few lost images.
+  /// A camera is slow if its rate is below this fraction of the expected rate. Chosen by judgment:
+  /// cameras that halve their rate in poor light are slow, but a few lost images do not matter.
   static constexpr double kSlowShare = 0.6;
 
-  /// `requestedRate`: images per second that were requested from the camera. 0: none was; the
-  /// highest rate that the camera has had over two seconds is used instead. `delay`: delay of the
-  /// camera, seconds (LiveCamera::delay).
+  /// `requestedRate`: images per second that were requested from the camera. If it is 0, the
+  /// expected rate is the highest rate that the camera has had over two seconds. `delay`: delay of
+  /// the camera, seconds (LiveCamera::delay).
   explicit ImageHealth(double requestedRate = 0.0, double delay = 0.0);
 
-  /// Forgets the images. Call this when the camera is opened again. Its highest rate stays known.
+  /// Forgets all images, but not the highest rate of the camera. Call this when the camera is
+  /// opened again.
   void restart(Clock::time_point now);
   /// Adds an image (CV_8UC3) that arrived at `arrived` and was captured at `captured`, if that is
   /// known.
@@ -90,7 +91,7 @@ private:
   std::optional<Clock::time_point> lateSince_;
 };
 
-/// Returns whether this is the code of an ImageFault. Such images are still used.
+/// Returns whether `code` is the code of an ImageFault. Images with such a fault are still used.
 bool isImageFault(ErrorCode code);
 
 } // namespace dewpoint::capture

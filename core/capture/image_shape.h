@@ -10,14 +10,15 @@
 
 namespace dewpoint::capture {
 
-/// Required shape for all images of a camera, and the camera's name for error messages.
+/// How the images of a camera are rotated, mirrored and cropped, their size after that, and the
+/// camera's name for error messages.
 struct ImageShape {
   std::string camera;
   int rotateDegrees = 0;  ///< clockwise: 0, 90, 180 or 270
-  int width = 0;          ///< after rotation and cropping, pixels; 0: any
-  int height = 0;         ///< after rotation and cropping, pixels; 0: any
+  int width = 0;          ///< width after rotation and cropping, pixels; 0: any
+  int height = 0;         ///< height after rotation and cropping, pixels; 0: any
   bool mirrored = false;  ///< left and right are swapped after the rotation
-  ImageMargins crop = {}; ///< cut off after rotation and mirroring
+  ImageMargins crop = {}; ///< margins that are cut off after rotation and mirroring
 };
 
 /// Returns the name of a camera for error messages: "camera 'left'", but not "camera 'camera 1'".
@@ -27,8 +28,9 @@ std::string cameraField(const std::string& name);
 /// negative.
 Status checkShape(const ImageShape& shape, const std::string& file);
 
-/// Converts an image to CV_8UC3 (from gray or BGRA if needed), rotates, mirrors and crops it,
-/// and checks its size. If no change was needed, the result shares the pixels of `picture`.
+/// Returns an image as CV_8UC3 (converted from gray or BGRA if needed), rotated, mirrored and
+/// cropped as `shape` requires. If no change was needed, the result shares the pixels of `picture`.
+/// Fails if the image does not have the size of `shape`.
 Result<cv::Mat> prepareImage(const cv::Mat& picture, const ImageShape& shape,
                              const std::string& file);
 

@@ -16,21 +16,25 @@ struct LiveCamera {
   /// test pattern (see gstreamer/pipeline_text.h).
   std::string location;
   int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
-  /// Expected size of the images after rotation and cropping, pixels; 0: that of the first image.
+  /// Expected size of the images after rotation and cropping, pixels; 0: the size of the first
+  /// image.
   int width = 0;
   int height = 0;
   bool mirrored = false; ///< left and right are swapped after the rotation
-  /// How much longer an image of this camera takes from the scene to its arrival than an image of
-  /// the other cameras; seconds.
+  /// Additional time, compared to the other cameras, from the exposure of an image to its arrival;
+  /// seconds.
   double delay = 0.0;
-  /// For V4L2 devices: the identity, by which the device is found wherever it is plugged in
-  /// (`location` is used if it is empty), the format to request, and controls to set.
+  /// Settings of a V4L2 device: its identity, the format to request, and the controls to set. The
+  /// device is found by its identity, wherever it is plugged in. If the identity is empty, the
+  /// device at `location` is used.
   DeviceSettings device = {};
-  ImageMargins crop = {}; ///< cut off after rotation and mirroring
+  ImageMargins crop = {}; ///< margins that are cut off after rotation and mirroring
 
-  /// Return the expected width and height of the images as the camera sends them, before rotation
-  /// and cropping, in pixels; 0 if unknown.
+  /// Returns the expected width of the images that the camera sends, before rotation and cropping;
+  /// pixels; 0 if unknown.
   int sentWidth() const { return isUpright() ? uncroppedWidth() : uncroppedHeight(); }
+  /// Returns the expected height of the images that the camera sends, before rotation and cropping;
+  /// pixels; 0 if unknown.
   int sentHeight() const { return isUpright() ? uncroppedHeight() : uncroppedWidth(); }
 
 private:

@@ -38,14 +38,14 @@ private:
   std::uint64_t notifyCount_ = 0;
 };
 
-/// Opens and reads one camera in its own thread, and reopens it when the connection is lost. The
-/// thread shares ownership of its data, so that it can be abandoned if a read never returns.
+/// Opens and reads one camera in a separate thread, and opens it again when the connection is lost.
+/// If a read never returns, the thread can be abandoned safely.
 class LiveCameraThread {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// Notifies `wakeSignal` for each new frame and each change of state. Times are measured from
-  /// `zero`.
+  /// Starts the thread. It notifies `wakeSignal` for each new frame and each change of state. Times
+  /// of frames are measured from `zero`.
   LiveCameraThread(const LiveCamera& camera, LiveStreamFactory factory,
                    std::shared_ptr<WakeSignal> wakeSignal, Clock::time_point zero);
   ~LiveCameraThread();
@@ -54,7 +54,7 @@ public:
 
   /// Asks the thread to stop, without waiting for it.
   void requestStop();
-  /// Waits for the thread to end. Abandons it at the deadline.
+  /// Waits until the thread has ended. At the deadline, abandons a thread that is still running.
   void joinUntil(Clock::time_point deadline);
 
   /// Removes and returns the frames since the last call, oldest first.
@@ -65,15 +65,15 @@ public:
   bool delivers() const;
   /// Returns the camera's current problem, or nothing if there is none.
   std::optional<Error> problem() const;
-  /// Returns what is wrong with the camera although it delivers, or nothing (LiveStream::remark()).
+  /// Returns a problem of the camera that does not prevent it from delivering images, or nothing if
+  /// there is none (LiveStream::remark()).
   std::optional<Error> remark() const;
-  /// Returns what is wrong with the images of the last second, or nothing if they are fine
-  /// (ImageHealth).
+  /// Returns the fault of the images of the last second, or nothing if they are fine (ImageHealth).
   std::optional<Error> imageFault() const;
   /// Returns the smoothed frame rate in images per second; 0 before the second image.
   double framesPerSecond() const { return shared_->rate; }
-  /// Returns the time from the capture of an image to its arrival in seconds, nearly the longest of
-  /// late; 0 if the connection does not report capture times.
+  /// Returns the time from the capture of an image to its arrival, seconds. It is close to the
+  /// longest such time among the latest images. 0 if the connection does not report capture times.
   double latency() const { return shared_->latency; }
 
 private:

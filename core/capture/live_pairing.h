@@ -24,17 +24,17 @@ namespace dewpoint::capture {
 /// - The camera is overdue.
 ///
 /// All times are capture times: seconds by the clock of the live session, minus the camera's delay.
-/// Not thread safe.
+/// Not thread-safe.
 class LivePairing {
 public:
   /// `delays`: for each camera, the time from the capture of an image to its arrival.
   explicit LivePairing(const std::vector<TimeStamp>& delays);
 
   /// Sets whether a camera is expected to deliver frames, its frame interval (0 if unknown), and
-  /// its latency: the time from the capture time that its driver or sender reports to the arrival,
-  /// in addition to its delay. 0 if the capture time is that of the arrival.
+  /// its latency. The latency is the time from the reported capture of an image to its arrival, not
+  /// including the camera's delay. It is 0 if the time of arrival is used as the capture time.
   void setExpected(std::size_t camera, bool delivers, TimeStamp interval, TimeStamp latency = {});
-  /// Adds a frame with its capture time. A frame older than the last group taken is dropped.
+  /// Adds a frame of a camera. Drops the frame if it is older than the last group taken.
   void add(std::size_t camera, FramePtr frame);
 
   /// Removes and returns the next group, one frame per camera (null where missing). Returns nothing

@@ -15,29 +15,32 @@
 
 namespace dewpoint::capture {
 
-/// Connection to one device, used by one thread only. A call may block for a long time where the
+/// Connection to one camera, used by one thread only. Calls may block for a long time if the
 /// library in use has no time-out.
 class LiveStream {
 public:
   virtual ~LiveStream() = default;
   /// Connects to the device. The error message contains the reason for a failure.
   virtual tl::expected<void, std::string> open() = 0;
-  /// Waits for the next image. Returns false if the connection is lost.
+  /// Waits for the next image and holds it for retrieve(). Returns false if the connection is lost.
   virtual bool grab() = 0;
-  /// Returns the image that was just grabbed, in its own memory; empty if it cannot be decoded.
+  /// Returns the image that was grabbed last, in memory of its own. The image is empty if it cannot
+  /// be decoded.
   virtual cv::Mat retrieve() = 0;
-  /// Returns the capture time of the image that was just grabbed, or nothing if the device does not
-  /// report it. Capture times increase.
+  /// Returns the capture time of the image that was grabbed last, or nothing if the device does not
+  /// report it. Capture times increase from image to image.
   virtual std::optional<CaptureInstant> captureTime() const { return std::nullopt; }
-  /// Returns when the data of the image that was just grabbed arrived, before they were decoded, or
-  /// nothing if that is not known.
+  /// Returns when the data of the image that was grabbed last arrived, before decoding; nothing if
+  /// this is not known.
   virtual std::optional<std::chrono::steady_clock::time_point> arrivalTime() const {
     return std::nullopt;
   }
-  /// Returns why grab() returned false, in words that follow a colon; empty if unknown.
+  /// Returns why grab() returned false, as text to append after a colon; empty if the reason is not
+  /// known.
   virtual std::string lostReason() const { return {}; }
-  /// Returns what is wrong with the device although it delivers images, such as a control that was
-  /// not set, in words that follow a colon; empty if nothing is. It does not change while open.
+  /// Returns a problem of the device that does not prevent it from delivering images, such as a
+  /// control that could not be set. The text can be appended after a colon. It is empty if there is
+  /// no problem, and does not change while the connection is open.
   virtual std::string remark() const { return {}; }
   /// Returns whether the source has delivered all its images, so that there is no point in opening
   /// it again.
@@ -49,8 +52,9 @@ using LiveStreamPtr = std::unique_ptr<LiveStream>;
 /// to connect.
 using LiveStreamFactory = std::function<LiveStreamPtr(const LiveCamera&)>;
 
-/// Creates the OpenCV connection for the camera's location: a V4L2 device by its number, or a
-/// network address through FFmpeg. The images are decoded, and their time is that of their arrival.
+/// Creates a connection that uses OpenCV: to a V4L2 device given by its number, or through FFmpeg
+/// to a network address. The connection does not report capture times, so the time of arrival is
+/// used.
 LiveStreamPtr makeVideoStream(const LiveCamera& camera);
 
 } // namespace dewpoint::capture

@@ -8,8 +8,8 @@
 namespace dewpoint::capture {
 
 /// Returns whether `left` comes before `right` in natural order: digits inside names are compared
-/// as numbers ("2" < "10"), everything else by byte. The files of a recording are sorted in this
-/// order, which does not depend on language settings.
+/// as numbers ("2" < "10"), everything else by byte. The images of a recording are sorted in this
+/// order. It does not depend on language settings.
 bool naturallyBefore(const std::string& left, const std::string& right);
 
 } // namespace dewpoint::capture

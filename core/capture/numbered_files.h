@@ -15,10 +15,10 @@ namespace dewpoint::capture {
 /// more than 18 digits.
 std::optional<std::int64_t> numberAtEnd(std::string_view name);
 
-/// Returns, for each of `files`, its position in the complete sequence, in which missing files are
-/// counted too. The first file has position 0. The number is at the end of the file name, before
-/// the extension. Numbers may increase by any constant step; where files are missing, they increase
-/// by a multiple of this step.
+/// Returns the position of each of `files` in the complete sequence, which includes missing files.
+/// The first file has position 0. The number is at the end of the file name, before the extension.
+/// Numbers may increase by any constant step; where files are missing, they increase by a multiple
+/// of this step.
 ///
 /// Returns an empty list if no file is missing, or if the names do not form such a sequence: fewer
 /// than three files, different prefixes, numbers without a common step (such as times), or at least

@@ -8,10 +8,10 @@
 
 namespace dewpoint::capture {
 
-/// Returns the location of a camera without secrets, for display, logs and results. Three asterisks
-/// replace the password in a network address (`rtsp://user:***@host/`) and the values of options
-/// whose names suggest a secret (`token`, `passphrase`, `user-pw`, ...), including in a GStreamer
-/// pipeline. Paths and device numbers are unchanged.
+/// Returns the location of a camera without secrets, for display, logs and results. In network
+/// addresses and GStreamer pipelines, three asterisks replace passwords (`rtsp://user:***@host/`)
+/// and the values of options whose names suggest a secret (`token`, `passphrase`, `user-pw`, ...).
+/// Paths and device numbers are unchanged.
 std::string redactedLocation(std::string_view location);
 
 } // namespace dewpoint::capture

@@ -10,22 +10,22 @@
 
 namespace dewpoint::capture {
 
-/// Capture times of a video that this program has recorded. The time stamps in the video are the
-/// same, except for a constant.
+/// Capture times of a video that this program has recorded. They differ from the time stamps in the
+/// video only by a constant.
 struct RecordedStamps {
   CaptureTimes times;
-  /// False if the recording was cut off; the images are counted in the video then.
+  /// False if the recording was cut off. The number of images is then counted in the video.
   bool isComplete = false;
 };
 
-/// Returns the times in a table that was written together with its video, or nothing for other
-/// tables. `ids`: as for readCaptureTimes().
+/// Returns the capture times in a table that this program wrote while recording the video. Returns
+/// nothing for other tables. `ids`: see readCaptureTimes().
 std::optional<RecordedStamps> recordedStamps(const std::string& table,
                                              const std::vector<std::string>& ids);
 
-/// Opens a reader for the images in a video file. `field` names the camera in errors. `recorded`
-/// makes it fast and exact where the images are not evenly spaced. Errors: FileMissing,
-/// FileUnreadable.
+/// Opens a reader for the images in a video file. `field` names the camera in errors. With
+/// `recorded`, the reader finds images quickly and exactly even if they are not evenly spaced in
+/// time. Errors: FileMissing, FileUnreadable.
 Result<FrameReaderPtr> openVideoReader(const std::string& path, const std::string& field,
                                        std::optional<RecordedStamps> recorded = std::nullopt);
 

@@ -8,31 +8,34 @@
 
 namespace dewpoint::capture {
 
-/// Image size that a device offers, with its rates.
+/// Image size that a device offers, and the frame rates at this size.
 struct OfferedSize {
-  int width = 0;             ///< pixels
-  int height = 0;            ///< pixels
-  std::vector<double> rates; ///< images per second, highest first; empty if the device names none
+  int width = 0;  ///< pixels
+  int height = 0; ///< pixels
+  /// Images per second, highest first; empty if the device does not list rates.
+  std::vector<double> rates;
 
   bool operator==(const OfferedSize&) const = default;
 };
 
-/// Pixel format that a device offers, with its sizes.
+/// Pixel format that a device offers, and the image sizes in this format.
 struct OfferedFormat {
-  std::string pixelFormat;        ///< as in DeviceFormat: "MJPG"
-  std::string description;        ///< of the driver, for example "Motion-JPEG"
-  bool isCompressed = false;      ///< fewer bytes than its pixels would need
+  std::string pixelFormat;        ///< see DeviceFormat::pixelFormat; for example "MJPG"
+  std::string description;        ///< name given by the driver, for example "Motion-JPEG"
+  bool isCompressed = false;      ///< true if the images are compressed
   std::vector<OfferedSize> sizes; ///< largest first
 
-  /// The device accepts a range of sizes, of which `sizes` has the usual ones.
+  /// True if the device accepts a range of sizes. `sizes` then contains only the common sizes in
+  /// this range.
   bool hasOtherSizes = false;
 
   bool operator==(const OfferedFormat&) const = default;
 };
 
-/// USB bus that a device is connected to. Devices with the same bus number share its capacity.
+/// USB bus to which a device is connected. Devices with the same bus number share the capacity of
+/// the bus.
 struct UsbLink {
-  int bus = 0;             ///< number of the bus; 0: not a USB device
+  int bus = 0;             ///< number of the bus; 0 if the device is not a USB device
   double deviceMbit = 0.0; ///< speed of the device, Mbit/s: 12, 480, 5000, ...
   double busMbit = 0.0;    ///< speed of the bus, Mbit/s
 
@@ -41,35 +44,38 @@ struct UsbLink {
 
 /// A camera device that is connected to this computer.
 struct CameraDevice {
-  std::string path; ///< device node, which changes with the order of plugging: "/dev/video0"
-  /// Path that stays the same: below /dev/v4l/by-id if the serial number is unique, else below
-  /// /dev/v4l/by-path, else `path`. A LiveCamera can have it as its location.
+  /// Device node, for example "/dev/video0"; may change when devices are plugged in.
+  std::string path;
+  /// Path that does not change when devices are plugged in; can be used as LiveCamera::location. It
+  /// is below /dev/v4l/by-id if the serial number is unique, otherwise below /dev/v4l/by-path. If
+  /// there is neither, it is `path`.
   std::string address;
   DeviceIdentity identity;
   std::string driver; ///< kernel driver, for example "uvcvideo"
   UsbLink usb;
   std::vector<OfferedFormat> formats;
-  /// Why the device cannot be used, such as missing permission; empty if it can be. Then it has no
-  /// formats.
+  /// Reason why the device cannot be used, for example a missing permission. `formats` is then
+  /// empty. The text is empty if the device can be used.
   std::string problem;
 
   bool operator==(const CameraDevice&) const = default;
 };
 
-/// Returns the device in words that distinguish it from others: name and serial number, or name and
+/// Returns a description of a device for messages: its name and serial number, or its name and
 /// connector if it has no serial number.
 std::string describe(const DeviceIdentity& identity);
 
-/// Returns the format as text: "MJPG 1280x720 30". Parts that are left to the device are left out.
+/// Returns a format as text, for example "MJPG 1280x720 30". Omits the parts that are left to the
+/// device.
 std::string describe(const DeviceFormat& format);
 
-/// Returns the format that a request leads to: parts that were left to the device become those that
-/// open_live prefers (a compressed format if it has the requested size and rate, and its largest
-/// size and highest rate). Parts that the device does not offer are unchanged.
+/// Returns a requested format with its open parts filled in as openLive() would choose them: JPEG
+/// if it is offered at the requested size and rate, then the largest size, then the highest rate.
+/// Requested parts are not changed, even if the device does not offer them.
 DeviceFormat completedFormat(const DeviceFormat& format, const std::vector<OfferedFormat>& offered);
 
-/// Returns whether a device offers a format, as far as its parts are given. Rates may differ by 1
-/// %.
+/// Returns whether a device offers a format. Parts of the format that are left to the device are
+/// not compared. Rates may differ by 1 %.
 bool isOffered(const DeviceFormat& format, const std::vector<OfferedFormat>& offered);
 
 } // namespace dewpoint::capture

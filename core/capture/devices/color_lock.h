@@ -9,36 +9,37 @@
 
 namespace dewpoint::capture {
 
-/// What changes the colors of a camera by itself.
+/// Automatic adjustments of a camera that change its colors.
 enum class ColorAutomatic { Exposure, Gain, WhiteBalance, Hue };
 
 /// Result of lockColors().
 struct ColorLock {
-  /// An automatic that could not be switched off although the device has it, or a value that it
-  /// does not let be set.
+  /// Control that the device did not accept: an automatic adjustment that could not be switched
+  /// off, or a value that could not be set.
   struct Refusal {
     ColorAutomatic automatic = ColorAutomatic::Exposure;
     std::string control; ///< name of the control
-    std::string reason;  ///< as text after a colon
+    std::string reason;  ///< reason, as text to append after a colon
   };
 
-  /// All that is now set, to be stored in the project (DeviceSettings::controls): automatics that
-  /// are off, and the values that hold instead.
+  /// Control values that are now set, to be stored in the project (DeviceSettings::controls): the
+  /// switches of automatic adjustments that are off, and the fixed values.
   ControlValues values;
-  std::vector<Refusal> refused;
-  /// Exposure, gain or white balance, if the device has no control for it at all. Whether it
-  /// adjusts itself is unknown.
+  std::vector<Refusal> refused; ///< controls that the device did not accept
+  /// Those of exposure, gain and white balance for which the device has no control. It is not known
+  /// whether the device adjusts them automatically.
   std::vector<ColorAutomatic> missing;
 };
 
-/// Switches the automatic exposure, gain, white balance and hue of a device off, and sets the
-/// values that it reports at this time. The image changes if a device reports the last value set by
-/// hand instead of the present one. Errors: DeviceUnavailable.
+/// Switches off the automatic exposure, gain, white balance and hue of a device. Then sets the
+/// values that the device reported before. The image may change, because some devices report the
+/// last value set by hand instead of the current one. Error: DeviceUnavailable.
 Result<ColorLock> lockColors(DeviceAccess& access, const std::string& path);
 
-/// Sets stored controls, switches of automatics first, so that the others take effect.
-/// Values that an automatic keeps are left out. Returns one error for each control that was not
-/// set; `field` is its name. The others are set.
+/// Sets stored control values. Switches of automatic adjustments are set first, because they
+/// determine which other controls take effect. Values that an automatic adjustment still controls
+/// are skipped. Returns one error for each control that could not be set; Error::field is the name
+/// of the control. All other controls are set.
 std::vector<Error> applyControls(DeviceAccess& access, const std::string& path,
                                  const ControlValues& values);
 

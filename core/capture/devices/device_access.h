@@ -12,34 +12,35 @@
 
 namespace dewpoint::capture {
 
-/// The camera devices of a computer. Calls may come from several threads at once. A call lasts as
-/// long as the drivers need, so that it has no place in the thread of the window.
+/// Access to the camera devices of a computer. Thread-safe. Calls may take long, because they wait
+/// for the drivers. Do not call them from the thread of a window.
 class DeviceAccess {
 public:
   virtual ~DeviceAccess() = default;
 
-  /// Returns all devices that deliver images, ordered by device number. Nodes for metadata, codecs
-  /// and outputs are left out.
+  /// Returns all devices that deliver images, ordered by device number. Device nodes for metadata,
+  /// codecs and outputs are omitted.
   virtual std::vector<CameraDevice> list() = 0;
 
-  /// Returns a text that changes when a device comes, goes, or gets other links in /dev/v4l. No
-  /// device is opened for it.
+  /// Returns a text that changes when a device is connected or disconnected, or when its links in
+  /// /dev/v4l change. Opens no device.
   virtual std::string signature() = 0;
 
-  /// Returns the controls of the device at this path or address, in the driver's order. Errors:
-  /// DeviceUnavailable with the path as file.
+  /// Returns the controls of the device at this path or address, in the driver's order. Error:
+  /// DeviceUnavailable; Error::file is the path.
   virtual Result<std::vector<DeviceControl>> controls(const std::string& path) = 0;
 
-  /// Sets a control. Values between two steps are rounded by the driver. Errors: DeviceUnavailable;
-  /// NotFound if the device has no such control; BadValue if it refuses the value. `field` is the
-  /// name of the control.
+  /// Sets the control `name` of a device. The driver rounds values between two steps. Errors:
+  /// DeviceUnavailable; NotFound if the device has no such control; BadValue if the device refuses
+  /// the value. Error::field is the name of the control.
   virtual Status setControl(const std::string& path, const std::string& name,
                             std::int64_t value) = 0;
 };
 
 using DeviceAccessPtr = std::shared_ptr<DeviceAccess>;
 
-/// Returns the devices of this computer: V4L2 on Linux, none on other systems.
+/// Returns access to the devices of this computer: V4L2 devices on Linux, no devices on other
+/// systems.
 DeviceAccessPtr systemDevices();
 
 } // namespace dewpoint::capture

@@ -9,31 +9,33 @@
 
 namespace dewpoint::capture {
 
+/// Type of the value of a control: a number, a switch, or a choice from a menu.
 enum class ControlKind { Integer, Boolean, Menu };
 
 /// Entry of a menu control.
 struct ControlMenuItem {
   std::int64_t value = 0;
-  std::string name; ///< of the driver: "Manual Mode"; or a number for a menu of integers
+  /// Name given by the driver, such as "Manual Mode", or a number for a menu of integers.
+  std::string name;
 
   bool operator==(const ControlMenuItem&) const = default;
 };
 
-/// A control of a camera device, such as its exposure time, with its present value.
+/// Control of a camera device, such as its exposure time, with its current value.
 struct DeviceControl {
-  /// Name in project files, as v4l2-ctl shows it: "exposure_time_absolute". The same for all
-  /// versions of the kernel.
+  /// Name in project files, as in v4l2-ctl: "exposure_time_absolute". It is the same for all kernel
+  /// versions.
   std::string name;
-  std::string label; ///< of the driver: "Exposure Time, Absolute"
+  std::string label; ///< name given by the driver, for example "Exposure Time, Absolute"
   ControlKind kind = ControlKind::Integer;
   std::int64_t minimum = 0;
   std::int64_t maximum = 0;
   std::int64_t step = 1; ///< at least 1
   std::int64_t defaultValue = 0;
   std::int64_t value = 0;
-  std::vector<ControlMenuItem> menu; ///< items that the device has; only for a menu
+  std::vector<ControlMenuItem> menu; ///< choices that the device offers; only for ControlKind::Menu
   bool readOnly = false;
-  bool inactive = false; ///< has no effect now, because an automatic of the device sets it
+  bool inactive = false; ///< has no effect now, because the device adjusts this value automatically
 
   bool operator==(const DeviceControl&) const = default;
 };

@@ -11,43 +11,48 @@
 
 namespace dewpoint::capture {
 
-/// How a device was recognized.
+/// Property by which a device was recognized.
 enum class MatchBasis { None, Serial, Bus, Name };
 
-/// Which of the present devices belongs to a camera.
+/// Connected device that belongs to a camera.
 struct DeviceMatch {
-  std::optional<std::size_t> device; ///< index of the device; nothing if missing or ambiguous
+  /// Index of the device; empty if the device is missing or ambiguous.
+  std::optional<std::size_t> device;
   MatchBasis basis = MatchBasis::None;
-  /// Devices among which only the user can decide; empty if one was found, or none is similar.
+  /// Similar devices, if it is not clear which one belongs to the camera; the user must choose.
+  /// Empty if a device was found, or if none is similar.
   std::vector<std::size_t> candidates;
 
   bool isAmbiguous() const { return !candidates.empty(); }
   bool isMissing() const { return !device && candidates.empty(); }
 };
 
-/// Finds the devices of several cameras among those that are present. No device is given to two
-/// cameras.
+/// Finds the connected device of each camera by its identity. Returns one match per identity, in
+/// the same order. No device is assigned to two cameras.
 ///
-/// 1. The same serial number decides, if only one device of this model has it.
-/// 2. Else the same connector decides, if the model there is the same and no serial number differs.
-///    Two equal devices without serial number stay apart in this way.
-/// 3. Else the only remaining device of the same model is taken, if no serial number differs.
+/// The rules are tried in this order:
 ///
-/// The model is the same if nothing differs that both sides know of vendor, product and name. If
-/// several devices remain in step 3, several cameras claim the same one, or only the serial number
-/// differs, the result is ambiguous. An empty identity is missing.
+/// 1. The device has the same serial number and model, and no other device of this model has this
+///    serial number.
+/// 2. The device is at the same connector, has the same model, and has no different serial number.
+///    This distinguishes two identical devices without serial numbers.
+/// 3. The device is the only remaining one of the same model, and has no different serial number.
 ///
-/// Two equal devices without serial number whose connectors were exchanged cannot be noticed.
+/// Two models are the same if they agree in all of vendor, product and name that are known for
+/// both. The result is ambiguous if several devices remain for rule 3, if several cameras match the
+/// same device, or if only the serial number differs. A camera with an empty identity has no
+/// device.
 ///
-/// Returns one match per identity, in their order.
+/// If two identical devices without serial numbers exchanged their connectors, this cannot be
+/// detected.
 std::vector<DeviceMatch> matchDevices(std::span<const DeviceIdentity> identities,
                                       std::span<const CameraDevice> devices);
 
-/// Same for a single camera.
+/// Finds the connected device of a single camera by its identity, by the rules of matchDevices().
 DeviceMatch matchDevice(const DeviceIdentity& identity, std::span<const CameraDevice> devices);
 
-/// Returns why a match has no device, as text after a colon: the device that is missing, or the
-/// candidates. Empty if it has one.
+/// Returns why a match has no device: the device is missing, or there are several candidates. The
+/// text can be appended after a colon. It is empty if the match has a device.
 std::string mismatchReason(const DeviceMatch& match, const DeviceIdentity& identity,
                            std::span<const CameraDevice> devices);
 

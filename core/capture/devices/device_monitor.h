@@ -14,22 +14,24 @@ namespace dewpoint::capture {
 using CameraDevices = std::vector<CameraDevice>;
 using CameraDevicesPtr = std::shared_ptr<const CameraDevices>;
 
-/// Reports camera devices as they come and go, from its own thread.
+/// Reports in a separate thread which camera devices are connected.
 class DeviceMonitor {
 public:
   using Receiver = std::function<void(CameraDevicesPtr)>;
 
-  /// Calls `receiver` in the monitor's thread: first with the present devices, then after each
-  /// change. Changes are seen within `interval` and the time that the drivers need.
+  /// Starts the monitor. It calls `receiver` in its own thread: first with the connected devices,
+  /// then after each change. A change is noticed after at most `interval` plus the time that the
+  /// drivers need.
   DeviceMonitor(DeviceAccessPtr access, Receiver receiver,
                 std::chrono::milliseconds interval = std::chrono::milliseconds(500));
   DeviceMonitor(const DeviceMonitor&) = delete;
   DeviceMonitor& operator=(const DeviceMonitor&) = delete;
-  /// Waits for a call of the receiver that is under way, but not for a driver. The receiver is not
-  /// called afterwards. Not to be called by the receiver.
+  /// Stops the monitor. Waits until the receiver has returned, but not for a driver. The receiver
+  /// is not called afterwards. The receiver must not destroy the monitor.
   ~DeviceMonitor();
 
-  /// Returns the newest list without waiting for a driver; null before the first.
+  /// Returns the newest list of devices without waiting for a driver; null before the first list is
+  /// complete.
   CameraDevicesPtr latest() const;
 
 private:

@@ -9,18 +9,20 @@
 
 namespace dewpoint::capture {
 
-/// What a connection needs to find its device among those that are present now.
+/// Data with which a connection finds its device among the connected devices.
 struct DeviceLookup {
   DeviceAccessPtr access;
-  /// Identities of all cameras that are open together, so that no two of them take the same device.
+  /// Identities of all cameras that are opened together. They ensure that no two cameras use the
+  /// same device.
   std::vector<DeviceIdentity> identities;
   std::size_t camera = 0; ///< index of the camera in `identities`
 };
 
-/// Creates a connection that, each time it opens, finds the device by its identity, makes a
-/// connection to it with `makeStream`, and sets the stored controls. A camera without identity
-/// keeps its location. It does not open if the device is missing or ambiguous, or does not offer
-/// the requested format. Controls that the device refuses are reported by remark().
+/// Creates a connection that finds its device each time it is opened. open() finds the device by
+/// its identity, connects to it with `makeStream`, and sets the stored controls. For a camera
+/// without an identity, open() uses the camera's location. open() fails if the device is missing or
+/// ambiguous, or does not offer the requested format. remark() reports the controls that the device
+/// refused.
 LiveStreamPtr makeDeviceStream(const LiveCamera& camera, DeviceLookup lookup,
                                LiveStreamFactory makeStream);
 

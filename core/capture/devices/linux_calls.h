@@ -9,24 +9,24 @@
 
 namespace dewpoint::capture {
 
-/// System calls on the nodes of V4L2 devices. Tests replace them.
+/// System calls for V4L2 device nodes. Tests use another implementation.
 class LinuxCalls {
 public:
   virtual ~LinuxCalls() = default;
-  /// Opens a node. Returns its descriptor, or the negative error number.
+  /// Opens a device node. Returns its file descriptor, or the negative error number.
   virtual int open(const std::string& path) = 0;
   virtual void close(int descriptor) = 0;
-  /// ioctl() with one of the requests VIDIOC_..., repeated if a signal interrupts it. Returns 0 or
-  /// the negative error number.
+  /// Calls ioctl() with one of the requests VIDIOC_...; repeats the call if a signal interrupts it.
+  /// Returns 0 or the negative error number.
   virtual int control(int descriptor, unsigned long request, void* argument) = 0;
 };
 
 using LinuxCallsPtr = std::shared_ptr<LinuxCalls>;
 
-/// Returns the calls of the system.
+/// Returns the calls of the operating system.
 LinuxCallsPtr linuxCalls();
 
-/// An open node, closed at the end.
+/// Open device node. The destructor closes it.
 class LinuxNode {
 public:
   LinuxNode(LinuxCallsPtr calls, const std::string& path)
@@ -41,7 +41,7 @@ public:
 
   /// Returns 0, or the error number of the failed attempt to open the node.
   int openError() const { return descriptor_ < 0 ? -descriptor_ : 0; }
-  /// Calls ioctl(). Returns 0 or the error number.
+  /// Calls ioctl() for this node. Returns 0 or the error number.
   template <class Argument> int ask(unsigned long request, Argument& argument) {
     return -calls_->control(descriptor_, request, &argument);
   }

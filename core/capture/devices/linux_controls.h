@@ -11,14 +11,15 @@
 
 namespace dewpoint::capture {
 
-/// Returns the controls of a V4L2 device: numbers, switches and menus whose values can be read.
+/// Returns the controls of a V4L2 device whose values can be read: numbers, switches and menus.
 std::vector<DeviceControl> linuxControls(LinuxNode& node);
 
-/// Sets a control; see DeviceAccess::setControl(). `path` is for the error.
+/// Sets a control; see DeviceAccess::setControl(). `path` is the path of the device for error
+/// messages.
 Status setLinuxControl(LinuxNode& node, const std::string& path, const std::string& name,
                        std::int64_t value);
 
-/// Returns an error number as text after a colon.
+/// Returns a description of a system error number, as text to append after a colon.
 std::string systemReason(int errorNumber);
 
 } // namespace dewpoint::capture

@@ -8,14 +8,15 @@
 
 namespace dewpoint::capture {
 
-/// V4L2 devices: /sys/class/video4linux says which nodes there are and how they are connected,
-/// /dev/v4l gives their stable paths, and the drivers answer for the rest.
+/// Access to the V4L2 devices of a Linux system. The device nodes and their connections are read
+/// from /sys/class/video4linux, and the stable paths from /dev/v4l. Everything else comes from the
+/// drivers.
 ///
-/// Left out are nodes without video capture (metadata, outputs), codecs (M2M), nodes of a media
-/// controller that must be linked to a sensor first (IO_MC), and nodes without any format.
+/// list() omits nodes without video capture (metadata, outputs), codecs (M2M), nodes of a media
+/// controller that must first be linked to a sensor (IO_MC), and nodes without any format.
 class LinuxDevices final : public DeviceAccess {
 public:
-  /// `root` is the folder that contains dev and sys: "/" of a running system.
+  /// `root` is the folder that contains dev and sys. On a running system, this is "/".
   explicit LinuxDevices(std::filesystem::path root = "/", LinuxCallsPtr calls = linuxCalls());
 
   std::vector<CameraDevice> list() override;
@@ -24,7 +25,7 @@ public:
   Status setControl(const std::string& path, const std::string& name, std::int64_t value) override;
 
 private:
-  /// Path of a node below the root.
+  /// Returns the path of a node below the root.
   std::string below(const std::string& path) const;
 
   std::filesystem::path root_;

@@ -9,22 +9,24 @@
 
 namespace dewpoint::capture {
 
-/// What sysfs knows about a node. Text is empty where it knows nothing.
+/// Properties of a video device node, read from sysfs. Unknown texts are empty.
 struct SysfsFacts {
-  int index = 0;             ///< of the node among those of its device
-  std::string product;       ///< of the USB descriptor
-  std::string serial;        ///< of the USB descriptor
-  std::string vendorProduct; ///< "046d:082d"
+  int index = 0;             ///< index of the node among the nodes of its device
+  std::string product;       ///< product name in the USB descriptor
+  std::string serial;        ///< serial number in the USB descriptor
+  std::string vendorProduct; ///< USB vendor and product number, hexadecimal: "046d:082d"
   UsbLink usb;
 };
 
-/// Returns the names of all video nodes ("video0", ...), by number. `root`: see LinuxDevices.
+/// Returns the names of all video device nodes ("video0", ...), ordered by number. `root`: see
+/// LinuxDevices.
 std::vector<std::string> videoNodes(const std::filesystem::path& root);
 
+/// Returns the properties of a video device node ("video0"). `root`: see LinuxDevices.
 SysfsFacts sysfsFacts(const std::filesystem::path& root, const std::string& node);
 
-/// Returns the first link in a folder (such as "dev/v4l/by-path") that leads to a node; only its
-/// name, without the folder. Empty if there is none.
+/// Returns the name of the first link to a node in a folder such as "dev/v4l/by-path". The result
+/// does not include the folder. It is empty if there is no such link.
 std::string linkTo(const std::filesystem::path& root, const std::string& folder,
                    const std::string& node);
 

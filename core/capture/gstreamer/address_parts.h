@@ -10,16 +10,17 @@
 
 namespace dewpoint::capture {
 
-/// Parts of a network address such as http://user:password@host:8080/video?size=2. Those that are
-/// missing are empty.
+/// Parts of a network address such as http://user:password@host:8080/video?size=2. Missing parts
+/// are empty.
 struct AddressParts {
   std::string scheme; ///< in lower case, without ://
-  std::string user;   ///< percent escapes are decoded
+  std::string user;   ///< user name, with percent escapes decoded
   std::string password;
-  std::string host;             ///< without the brackets of an IPv6 address
+  std::string host;             ///< host name or address, without the brackets of an IPv6 address
   std::optional<int> port = {}; ///< 1 to 65535
-  std::string path;             ///< from the first / after the host, with the query
-  std::vector<std::pair<std::string, std::string>> options = {}; ///< of the query; decoded
+  std::string path;             ///< text from the first / after the host, including the query
+  /// Options in the query, with percent escapes decoded.
+  std::vector<std::pair<std::string, std::string>> options = {};
 
   /// Returns the value of an option in the query, or nothing.
   std::optional<std::string> option(std::string_view name) const;
@@ -27,10 +28,12 @@ struct AddressParts {
   std::string withoutUser() const;
 };
 
-/// Splits an address into its parts; nothing if it has no scheme, or a port that is not valid.
+/// Splits an address into its parts. Returns nothing if the address has no scheme or an invalid
+/// port.
 std::optional<AddressParts> addressParts(std::string_view address);
 
-/// Splits the options name=value&name=value of a query; percent escapes are decoded.
+/// Returns the names and values of the options in a query such as name=value&name=value, with
+/// percent escapes decoded.
 std::vector<std::pair<std::string, std::string>> queryOptions(std::string_view query);
 
 } // namespace dewpoint::capture

@@ -8,21 +8,21 @@
 
 namespace dewpoint::capture {
 
-/// Turns the time stamps of one camera's images into capture times, and replaces those that cannot
-/// be true. Capture times increase. For use by one thread only.
+/// Computes capture times from the time stamps of one camera's images, and replaces implausible
+/// time stamps. Capture times always increase. For use by one thread only.
 ///
-/// A time stamp is used if it lies between 5 s before and 20 ms after the arrival of its image, and
-/// after that of the image before. Otherwise the time of arrival is used, minus the time that the
-/// last image with a good stamp took.
+/// A time stamp is plausible if it is between 5 s before and 20 ms after the arrival of its image,
+/// and later than the last plausible time stamp. For other images, the capture time is the time of
+/// arrival minus the latency of the last image with a plausible time stamp.
 class BufferClock {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// `origin`: what good time stamps mean.
+  /// `origin`: origin of plausible time stamps.
   explicit BufferClock(TimeOrigin origin) : origin_(origin) {}
 
-  /// Returns the capture time of the next image. `stamp`: its time stamp by the steady clock, if it
-  /// has one. `arrival`: when it arrived.
+  /// Returns the capture time of the next image. `stamp`: time stamp of the image by the steady
+  /// clock, if it has one. `arrival`: time at which the image arrived.
   CaptureInstant next(std::optional<Clock::time_point> stamp, Clock::time_point arrival);
 
 private:

@@ -9,16 +9,17 @@
 
 namespace dewpoint::capture {
 
-/// Returns the format that is requested from a V4L2 device: that in the camera's device settings;
-/// where it leaves the size open, with that of the camera before its rotation.
+/// Returns the format that is requested from a V4L2 device. It is the format in the camera's device
+/// settings. If this format has no size, the size of the camera's images before rotation and
+/// cropping is used.
 DeviceFormat requestedFormat(const LiveCamera& camera);
 
-/// Returns the caps that are requested from a V4L2 device: those of requestedFormat(); where it
-/// leaves the pixel format open, JPEG before uncompressed images. Returns nothing if GStreamer
-/// has no caps for the pixel format.
+/// Returns the GStreamer caps for requestedFormat(). If this format has no pixel format, the caps
+/// ask for JPEG, or else for uncompressed images. Returns nothing if GStreamer has no caps for the
+/// pixel format.
 std::optional<std::string> deviceCaps(const LiveCamera& camera);
 
-/// Returns whether images in this V4L2 pixel format depend on those before them.
+/// Returns whether decoding an image in this V4L2 pixel format requires previous images.
 bool isInterCoded(std::string_view pixelFormat);
 
 } // namespace dewpoint::capture

@@ -12,36 +12,38 @@
 
 namespace dewpoint::capture {
 
-/// Passes the images of one camera, as they come, from its connection to a recording. It outlives
-/// the connection, so that a recording continues after the camera was connected again. While nobody
-/// receives the images, it keeps the last ones on request. All functions may be called from any
-/// thread.
+/// Passes the images of one camera from its connection to a recording, without decoding them. It
+/// outlives the connection, so a recording continues after the camera was connected again. While
+/// there is no receiver, it can keep the latest images (setPreRoll()). Thread-safe.
 class EncodedFeed {
 public:
   using Clock = std::chrono::steady_clock;
-  /// Called for each image in a thread of the stream; must not block.
+  /// Function that is called for each image, in a thread of the stream. It must not block.
   using Receiver = std::function<void(const EncodedImage&)>;
 
-  /// Passes on an image.
+  /// Passes an image to the receiver. Without a receiver, keeps it for the pre-roll.
   void put(const EncodedImage& image);
-  /// Reports that the stream has ended. It begins again with the next image.
+  /// Reports that the stream has ended, and drops the pre-roll. The stream begins again with the
+  /// next image.
   void setEnded();
 
-  /// Keeps the last images while there is no receiver. A length of 0 keeps nothing.
+  /// Sets how many of the latest images are kept while there is no receiver (pre-roll). Drops the
+  /// images kept so far. With a length of 0, no images are kept.
   void setPreRoll(const PreRollLimits& limits);
+  /// Returns the number, duration and size of the images that are kept.
   PreRollStatus preRoll() const;
-  /// Returns when the oldest image that is kept was captured; nothing without one.
+  /// Returns the capture time of the oldest image that is kept, or nothing if no image is kept.
   std::optional<Clock::time_point> preRollBegin() const;
 
-  /// Makes `receiver` get the images that are kept and then all images from now on, instead of the
-  /// one before.
+  /// Replaces the receiver. The new receiver first gets the images that are kept, then all new
+  /// images.
   void connect(Receiver receiver);
-  /// Ends this; the receiver is not called after this function has returned.
+  /// Removes the receiver. It is not called after this function has returned.
   void disconnect();
 
-  /// Returns the number of images so far.
+  /// Returns the number of images passed to put() so far.
   std::int64_t imageCount() const;
-  /// Returns since when the stream has been at its end; nothing while it is not.
+  /// Returns the time at which the stream ended, or nothing if it has not ended or has begun again.
   std::optional<Clock::time_point> endedSince() const;
 
 private:

@@ -14,14 +14,16 @@ namespace dewpoint::capture {
 /// Returns the media type of a sample, such as video/x-raw or image/jpeg; empty if it has none.
 std::string mediaTypeOf(_GstSample& sample);
 
-/// Returns what has to stay the same for all images of one file: media type, size and format.
+/// Returns the media type, size and format of a sample as text. Only samples with the same text can
+/// be stored in one file.
 std::string storedFormatOf(_GstSample& sample);
 
-/// Returns a copy of a raw image of any format as CV_8UC3 (blue, green, red); empty if the sample
-/// is not a raw image, or too short for its size.
+/// Returns a copy of a raw image of any format as CV_8UC3 (blue, green, red). The result is empty
+/// if the sample is not a raw image, or if it has too few bytes for its size.
 cv::Mat imageOf(_GstSample& sample);
 
-/// Makes a sample with a copy of an image (CV_8UC3), without a time stamp. The caller owns it.
+/// Returns a new sample with a copy of an image (CV_8UC3) and without a time stamp. The caller owns
+/// the sample.
 _GstSample* sampleOf(const cv::Mat& image);
 
 } // namespace dewpoint::capture

@@ -13,11 +13,12 @@ struct _GstSample;  // NOLINT(bugprone-reserved-identifier): the library's
 
 namespace dewpoint::capture {
 
-/// Starts GStreamer once per process, without messages on stderr unless GST_DEBUG asks for them.
-/// Returns whether that worked.
+/// Starts GStreamer unless it was started before. Returns whether GStreamer is running. It writes
+/// no messages to stderr unless GST_DEBUG is set.
 bool startGStreamer();
 
-/// Returns whether this computer has an element. Starts GStreamer.
+/// Returns whether GStreamer on this computer has an element of this name. Starts GStreamer if
+/// needed.
 bool hasGstElement(const std::string& name);
 
 struct GstObjectRelease {
@@ -26,19 +27,20 @@ struct GstObjectRelease {
 struct GstSampleRelease {
   void operator()(_GstSample* sample) const;
 };
-/// Elements and samples of which one reference is owned.
+/// Owning pointers to GStreamer elements and samples. Each holds one reference.
 using GstElementPtr = std::unique_ptr<_GstElement, GstObjectRelease>;
 using GstSamplePtr = std::unique_ptr<_GstSample, GstSampleRelease>;
 
-/// Makes a pipeline that runs by the monotonic clock of this computer, which is the steady clock.
-/// Returns null and a reason if the text is not valid, or an element is missing.
+/// Creates a pipeline from its text. Its clock is the monotonic clock of this computer
+/// (std::chrono::steady_clock). If the text is not valid or an element is missing, returns null and
+/// sets `reason`.
 GstElementPtr makePipeline(const std::string& text, std::string& reason);
 
-/// Returns the message of a GStreamer error as one line that can be appended after a colon: without
-/// line breaks, and without passwords in addresses.
+/// Returns the message of a GStreamer error as one line of text to append after a colon. Passwords
+/// in addresses are removed.
 std::string gstReason(const _GError& error);
 
-/// Returns the reason in a message of type error; see gstReason().
+/// Returns gstReason() of the error in a GStreamer message of type error.
 std::string gstReasonOf(_GstMessage* message);
 
 } // namespace dewpoint::capture

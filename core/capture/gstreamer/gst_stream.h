@@ -14,23 +14,23 @@
 
 namespace dewpoint::capture {
 
-/// Connection to one device or stream by a GStreamer pipeline (pipelineText()).
+/// Connection to one device or stream through a GStreamer pipeline (pipelineText()).
 ///
-/// No call waits longer than about 2 s: open() fails if nothing arrives in this time, and grab()
-/// returns false if the stream has been silent for so long, has ended, or reports an error. While
-/// data arrive of which no image can be made yet, as before the first key frame of a stream, grab()
-/// returns true and retrieve() an empty image.
+/// No call waits longer than about 2 s. open() fails if nothing arrives in this time. grab()
+/// returns false if nothing has arrived for this time, or if the stream has ended or reports an
+/// error. Before the first key frame of a stream, data arrive that cannot be decoded yet: grab()
+/// then returns true, and retrieve() returns an empty image.
 ///
-/// Capture times are the time stamps of the buffers by the monotonic clock (BufferClock).
+/// Capture times are computed by BufferClock from the time stamps of the images.
 class GstStream final : public LiveStream {
 public:
-  /// `feed` gets all images as they come; null if nobody wants them.
+  /// `feed` receives all images before they are decoded; may be null.
   GstStream(PipelineText pipeline, EncodedFeedPtr feed);
   GstStream(const GstStream&) = delete;
   GstStream& operator=(const GstStream&) = delete;
   ~GstStream() override;
 
-  /// Makes the pipeline without starting it. open() does so itself if needed.
+  /// Creates the pipeline without starting it. If this was not called, open() creates the pipeline.
   tl::expected<void, std::string> prepare();
   tl::expected<void, std::string> open() override;
   bool grab() override;
@@ -42,7 +42,7 @@ public:
   std::string lostReason() const override { return lost_; }
   bool hasEnded() const override { return ended_ && pipelineText_.isFinite; }
 
-  /// Returns the pipeline, which exists after prepare().
+  /// Returns the pipeline; null before prepare() or open().
   _GstElement* pipeline() const { return pipeline_.get(); }
 
 private:
@@ -50,9 +50,9 @@ private:
   struct EncodedBranch;
 
   bool isSilent() const;
-  /// Whether the stream goes on: no error, no end.
+  /// Returns whether the stream continues, without an end or an error.
   bool isAlive();
-  /// The next decoded image, waiting for at most `patience`.
+  /// Returns the next decoded image. Waits for at most `patience`; returns null after that.
   GstSamplePtr pull(Clock::duration patience);
   void take(GstSamplePtr sample);
 

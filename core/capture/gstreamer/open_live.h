@@ -13,26 +13,28 @@
 
 namespace dewpoint::capture {
 
-/// Checks whether the program supports this type of location. Nothing is opened.
+/// Checks that the program supports the type of the camera's location. Opens nothing. Error:
+/// BadValue.
 Status checkLocation(const LiveCamera& camera);
 
-/// Creates the connection for the camera's location, not yet opened. GStreamer opens devices,
-/// addresses, pipelines and test patterns (pipelineText()). FFmpeg opens what GStreamer cannot open
-/// on this computer: rtmp:// and tcp://, and addresses for which an element is missing, such as
-/// http:// where the plugin with souphttpsrc is not installed. Its time-outs are longer (3 s), its
-/// images have the time of their arrival, and a recording gets them decoded.
+/// Creates an unopened connection to the camera's location. GStreamer opens devices, addresses,
+/// pipelines and test patterns (pipelineText()).
 ///
-/// If the camera has the settings of a device, the device is found by its identity
-/// (makeDeviceStream()).
+/// FFmpeg opens the addresses that GStreamer cannot open on this computer: rtmp:// and tcp://, and
+/// addresses for which a GStreamer element is missing. With FFmpeg, time-outs are longer (3 s), the
+/// capture time of an image is its time of arrival, and a recording receives decoded images.
 ///
-/// `feed` gets all images as they come; null if nobody wants them.
+/// If the camera has device settings, the device is found by its identity (makeDeviceStream()).
+///
+/// `feed` receives all images for a recording; may be null.
 LiveStreamPtr makeLiveStream(const LiveCamera& camera, EncodedFeedPtr feed);
 
-/// Opens a live source (see live_frame_source.h) with these connections.
+/// Opens a live source (see live_frame_source.h) with the connections of makeLiveStream().
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras);
 
-/// Same, with a feed for each camera, in their order. The feeds outlive the source. `devices` are
-/// those among which cameras with an identity find theirs.
+/// Opens a live source with the connections of makeLiveStream(). `feeds` has one entry per camera,
+/// in the same order; the feeds outlive the source. Cameras with a device identity are searched for
+/// among `devices`.
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras,
                                                  const std::vector<EncodedFeedPtr>& feeds,
                                                  DeviceAccessPtr devices = systemDevices());

@@ -14,41 +14,47 @@ struct _GstSample; // NOLINT(bugprone-reserved-identifier): the library's
 
 namespace dewpoint::capture {
 
-/// One image of a live stream as it came, before it is decoded.
+/// Image of a live stream before it is decoded.
 struct EncodedImage {
-  std::shared_ptr<_GstSample> sample; ///< its bytes and their format
+  std::shared_ptr<_GstSample> sample; ///< bytes of the image and their format
   CaptureInstant captured;
 };
 
-/// How much of a stream is kept in memory, to be written when a recording begins.
+/// Limits of the images of a stream that are kept in memory and written when a recording begins.
 struct PreRollLimits {
-  std::chrono::duration<double> length{0}; ///< time before the newest image; 0: nothing is kept
-  std::size_t bytes = 0;                   ///< most memory; older images are dropped earlier
-};
-
-/// What a pre-roll contains.
-struct PreRollStatus {
-  double seconds = 0.0; ///< from the oldest to the newest image
-  std::size_t images = 0;
+  /// Time before the newest image for which images are kept, seconds; 0: no images are kept.
+  std::chrono::duration<double> length{0};
+  /// Maximum memory, bytes; if it is exceeded, the oldest images are dropped.
   std::size_t bytes = 0;
-  bool shortened = false; ///< images younger than the length were dropped for want of memory
 };
 
-/// The last images of one stream, copied out of the buffers of its driver. The oldest image stands
-/// for itself: of H.264 and H.265 it is a key frame, so that a little more than the length is kept.
-/// Images of an earlier format are dropped. For use by one thread at a time.
+/// Number, duration and size of the images in a PreRoll.
+struct PreRollStatus {
+  double seconds = 0.0;   ///< time from the oldest to the newest image, seconds
+  std::size_t images = 0; ///< number of images
+  std::size_t bytes = 0;
+  /// True if images within PreRollLimits::length were dropped because of the memory limit.
+  bool shortened = false;
+};
+
+/// Keeps copies of the latest images of one stream. The oldest image can be decoded without earlier
+/// ones: for H.264 and H.265, it is a key frame. For this reason, a little more than
+/// PreRollLimits::length is kept. When the format of the images changes, all earlier images are
+/// dropped. Not thread-safe.
 class PreRoll {
 public:
   explicit PreRoll(const PreRollLimits& limits) : limits_(limits) {}
 
+  /// Adds a copy of an image, and drops images that are no longer needed.
   void add(const EncodedImage& image);
+  /// Drops all images.
   void clear();
   /// Returns the images, oldest first.
   const std::deque<EncodedImage>& images() const { return images_; }
   PreRollStatus status() const;
 
 private:
-  /// Drops the oldest image and those that need it.
+  /// Drops the oldest image and all images that cannot be decoded without it.
   void dropFirstGroup();
 
   PreRollLimits limits_;

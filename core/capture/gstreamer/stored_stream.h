@@ -12,16 +12,18 @@
 
 namespace dewpoint::capture {
 
-/// Reads the video of a StreamRecording with the decoders that a live camera has (GstStream), so
-/// that an image which was stored unchanged has the same pixels, to the bit, as it had live.
-/// Decoders of other libraries differ by a level or two. For use by one thread.
+/// Reads the video of a StreamRecording with the same decoders as a live camera (GstStream). An
+/// image that was stored unchanged therefore has exactly the same pixels as the live image. With
+/// decoders of other libraries, pixels may differ by one or two gray levels. For use by one thread
+/// only.
 class StoredStream {
 public:
   /// Opens a video. `field` names the camera in errors. Errors: FileMissing, FileUnreadable.
   static Result<StoredStream> open(const std::filesystem::path& video, const std::string& field);
 
-  /// Returns an image, CV_8UC3 (blue, green, red). Numbers begin at 0 and must increase from call
-  /// to call. EndedEarly if the video has no such image, or it cannot be decoded.
+  /// Returns image `number` as CV_8UC3 (blue, green, red). Numbers count from 0 and must increase
+  /// from call to call. Error: EndedEarly if the video has no such image, or if the image cannot be
+  /// decoded.
   Result<cv::Mat> read(std::int64_t number);
 
 private:

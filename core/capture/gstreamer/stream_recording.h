@@ -16,10 +16,10 @@
 
 namespace dewpoint::capture {
 
-/// How images are stored that a camera sends uncompressed.
+/// Storage of images that a camera sends uncompressed.
 enum class RawStorage {
   Jpeg,     ///< as JPEG of quality 95
-  Lossless, ///< as they came, uncompressed: 18 to 28 MB/s for 640 x 480 at 30 images per second
+  Lossless, ///< uncompressed: 18 to 28 MB/s for 640 x 480 pixels at 30 images per second
 };
 
 /// Files of the recording of one camera.
@@ -28,49 +28,55 @@ struct StreamFiles {
   std::filesystem::path times; ///< table of capture times (.csv)
 };
 
-/// What a recording has stored so far.
+/// Progress of a recording.
 struct RecordedCounts {
-  std::int64_t images = 0;        ///< in the files
-  std::int64_t preRollImages = 0; ///< of them, captured before the start of the take
-  std::int64_t dropped = 0;       ///< came, but are not in the files
-  std::int64_t bytes = 0;         ///< size of the video
-  /// Images per second, from the capture times of the first and the last image; 0 before the second
-  /// one.
+  std::int64_t images = 0; ///< number of images in the files
+  /// Number of these images that were captured before the start of the recording.
+  std::int64_t preRollImages = 0;
+  std::int64_t dropped = 0; ///< number of images that were received, but are not in the files
+  std::int64_t bytes = 0;   ///< size of the video file
+  /// Images per second, computed from the capture times of the first and the last image; 0 before
+  /// the second image.
   double framesPerSecond = 0.0;
-  TimeOrigin origin = TimeOrigin::Arrival; ///< of the last capture time
-  bool isChanged = false; ///< images are stored with other pixels: raw ones as JPEG, for example
-  /// Why something is missing, for instance a full disk. What was written before can be read.
+  TimeOrigin origin = TimeOrigin::Arrival; ///< origin of the latest capture time
+  /// True if the stored pixels differ from the received ones, for example because of
+  /// RawStorage::Jpeg.
+  bool isChanged = false;
+  /// Reason why images are missing, for example a full disk. Images that were written before can be
+  /// read.
   std::optional<Error> problem;
 };
 
-/// Records the stream of one camera as it comes: images that are compressed by the camera are
-/// stored unchanged, others as RawStorage says. A table beside the video gives the capture time of
-/// each image in seconds since the start of the take, in the format of readCaptureTimes().
+/// Records the stream of one camera. Images that the camera compresses are stored unchanged;
+/// RawStorage determines how uncompressed images are stored. A table next to the video contains the
+/// capture time of each image in seconds since `zero` (see the constructor), in the format of
+/// readCaptureTimes().
 ///
-/// Each image and its line are passed to the operating system as soon as they are there, so that a
-/// killed program loses the images that wait in memory at most, less than 2 s. If the disk is
-/// slower than the camera, images are dropped and counted; the camera never waits.
+/// Images and lines of the table are passed to the operating system immediately. If the program is
+/// killed, at most the last 2 s of images are lost. If the disk is slower than the camera, images
+/// are dropped and counted; the camera never waits.
 class StreamRecording {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// Connects to `feed` and begins with its next image (of H.264 and H.265: the next key frame).
-  /// The files are created then. Capture times are relative to `zero`; images captured before it
-  /// are left out. `field` names the camera in errors. Images of the feed's pre-roll that were
-  /// captured between `zero` and `begin`, the start of the take, are written first.
+  /// Starts recording the images of `feed`. Images of the feed's pre-roll that were captured after
+  /// `zero` are written first. `begin` is the start of the recording; earlier images count as
+  /// RecordedCounts::preRollImages. Without `begin`, the recording starts at `zero`. The files are
+  /// created with the first image, which for H.264 and H.265 is a key frame. Capture times are
+  /// relative to `zero`. `field` names the camera in errors.
   StreamRecording(EncodedFeedPtr feed, StreamFiles files, RawStorage raw, Clock::time_point zero,
                   std::string field, std::optional<Clock::time_point> begin = std::nullopt);
   StreamRecording(const StreamRecording&) = delete;
   StreamRecording& operator=(const StreamRecording&) = delete;
-  /// Stops if that was not done.
+  /// Calls stop().
   ~StreamRecording();
 
-  /// May be called from any thread.
+  /// Returns the progress of the recording. Thread-safe.
   RecordedCounts counts() const;
-  /// Returns for each image in the video its CaptureInstant::stamp. May be called from any thread.
+  /// Returns the CaptureInstant::stamp of each image in the video. Thread-safe.
   std::vector<std::int64_t> stamps() const;
-  /// Ends the recording in less than 1 s, and completes the files: with an index of the video, and
-  /// a last line in the table. Images that cannot be written in this time are dropped.
+  /// Ends the recording in less than 1 s, and completes the files: writes the index of the video
+  /// and the last line of the table. Images that cannot be written in this time are dropped.
   void stop();
 
 private:

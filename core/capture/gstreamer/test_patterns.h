@@ -8,7 +8,7 @@
 
 namespace dewpoint::capture {
 
-/// Returns whether GStreamer's test source can show a pattern of this name.
+/// Returns whether GStreamer's test source (videotestsrc) has a pattern of this name.
 bool isTestPattern(std::string_view name);
 /// Returns the names of all test patterns, separated by commas.
 std::string testPatternList();
