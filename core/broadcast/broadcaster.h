@@ -27,41 +27,45 @@ namespace dewpoint::broadcast {
 
 class WebServer;
 
-/// Everything that outputs are opened with.
+/// Input of Broadcaster::open().
 struct BroadcastInputs {
   OutputSettings settings;
-  std::filesystem::path folder = {};   ///< relative paths are relative to it
-  std::optional<WorldBox> volume = {}; ///< RigMessage::volume, meters, world frame
-  RemoteReceiver receiver = {};        ///< empty: remote commands are off
-  PageTexts texts = {};                ///< of the page for browsers
+  std::filesystem::path folder = {}; ///< folder to which relative paths in the settings refer
+  /// Volume of interest of the project, meters, world frame; see RigMessage::volume.
+  std::optional<WorldBox> volume = {};
+  /// Function that executes remote commands; empty: remote commands are off.
+  RemoteReceiver receiver = {};
+  PageTexts texts = {}; ///< texts of the page for browsers
 };
 
-/// Sends the results of a run to other programs while it runs. It has its own thread, and tracking
-/// never waits for it: up to kQueueLength snapshots wait, and the oldest are dropped.
+/// Sends the results of a run to other programs while the run lasts. A separate thread sends them,
+/// so tracking never waits. At most kQueueLength snapshots wait to be sent; if there are more, the
+/// oldest is dropped.
 class Broadcaster {
 public:
   static constexpr std::size_t kQueueLength = 8;
 
-  /// Opens all outputs of the settings. Errors name the key of the project file, as "output.tcp".
+  /// Opens all outputs of the settings. Errors name the key in the project file, for example
+  /// "output.tcp".
   static Result<std::unique_ptr<Broadcaster>> open(const BroadcastInputs& inputs);
-  /// Sends what still waits, and closes all outputs.
+  /// Sends the snapshots that still wait, and closes all outputs.
   ~Broadcaster();
   Broadcaster(const Broadcaster&) = delete;
   Broadcaster& operator=(const Broadcaster&) = delete;
 
-  /// Offers a snapshot. Those without newly tracked images are ignored. Returns at once; may be
-  /// called by any thread.
+  /// Adds a snapshot to those that wait to be sent. Ignores a snapshot without newly tracked
+  /// images. Returns immediately. Thread-safe.
   void offer(TrackSnapshotPtr snapshot);
 
-  /// Sets the texts of the page for browsers, for pages that are loaded from now on. May be called
-  /// by any thread.
+  /// Sets the texts of the page for browsers. They are used when a browser loads the page the next
+  /// time. Thread-safe.
   void setPageTexts(const PageTexts& texts);
 
-  /// Returns how each output is doing, in the order JSON, WebSocket, OSC, TUIO, CSV.
+  /// Returns the status of each open output, in the order JSON, WebSocket, OSC, TUIO, CSV.
   std::vector<OutletReport> reports() const;
-  /// Returns how many snapshots were dropped because sending took too long.
+  /// Returns the number of snapshots that were dropped because sending took too long.
   std::int64_t droppedFrames() const { return dropped_; }
-  /// Returns how many frames were sent.
+  /// Returns the number of frames that were sent.
   std::int64_t sentFrames() const { return sent_; }
 
 private:

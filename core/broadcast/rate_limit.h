@@ -8,20 +8,20 @@
 
 namespace dewpoint::broadcast {
 
-/// Decides which frames are sent, so that there are at most `rate` per second.
+/// Decides which frames are sent, so that at most `rate` frames per second are sent on average.
 class RateLimit {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// A rate of 0 lets all frames pass.
+  /// `rate`: maximum number of frames per second; 0: no limit.
   explicit RateLimit(double rate)
       : period_(rate > 0.0 ? std::chrono::duration_cast<Clock::duration>(
                                  std::chrono::duration<double>(1.0 / rate))
                            : Clock::duration::zero()) {}
 
-  /// Returns whether a frame that arrives now is sent. A frame may be early by a third of the
-  /// period: frames of cameras at this rate, which do not arrive evenly, then all pass. Over time,
-  /// the rate is still kept.
+  /// Returns whether to send a frame that arrives at `now`. A frame may be up to a third of a
+  /// period early. Cameras with exactly this rate therefore lose no frames, although their frames
+  /// do not arrive at regular intervals. On average, the rate is still not exceeded.
   bool isDue(Clock::time_point now) {
     if (now + period_ / 3 < due_) {
       return false;

@@ -8,10 +8,11 @@
 
 namespace dewpoint::broadcast {
 
-/// Returns the line of column names, which contain the unit.
+/// Returns the first line of the CSV output: the names of the columns, which include the unit of
+/// lengths.
 std::string csvHeaderRow(const RigMessage& rig);
-/// Returns one row per target. Unknown values are empty. The names of the cameras that see a target
-/// are in one cell, separated by semicolons.
+/// Returns the CSV rows of a frame, one per target. Cells of unknown values are empty. One cell
+/// contains the names of all cameras that see the target, separated by semicolons.
 std::vector<std::string> csvFrameRows(const FrameMessage& frame);
 
 } // namespace dewpoint::broadcast

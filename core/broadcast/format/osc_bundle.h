@@ -13,18 +13,18 @@
 
 namespace dewpoint::broadcast {
 
-/// Longest datagram that OSC bundles are divided into, in bytes: it fits into one packet of any
-/// network, and a lost packet loses only the targets in it.
+/// Maximum size of a datagram with an OSC bundle, in bytes. A datagram of this size fits into one
+/// network packet. If a packet is lost, only the targets in this packet are lost.
 inline constexpr std::size_t kMaxDatagram = 1400;
 
-/// An OSC message (opensoundcontrol.org, version 1.0): its address, and its arguments, which are
-/// 32-bit integers (i), 32-bit floating-point numbers (f) and strings (s).
+/// An OSC message (opensoundcontrol.org, version 1.0): an address and arguments. An argument is a
+/// 32-bit integer (i), a 32-bit floating-point number (f) or a string (s).
 struct OscMessage {
   using Argument = std::variant<std::int32_t, float, std::string>;
   std::string_view address;
   std::vector<Argument> arguments;
 
-  /// Appends three numbers.
+  /// Appends the three components of a vector as arguments.
   template <class Vector> void addVector(const Vector& vector) {
     for (int axis = 0; axis < 3; ++axis) {
       arguments.emplace_back(static_cast<float>(vector[axis]));
@@ -32,16 +32,17 @@ struct OscMessage {
   }
 };
 
-/// Bundle of OSC messages, to be executed at once by the receiver.
+/// Bundle of OSC messages that the receiver executes together.
 class OscBundle {
 public:
   OscBundle();
-  /// Appends messages in this order. Strings longer than 255 bytes are cut off.
+  /// Appends messages to the bundle. Strings longer than 255 bytes are cut off.
   void add(const std::vector<OscMessage>& messages);
-  /// Returns the bytes of the bundle.
+  /// Returns the encoded bundle.
   std::string bytes() const;
+  /// Returns the size of the encoded bundle, bytes.
   std::size_t size() const;
-  /// Returns the bytes that these messages add to a bundle.
+  /// Returns the number of bytes that these messages add to a bundle.
   static std::size_t sizeOf(const std::vector<OscMessage>& messages);
 
 private:

@@ -8,16 +8,16 @@
 
 namespace dewpoint::broadcast {
 
-/// Returns a frame as OSC bundles of up to kMaxDatagram bytes. Each begins with
+/// Returns a frame as OSC bundles of at most kMaxDatagram bytes. Each bundle begins with
 /// - `/dewpoint/frame` i frame, i sequence, f time in seconds, i number of targets.
 ///
-/// For a target with a position follow
-/// - `/dewpoint/target` i id, s name, s state, f x, y, z, f velocity x, y, z (0 if unknown),
-///   f existence probability;
+/// It continues, for each target with a position, with
+/// - `/dewpoint/target` i id, s name, s state, f x, y, z, f velocity x, y, z (0 if unknown), f
+///   existence probability;
 /// - `/dewpoint/covariance` i id, f xx, xy, xz, yy, yz, zz;
-/// - `/dewpoint/cameras` i id, s name of each camera that sees it;
+/// - `/dewpoint/cameras` i id, s name of each camera that sees the target;
 ///
-/// and for a target without one
+/// and for each target without a position, with
 /// - `/dewpoint/absent` i id, s name, s state, f existence probability.
 std::vector<std::string> oscFrameBundles(const FrameMessage& frame);
 

@@ -10,27 +10,30 @@
 
 namespace dewpoint::broadcast {
 
-/// A format in which results leave the program while it runs: one row of the table. Its functions
-/// are pure, so that the bytes can be compared with written examples.
+/// Format in which results are sent during a run; one entry of streamFormats(). The functions have
+/// no side effects: the same input gives the same bytes.
 struct StreamFormat {
   std::string_view id;     ///< name in documents and messages
-  std::string_view title;  ///< what it is, in a few words
-  std::string_view fields; ///< what a frame contains, in one sentence
-  /// Returns what a receiver gets before the first frame, and again after a change of the rig;
-  /// empty: nothing.
+  std::string_view title;  ///< description in a few words
+  std::string_view fields; ///< contents of a frame, in one sentence
+  /// Returns the text that a receiver gets before the first frame, and again after a change of the
+  /// rig. An empty text is not sent.
   std::string (*opening)(const RigMessage& rig);
-  /// Returns a frame as pieces, each of which a receiver can understand without the others: lines
-  /// with their line end, or datagrams.
+  /// Returns a frame as pieces: lines including their line ends, or datagrams. A receiver can
+  /// understand each piece without the others.
   std::vector<std::string> (*encode)(const FrameMessage& frame);
 };
 
-/// Returns all formats.
+/// Returns all stream formats.
 std::span<const StreamFormat> streamFormats();
 
-/// Return one format each.
+/// Returns the format of JSON lines.
 const StreamFormat& jsonLines();
+/// Returns the format of CSV rows.
 const StreamFormat& csvRows();
+/// Returns the format of OSC messages.
 const StreamFormat& oscMessages();
+/// Returns the format of TUIO 3D cursors.
 const StreamFormat& tuioCursors();
 
 } // namespace dewpoint::broadcast

@@ -13,9 +13,10 @@ namespace dewpoint::broadcast {
 /// - `/tuio/3Dcur` s "set", i id, f x, y, z, f velocity x, y, z, f acceleration along the path;
 /// - `/tuio/3Dcur` s "fseq", i sequence.
 ///
-/// Positions are fractions of RigMessage::volume along the axes of the output: 0 at its minimum, 1
-/// at its maximum; they may lie outside. Velocities are fractions per second. If the cursors do not
-/// fit into one datagram, several bundles have the same `fseq` and the same list.
+/// Positions are fractions of RigMessage::volume along the axes of the output: 0 at the minimum and
+/// 1 at the maximum of the volume. Positions outside the volume are below 0 or above 1. Velocities
+/// are fractions per second. If the cursors do not fit into one datagram, they are distributed
+/// among several bundles with the same `alive` list and the same `fseq`.
 std::vector<std::string> tuioFrameBundles(const FrameMessage& frame);
 
 } // namespace dewpoint::broadcast

@@ -17,17 +17,17 @@
 
 namespace dewpoint::broadcast {
 
-/// Coordinate system and unit of everything that is sent.
+/// Axes and unit of all data that is sent.
 struct OutputCoordinates {
   OutputAxes axes = OutputAxes::ZUp;
   OutputUnit unit = OutputUnit::Meter;
 
-  /// Returns the matrix that maps a position (m, world frame) to one that is sent.
+  /// Returns the matrix that converts a position (meters, world frame) to output coordinates.
   Eigen::Matrix3d fromWorld() const;
   bool operator==(const OutputCoordinates&) const = default;
 };
 
-/// Position and direction of one camera, in output coordinates.
+/// Position and direction of one camera, in output coordinates (OutputCoordinates).
 struct CameraMessage {
   std::string name;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -36,66 +36,70 @@ struct CameraMessage {
   bool operator==(const CameraMessage&) const = default;
 };
 
-/// Everything that stays the same from frame to frame: sent once, and again after a change.
+/// Data that stays the same from frame to frame. It is sent once, and again after a change.
 struct RigMessage {
   OutputCoordinates coordinates;
   std::vector<CameraMessage> cameras; ///< in the order of the project
-  /// Volume that TUIO maps to 0 to 1, in output coordinates: the project's volume of interest, or
-  /// the volume that at least two cameras see.
+  /// Volume in output coordinates: the project's volume of interest, or else the volume that at
+  /// least two cameras see. TUIO output maps it to the range 0 to 1.
   WorldBox volume{Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()};
 
   bool operator==(const RigMessage&) const = default;
 };
 using RigMessagePtr = std::shared_ptr<const RigMessage>;
 
-/// One target in one frame, in output coordinates; times in seconds.
+/// One target in one frame. Lengths are in output coordinates, times in seconds.
 struct TargetMessage {
-  int id = 0;        ///< from 1 on; that of a person is never used again in a run
-  std::string name;  ///< name in the project
-  std::string state; ///< stateWord()
-  /// Position; nothing unless the cameras confirm it in this frame.
+  int id = 0;       ///< number of the target, from 1; the id of a person is not reused during a run
+  std::string name; ///< name in the project
+  std::string state; ///< result of stateWord()
+  /// Position; empty if the images of this frame do not confirm the position.
   std::optional<Eigen::Vector3d> position;
-  /// Covariance of the position; only meaningful with a position.
+  /// Covariance of the position. Meaningful only if there is a position.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  /// Slope of a line through the last positions, per second; nothing until there are two.
+  /// Velocity: slope of a line through the latest positions, length per second. Empty if fewer than
+  /// two positions are known.
   std::optional<Eigen::Vector3d> velocity;
-  /// Change of the velocity since the frame before, per second squared; zero if unknown.
+  /// Acceleration: change of the velocity since the previous frame, length per second squared; zero
+  /// if unknown.
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
   double existence = 0.0;   ///< existence probability, 0 to 1
   std::vector<int> cameras; ///< cameras that see the target, as indices in RigMessage::cameras
 };
 
-/// All targets in one frame: what leaves the program while it runs.
+/// All targets in one frame, as sent to other programs.
 struct FrameMessage {
   std::int64_t frame = 0;    ///< number of the frame in the run
-  std::int64_t sequence = 0; ///< counts the messages since the start of the program, from 1 on
+  std::int64_t sequence = 0; ///< number of this message since the outputs were opened, from 1
   double time = 0.0;         ///< capture time, seconds since the start of the run
   RigMessagePtr rig;         ///< never null
   std::vector<TargetMessage> targets;
 };
 
-/// Returns the state of a target as one word, as in reasons.csv: held, ambiguous, searching, lost,
-/// hidden, or gone.
+/// Returns the state of a target as one word: held, ambiguous, searching, lost, hidden, or gone.
+/// The same words are used in reasons.csv.
 const char* stateWord(HoldState state);
 
-/// Returns the rig of a snapshot, which must have one. `volume` is the project's volume of interest
-/// in meters, world frame, if there is one.
+/// Returns the message about the rig of a snapshot. The snapshot must have a rig. `volume` is the
+/// project's volume of interest (meters, world frame), if there is one.
 RigMessage rigMessageOf(const TrackSnapshot& snapshot, const OutputCoordinates& coordinates,
                         const std::optional<WorldBox>& volume);
 
-/// Positions of the last few frames, from which velocities are computed. It has to be given every
-/// frame, also those that are not sent.
+/// Computes velocities and accelerations from the positions in the latest frames. Every frame must
+/// be added, even if it is not sent.
 class RecentPositions {
 public:
-  /// Adds a snapshot. Starts over after a restart or a jump back.
+  /// Adds a snapshot. Forgets all earlier positions if the run was restarted or jumped back.
   void add(const TrackSnapshot& snapshot);
-  /// Returns the velocity of a target (m/s, world frame) in the frame added last.
+  /// Returns the velocity of a target (m/s, world frame) in the latest frame, or nothing if it is
+  /// unknown.
   std::optional<Eigen::Vector3d> velocity(const std::string& target) const;
-  /// Returns the change of this velocity since the frame before (m/s²); zero if unknown.
+  /// Returns the acceleration of a target (m/s², world frame): the change of its velocity since the
+  /// previous frame. Zero if it is unknown.
   Eigen::Vector3d acceleration(const std::string& target) const;
 
-  /// Number of positions that a velocity is computed from. Velocities of accelerating targets lag
-  /// by one and a half frames; noise of the positions is reduced by half.
+  /// Number of positions from which a velocity is computed. The velocity of an accelerating target
+  /// lags by one and a half frames.
   static constexpr std::size_t kPositions = 4;
 
 private:
@@ -109,9 +113,8 @@ private:
   std::uint64_t seed_ = 0;
 };
 
-/// Returns what is sent of a snapshot, whose rig and frames must exist. Persons who have left are
-/// not in it. `recent` already has this
-/// snapshot. `sequence` is left 0.
+/// Returns the message about a frame. The snapshot must have a rig and frames, and must already
+/// have been added to `recent`. People who have left are omitted. FrameMessage::sequence is 0.
 FrameMessage frameMessageOf(const TrackSnapshot& snapshot, const RecentPositions& recent,
                             const RigMessagePtr& rig);
 

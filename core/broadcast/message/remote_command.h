@@ -13,43 +13,47 @@
 
 namespace dewpoint::broadcast {
 
-/// What a program elsewhere may ask for.
+/// Action that another program can request.
 enum class RemoteAction { Start, Stop, StartRecording, StopRecording };
 
-/// A command from another program, as it was sent.
+/// Command from another program, before its token is checked.
 struct RemoteCommand {
   RemoteAction action = RemoteAction::Start;
   std::string name;  ///< name of the recording: letters, digits, - and _; may be empty
-  std::string token; ///< what the sender claims to know
+  std::string token; ///< secret word with which the sender proves its permission
 };
 
-/// Longest line or WebSocket message that is read, in bytes.
+/// Maximum length of a command line or WebSocket message, bytes. Longer ones are rejected.
 inline constexpr std::size_t kMaxRemoteBytes = 4096;
-/// Longest name of a recording, in bytes.
+/// Maximum length of the name of a recording, bytes.
 inline constexpr std::size_t kMaxRecordingName = 64;
 
 /// Parses one JSON object: `{"command": "start", "token": "..."}`. The commands are start, stop,
-/// record (with an optional "name") and stop-recording. BadValue or NotParsed names the key.
+/// record (with an optional "name") and stop-recording. Errors: NotParsed if the text is not a
+/// short JSON object; BadValue, which names the invalid key.
 Result<RemoteCommand> parseRemoteCommand(std::string_view text);
 
-/// Executes a command, whose token is right, and returns whether it worked. Called by the threads
-/// of the outputs, one call at a time; it must not wait.
+/// Function that executes a command whose token was correct. Returns an error if this fails. It is
+/// called in the threads of the outputs, by one thread at a time, and must return immediately.
 using RemoteReceiver = std::function<Status(const RemoteCommand&)>;
 
-/// Decides which remote commands are executed. Thread-safe.
+/// Checks the tokens of remote commands and executes the permitted commands. Thread-safe.
 class RemoteGate {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// An empty token or receiver refuses everything.
+  /// `token`: token that commands must contain. If the token or the receiver is empty, remote
+  /// commands are off.
   RemoteGate(std::string token, RemoteReceiver receiver);
 
-  /// Handles a line from outside and returns the reply, one JSON object without a line end; empty
-  /// if remote commands are off, so that nothing is revealed. After kMaxWrongTokens wrong tokens
-  /// within kLockTime, from whatever sender, all commands are refused until the first of them is
-  /// older than that.
+  /// Executes the command in a line that was received, if its token is correct. Returns the reply:
+  /// one JSON object without a line end. The reply is empty if remote commands are off.
+  ///
+  /// After kMaxWrongTokens wrong tokens within kLockTime, from any senders, all commands are
+  /// refused until the first of these tokens is older than kLockTime.
   std::string handle(std::string_view line, Clock::time_point now = Clock::now());
 
+  /// Returns whether remote commands are on.
   bool isOn() const { return !token_.empty() && receiver_ != nullptr; }
 
   static constexpr std::size_t kMaxWrongTokens = 5;
@@ -64,7 +68,8 @@ private:
   std::deque<Clock::time_point> wrong_; ///< times of wrong tokens, oldest first
 };
 
-/// Compares two texts in a time that depends on neither.
+/// Returns whether two texts are equal. The time of the comparison does not depend on where they
+/// differ, so an attacker cannot measure how much of a guess is correct.
 bool areEqualInConstantTime(std::string_view a, std::string_view b);
 
 } // namespace dewpoint::broadcast

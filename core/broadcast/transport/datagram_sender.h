@@ -11,11 +11,12 @@
 
 namespace dewpoint::broadcast {
 
-/// Sends each piece as one UDP datagram to one receiver, which need not exist. There is no opening.
+/// Sends each piece as one UDP datagram to one receiver. Does not notice if there is no receiver.
+/// Sends no opening.
 class DatagramSender final : public Outlet {
 public:
-  /// `address` is HOST:PORT; broadcast and multicast addresses are possible. `kind` is used in the
-  /// report. BadValue if the address is unknown.
+  /// Opens a socket for sending to `address` (HOST:PORT, which may be a broadcast or multicast
+  /// address). `kind` is used in the report. Error: BadValue if the address is unknown.
   static Result<std::unique_ptr<DatagramSender>> open(const std::string& address, OutletKind kind);
 
   void setOpening(const std::string& /*opening*/) override {}

@@ -8,7 +8,7 @@
 
 namespace dewpoint::broadcast {
 
-/// A file descriptor that is closed at the end.
+/// Owning file descriptor. The destructor closes it.
 class FileDescriptor {
 public:
   FileDescriptor() = default;

@@ -12,25 +12,27 @@
 
 namespace dewpoint::broadcast {
 
-/// One program that is connected to a LineServer.
+/// Connection of a LineServer to one program.
 class LineClient {
 public:
   explicit LineClient(FileDescriptor socket) : socket_(std::move(socket)) {}
 
   int socket() const { return socket_.number(); }
   bool isOpen() const { return socket_.isOpen(); }
-  /// Returns whether the client may still send something.
+  /// Returns whether the client may still send commands. This is false after the client has closed
+  /// its sending side.
   bool isListenedTo() const { return isListenedTo_; }
   bool hasSomethingToSend() const { return !queue_.empty(); }
 
-  /// Appends bytes to send, and returns how many older pieces were dropped.
+  /// Appends bytes to send. Returns the number of pieces that were dropped because the queue is
+  /// full.
   std::int64_t push(SharedBytes bytes) { return queue_.push(std::move(bytes)); }
-  /// Sends as much as the network takes at once, and returns how many pieces were completed. Closes
-  /// the socket on an error.
+  /// Sends as many of the waiting bytes as the network accepts immediately. Returns the number of
+  /// pieces that were sent completely. Closes the socket after an error.
   std::int64_t sendWaiting();
-  /// Reads what has arrived, at most 16 KiB, and returns the complete lines in it, without their
-  /// ends. Lines longer than kMaxRemoteBytes are left out. A client that has only closed its own
-  /// side still receives.
+  /// Reads at most 16 KiB of the data that has arrived. Returns the lines that are now complete,
+  /// without their line ends. Lines longer than kMaxRemoteBytes are omitted. A client that has
+  /// closed only its sending side still receives data.
   std::vector<std::string> receive();
 
 private:
@@ -38,7 +40,7 @@ private:
 
   FileDescriptor socket_;
   OutgoingQueue queue_;
-  std::size_t sent_ = 0; ///< bytes of the first piece
+  std::size_t sent_ = 0; ///< number of bytes of the first piece that were sent
   std::string input_;    ///< the beginning of a line
   bool isTooLong_ = false;
   bool isListenedTo_ = true;

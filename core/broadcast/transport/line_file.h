@@ -12,13 +12,13 @@
 
 namespace dewpoint::broadcast {
 
-/// Writes lines to a file, a named pipe or standard output. A pipe is opened again and again until
-/// a program reads it; each reader gets the opening first. Lines that do not fit into a pipe are
-/// dropped as a whole. The thread that calls send() no longer receives SIGPIPE.
+/// Writes lines to a file, a named pipe or standard output. send() opens a named pipe as soon as a
+/// program reads from it. Each reader first gets the opening. A line that does not fit into a pipe
+/// is dropped completely. send() blocks SIGPIPE in the thread that calls it.
 class LineFile final : public Outlet {
 public:
-  /// A `file` that does not exist is created, and an existing one is replaced; "-" is standard
-  /// output. FileUnwritable if this is not possible.
+  /// Opens an output. If `file` is "-", this is standard output. A file that does not exist is
+  /// created, and the contents of an existing file are replaced. Error: FileUnwritable.
   static Result<std::unique_ptr<LineFile>> open(const std::filesystem::path& file);
 
   void setOpening(const std::string& opening) override;
@@ -29,7 +29,7 @@ private:
   explicit LineFile(std::filesystem::path file) : file_(std::move(file)) {}
   bool isReady();
   void write(const std::string& piece);
-  /// Notes that nothing can be written at present.
+  /// Stores the reason why nothing can be written now.
   void fail(int reason);
 
   std::filesystem::path file_;

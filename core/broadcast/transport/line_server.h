@@ -12,19 +12,19 @@
 
 namespace dewpoint::broadcast {
 
-/// Sends lines to all programs that connect by TCP, and reads remote commands from them, one JSON
-/// object per line. It has one thread.
+/// Sends lines to all programs that connect by TCP, and reads remote commands from them. A command
+/// is one JSON object per line. Uses one thread for all clients.
 ///
-/// What comes in is limited: a line longer than kMaxRemoteBytes is ignored up to its end, and up to
-/// kMaxClients programs are connected at the same time. A client that is too slow misses lines
-/// (OutgoingQueue); one that acknowledges nothing for kUnansweredSeconds is disconnected.
+/// At most kMaxClients programs can be connected at the same time. A received line longer than
+/// kMaxRemoteBytes is ignored. If a client is too slow, lines for this client are dropped
+/// (OutgoingQueue). A client that does not acknowledge data for kUnansweredSeconds is disconnected.
 class LineServer final : public Outlet {
 public:
   static constexpr std::size_t kMaxClients = 256;
   static constexpr int kUnansweredSeconds = 60;
 
-  /// Opens a port (0: any free one) on an address of this computer. `gate` is never null. BadValue
-  /// if the port cannot be opened.
+  /// Opens a port (0: any free port) on an address of this computer (`host`). `gate` executes
+  /// remote commands and must not be null. Error: BadValue if the port cannot be opened.
   static Result<std::unique_ptr<LineServer>> open(const std::string& host, std::uint16_t port,
                                                   std::shared_ptr<RemoteGate> gate);
   /// Disconnects all clients.
@@ -33,7 +33,7 @@ public:
   void setOpening(const std::string& opening) override;
   void send(const std::vector<std::string>& pieces) override;
   OutletReport report() const override;
-  /// Returns the port that is open.
+  /// Returns the number of the open port.
   std::uint16_t port() const;
 
 private:

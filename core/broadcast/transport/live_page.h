@@ -7,8 +7,9 @@
 
 namespace dewpoint::broadcast {
 
-/// Returns the page that shows cameras, targets and their tracks in 3D. It is read-only, needs no
-/// other file, and reads JSON lines from the WebSocket of the server that it comes from.
+/// Returns the HTML page that shows cameras, targets and their tracks in 3D. The page is
+/// self-contained. It reads JSON lines from the WebSocket of the server that it was loaded from,
+/// and sends no commands.
 std::string livePage(const PageTexts& texts = {});
 
 } // namespace dewpoint::broadcast

@@ -9,23 +9,27 @@
 
 namespace dewpoint::broadcast {
 
-/// What waits for one client. It holds a limited number of bytes: if a client is too slow, the
-/// oldest pieces are dropped, but never the one that is being sent.
+/// Queue of the pieces that wait to be sent to one client. Its size in bytes is limited: if the
+/// client is too slow, the oldest pieces are dropped. The piece that is being sent is never
+/// dropped.
 class OutgoingQueue {
 public:
-  /// About three seconds of ten targets at 30 frames per second.
+  /// Default size of a queue, bytes. Enough for about three seconds of ten targets at 30 frames per
+  /// second.
   static constexpr std::size_t kMaxBytes = std::size_t{256} << 10U;
 
   explicit OutgoingQueue(std::size_t maxBytes = kMaxBytes) : maxBytes_(maxBytes) {}
 
-  /// Appends a piece, and returns how many others were dropped for it. A piece that is larger than
-  /// the queue is dropped itself, unless the queue is empty.
+  /// Appends a piece and drops the oldest waiting pieces if there is not enough space. If there is
+  /// still not enough space, drops the new piece, unless the queue is empty. Returns the number of
+  /// dropped pieces.
   std::int64_t push(SharedBytes piece);
   bool empty() const { return pieces_.empty(); }
-  /// Returns the piece that is being sent; the queue must not be empty.
+  /// Returns the first piece, which is being sent. The queue must not be empty.
   const SharedBytes& front() const { return pieces_.front(); }
-  /// Removes it.
+  /// Removes the first piece. The queue must not be empty.
   void pop();
+  /// Returns the number of bytes in the queue.
   std::size_t bytes() const { return bytes_; }
 
 private:

@@ -10,44 +10,49 @@
 
 namespace dewpoint::broadcast {
 
-/// Forms in which results leave the program.
+/// Kinds of outputs through which results are sent to other programs.
 enum class OutletKind {
   JsonLines,   ///< lines of JSON over TCP
-  WebPage,     ///< page for browsers and WebSocket
+  WebPage,     ///< page for browsers, and JSON lines over WebSocket
   OscMessages, ///< OSC datagrams
   TuioCursors, ///< TUIO datagrams
   CsvLines,    ///< lines of CSV in a file, in a named pipe or on standard output
 };
 
-/// How an output is doing.
+/// Status of an output.
 struct OutletReport {
   OutletKind kind = OutletKind::JsonLines;
-  /// Own address ("127.0.0.1:9001", "http://127.0.0.1:9002/"), address of the receiver, or file;
-  /// "-" is standard output.
+  /// For a server, its own address ("127.0.0.1:9001", "http://127.0.0.1:9002/"). For datagrams, the
+  /// address of the receiver. For CSV lines, the file; "-" is standard output.
   std::string address;
-  int clients = 0;          ///< programs that are connected
-  std::int64_t sent = 0;    ///< lines or datagrams handed to the operating system
-  std::int64_t dropped = 0; ///< lines or datagrams that a receiver was too slow for
-  bool lacksReader = false; ///< true while no program reads the named pipe; nothing is sent then
+  int clients = 0;       ///< number of connected programs
+  std::int64_t sent = 0; ///< number of lines or datagrams passed to the operating system
+  /// Number of lines or datagrams that were not sent because a receiver was too slow.
+  std::int64_t dropped = 0;
+  /// True while no program reads from the named pipe, so that nothing is sent.
+  bool lacksReader = false;
   /// Message of the operating system if nothing can be written; empty if there is no such problem.
   std::string problem = {};
 };
 
-/// Returns in English where the results go: "JSON lines at 127.0.0.1:9001".
+/// Returns the kind and address of an output in English, for example "JSON lines at
+/// 127.0.0.1:9001".
 std::string placeText(const OutletReport& report);
 
-/// Bytes that several threads and clients share.
+/// Immutable bytes that several threads and clients share.
 using SharedBytes = std::shared_ptr<const std::string>;
 
-/// Way out of the program. No call ever waits for a receiver: what it cannot take at once is
-/// dropped, the oldest first, and counted.
+/// Output that sends results to other programs. No call waits for a receiver. If a receiver is too
+/// slow, the oldest data is dropped and counted.
 class Outlet {
 public:
   virtual ~Outlet() = default;
-  /// Sets what each receiver gets first. If it changes, present receivers get it too.
+  /// Sets the opening: text that each new receiver gets first. If the opening changes, connected
+  /// receivers also get the new one.
   virtual void setOpening(const std::string& opening) = 0;
-  /// Sends the pieces of one frame.
+  /// Sends the pieces of one frame (StreamFormat::encode).
   virtual void send(const std::vector<std::string>& pieces) = 0;
+  /// Returns the status of the output.
   virtual OutletReport report() const = 0;
 };
 

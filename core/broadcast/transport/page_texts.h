@@ -8,10 +8,11 @@
 
 namespace dewpoint::broadcast {
 
-/// Texts that a browser shows, in one language: those of livePage(), and the replies of WebServer
-/// to other requests. UTF-8 without markup. `%1` and `%2` stand for values.
+/// Texts that a browser shows, in one language: the texts of livePage(), and the replies of
+/// WebServer to invalid requests. UTF-8 without HTML markup. `%1` and `%2` are placeholders for
+/// values.
 struct PageTexts {
-  /// BCP 47 tag of the language, for example "de-DE". Numbers are written as is usual there.
+  /// BCP 47 tag of the language, for example "de-DE". It also determines how numbers are written.
   std::string language = "en";
   std::string title = "Dewpoint live";
   std::string view = "Cameras, targets and their tracks in 3D"; ///< describes the picture
@@ -20,8 +21,8 @@ struct PageTexts {
   std::string waiting = "Connected. Waiting for images…";
   std::string disconnected = "Not connected. Trying again…";
   std::string frame = "Frame %1, %2"; ///< number and time of the frame shown
-  std::string seconds = "%1 s";       ///< a time
-  /// States of targets by their word in a message (stateWord()).
+  std::string seconds = "%1 s";       ///< a time in seconds
+  /// Displayed names of target states. The keys are the results of stateWord().
   std::map<std::string, std::string> states{{"held", "tracking"}, {"ambiguous", "ambiguous"},
                                             {"hidden", "hidden"}, {"searching", "searching"},
                                             {"lost", "lost"},     {"gone", "not present"}};

@@ -9,13 +9,13 @@
 
 namespace dewpoint::broadcast {
 
-/// An address of the network, IPv4 or IPv6.
+/// Network address (IPv4 or IPv6) with a port.
 class SocketAddress {
 public:
-  /// Looks up a host, which may take seconds for a name. `type` is SOCK_DGRAM or SOCK_STREAM.
-  /// BadValue if the host is unknown.
+  /// Returns the address of a host and port. Looking up a name may take seconds. `type` is
+  /// SOCK_DGRAM or SOCK_STREAM. Error: BadValue if the host is unknown.
   static Result<SocketAddress> find(const std::string& host, std::uint16_t port, int type);
-  /// Reads the address of this computer that a socket is bound to.
+  /// Returns the local address to which a socket is bound.
   static SocketAddress ofSocket(int socket);
 
   const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage_); }
@@ -23,7 +23,7 @@ public:
   int family() const { return storage_.ss_family; }
   std::uint16_t port() const;
   bool isLoopback() const;
-  /// Returns HOST:PORT in digits.
+  /// Returns the address as HOST:PORT, with a numeric host.
   std::string text() const;
 
 private:

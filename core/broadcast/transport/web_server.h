@@ -13,34 +13,36 @@
 
 namespace dewpoint::broadcast {
 
-/// Sends each piece as a WebSocket text message (RFC 6455) to all clients, reads remote commands
-/// from them, and serves livePage() at `/` on the same port. It has one thread.
+/// Sends each piece as a WebSocket text message (RFC 6455) to all clients, and reads remote
+/// commands from them. Serves livePage() at `/` on the same port. Uses one thread for all clients.
 ///
-/// What comes in is limited: 8 KiB of HTTP header, which must be complete within kVisitSeconds; no
-/// body; messages of up to kMaxRemoteBytes, where a longer one ends the connection; and kMaxClients
-/// connections at the same time. A client that does not answer a ping within 30 s is disconnected.
-/// Pages of other sites in a browser are refused by their Origin. A server on a loopback address
-/// also refuses requests under another name than localhost, so that a site whose name leads to
-/// this computer cannot read from it.
+/// Limits: An HTTP request has at most 8 KiB of header and no body, and must be complete within
+/// kVisitSeconds. A message longer than kMaxRemoteBytes ends the connection. At most kMaxClients
+/// clients can be connected at the same time. A client that does not answer a ping within 30 s is
+/// disconnected.
+///
+/// Requests from pages of other web sites are refused; see isAllowedOrigin().
 class WebServer final : public Outlet {
 public:
   static constexpr std::size_t kMaxClients = 64;
   static constexpr int kVisitSeconds = 10;
 
-  /// Opens a port (0: any free one) on an address of this computer, which must be in digits. `gate`
-  /// is never null. `texts`: those of the page. BadValue if the port cannot be opened.
+  /// Opens a port (0: any free port) on an address of this computer (`host`, which must be
+  /// numeric). `gate` executes remote commands and must not be null. `texts`: texts of the page.
+  /// Error: BadValue if the port cannot be opened.
   static Result<std::unique_ptr<WebServer>> open(const std::string& host, std::uint16_t port,
                                                  std::shared_ptr<RemoteGate> gate,
                                                  const PageTexts& texts = {});
   /// Disconnects all clients.
   ~WebServer() override;
 
-  /// Sets the texts of pages that are loaded from now on. May be called by any thread.
+  /// Sets the texts of the page. They are used when a browser loads the page the next time.
+  /// Thread-safe.
   void setPageTexts(const PageTexts& texts);
   void setOpening(const std::string& opening) override;
   void send(const std::vector<std::string>& pieces) override;
   OutletReport report() const override;
-  /// Returns the port that is open.
+  /// Returns the number of the open port.
   std::uint16_t port() const;
 
 private:
@@ -49,8 +51,11 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
-/// Returns whether a browser's request may be answered: `host` and `origin` are the header fields
-/// of these names, where a program that is no browser sends no Origin.
+/// Returns whether a request may be answered. `host` and `origin` are the HTTP header fields Host
+/// and Origin; `origin` is empty if the request has none, as usual for programs other than
+/// browsers. A page may only come from this server: its origin must be `host`. On a loopback
+/// address (`isLoopback`), the host must be localhost or a loopback address. Web sites whose name
+/// resolves to this computer are therefore refused.
 bool isAllowedOrigin(std::string_view host, std::string_view origin, bool isLoopback);
 
 } // namespace dewpoint::broadcast
