@@ -20,8 +20,8 @@ enum class CalibrationOrigin {
 /// Where the intrinsics of a camera come from.
 struct LensRecord {
   CalibrationOrigin origin = CalibrationOrigin::File;
-  /// Standard deviation, in pixels, of the image position to which a direction is projected. It is
-  /// given for the place in the image where it is largest. Empty if unknown.
+  /// Largest standard deviation, over the image, of the projection of a direction due to errors of
+  /// the intrinsics; pixels. Empty if unknown.
   std::optional<double> error;
   /// Intrinsics that the record describes: the two focal lengths and the principal point, pixels.
   std::array<double, 4> values{};
@@ -43,8 +43,8 @@ struct PoseRecord {
 };
 
 /// Where the calibration of a camera comes from. Each of the two records contains a copy of the
-/// calibration values that it describes. If the calibration of the camera no longer equals this
-/// copy, the record is not valid anymore, no matter who changed the calibration.
+/// calibration values that it describes. A record becomes invalid as soon as the calibration of the
+/// camera differs from this copy.
 struct CameraRecord {
   std::optional<LensRecord> lens;
   std::optional<PoseRecord> pose;
@@ -63,14 +63,16 @@ struct LengthCheck {
 
 /// Where the world frame of a project comes from.
 struct WorldRecord {
-  std::optional<CalibrationOrigin> scale;
-  /// Relative error of the scale that is not exceeded with a probability of 95 %.
+  std::optional<CalibrationOrigin> scale; ///< origin of the scale; empty if unknown
+  /// Relative error of the scale: with a probability of 95 %, the true error is at most this value.
+  /// Empty if unknown.
   std::optional<double> scaleError;
-  std::optional<CalibrationOrigin> floor;
+  std::optional<CalibrationOrigin> floor; ///< origin of the floor; empty if unknown
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed.
   std::optional<double> accuracy;
   /// Same for positions outside this volume that at least two cameras see, meters; extrapolated.
   std::optional<double> accuracyOutside;
+  /// Comparison of a measured with a calibrated length, if the user made one.
   std::optional<LengthCheck> check;
 
   bool operator==(const WorldRecord&) const = default;
@@ -85,9 +87,11 @@ LensRecord recordOfLens(const Camera& camera, CalibrationOrigin origin,
 PoseRecord recordOfPose(const Camera& camera, CalibrationOrigin origin,
                         std::optional<double> error = {});
 
-/// Returns whether a record is still valid: whether the calibration values in it equal the current
-/// ones of the camera, within the precision of a project file.
+/// Returns whether a record of intrinsics is still valid: its values equal the current intrinsics
+/// of the camera, within the precision of a project file.
 bool describes(const LensRecord& record, const Camera& camera);
+/// Returns whether a record of a pose is still valid: its values equal the current pose of the
+/// camera, within the precision of a project file.
 bool describes(const PoseRecord& record, const Camera& camera);
 
 } // namespace dewpoint::project

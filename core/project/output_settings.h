@@ -9,30 +9,31 @@
 
 namespace dewpoint::project {
 
-/// Axes of the positions that leave the program while it runs.
+/// Axes of the positions that are sent to other programs during a run.
 enum class OutputAxes {
   ZUp,          ///< as in Dewpoint: right-handed, z up
   YUp,          ///< right-handed, y up: (y, z, x) of Dewpoint, as in the export formats
   YUpLeftHanded ///< left-handed, y up: (x, z, y) of Dewpoint, as in Unity
 };
 
-/// Unit of the lengths that leave the program while it runs.
+/// Unit of the lengths that are sent to other programs during a run.
 enum class OutputUnit { Meter, Millimeter };
 
-/// Results that leave the program while it runs: the table [output] of a project file. An output
-/// that is not set is off.
+/// Settings of the outputs that send results to other programs during a run; table [output] of a
+/// project file. An output without a setting is off.
 struct OutputSettings {
   OutputAxes axes = OutputAxes::ZUp;
   OutputUnit unit = OutputUnit::Meter;
-  double rate = 30.0;                     ///< largest number of frames per second; 0: all frames
-  std::string osc;                        ///< receiver of OSC messages as HOST:PORT (UDP)
-  std::string tuio;                       ///< receiver of TUIO 1.1 3D cursors as HOST:PORT (UDP)
-  std::optional<std::uint16_t> tcp;       ///< port for JSON lines; 0: any free port
-  std::optional<std::uint16_t> websocket; ///< port for WebSocket and page; 0: any free port
+  double rate = 30.0;               ///< maximum number of frames sent per second; 0: all frames
+  std::string osc;                  ///< receiver of OSC messages as HOST:PORT (UDP)
+  std::string tuio;                 ///< receiver of TUIO 1.1 3D cursors as HOST:PORT (UDP)
+  std::optional<std::uint16_t> tcp; ///< port for JSON lines; 0: any free port
+  /// Port for WebSocket and the page for browsers; 0: any free port.
+  std::optional<std::uint16_t> websocket;
   std::string csv;                  ///< file or named pipe for CSV lines; "-": standard output
-  std::string listen = "127.0.0.1"; ///< address of this computer that the ports are opened on
-  /// Word that remote commands must contain; empty: remote commands are off. `${NAME}` stands for
-  /// an environment variable, which is read when the outputs are opened.
+  std::string listen = "127.0.0.1"; ///< address of this computer on which the ports are opened
+  /// Secret word that remote commands must contain; empty: remote commands are off. `${NAME}` is
+  /// replaced by an environment variable when the outputs are opened.
   std::string token;
 
   static constexpr double kMaxRate = 1000.0;

@@ -125,11 +125,13 @@ struct Project {
   /// Grid drawn over the images while cameras are adjusted by hand.
   std::optional<ReferenceGrid> grid;
   std::vector<MeasuredPoint> points; ///< points measured in the room and clicked in the images
-  std::optional<WorldBox> volumeOfInterest; ///< the search for targets is limited to it
-  std::vector<PersonCorrection> people;     ///< corrections for people, ordered by frame
+  /// Volume in which targets are searched for; empty: everywhere.
+  std::optional<WorldBox> volumeOfInterest;
+  std::vector<PersonCorrection> people; ///< corrections for people, ordered by frame
   /// Corrections of target positions, ordered by frame.
   std::vector<PositionCorrection> corrections;
-  OutputSettings output;  ///< where results go while a run lasts; it never changes them
+  /// Outputs that send results to other programs during a run; they do not affect the results.
+  OutputSettings output;
   WorldRecord calibrated; ///< where the floor and the scale come from, as far as is known
   std::string layout;     ///< view layout saved by the window; empty: default layout
 
@@ -141,19 +143,20 @@ ParameterValues effectiveParameters(const Project& project);
 
 /// Inserts a correction after the existing corrections for the same frame.
 void addPersonCorrection(Project& project, const PersonCorrection& person);
-/// Inserts a correction after the others for its frame, or replaces the correction for the same
-/// target and frame. A correction made by the user also removes corrections that were obtained by
-/// tracking backward and are no longer valid. These are the corrections that started from the
-/// replaced correction, and earlier corrections whose backward tracking passed through the frame of
-/// the new one.
+/// Inserts a correction after the other corrections for its frame, or replaces the correction for
+/// the same target and frame. If the user made the new correction, also removes corrections that
+/// were obtained by tracking backward and are no longer valid: those whose tracking started from
+/// the replaced correction, and those whose tracking passed through the frame of the new
+/// correction.
 void addCorrection(Project& project, const PositionCorrection& correction);
 /// Removes a target's correction in a frame, and all corrections tracked backward from it.
 void removeCorrection(Project& project, std::int64_t frame, int target);
 /// Removes the target with this index and its corrections.
 void removeTarget(Project& project, std::size_t index);
-/// Removes the camera with this index, and all that was clicked or marked in its images: clicks on
-/// points and corrected targets, color samples, first boxes of targets, and people marked by a
-/// click. Colors, corrected positions and the calibration of the other cameras stay.
+/// Removes the camera with this index, and everything that was clicked or marked in its images:
+/// clicks on points and corrected targets, color samples, first boxes of targets, and people marked
+/// by a click. Colors, corrected positions and the calibration of the other cameras are not
+/// changed.
 void removeCamera(Project& project, std::size_t index);
 
 } // namespace dewpoint::project

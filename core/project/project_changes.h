@@ -24,7 +24,7 @@ struct ProjectChanges {
   bool backgroundImages = false; ///< background images; never true if `sources` is
   bool controls = false;         ///< controls of devices; never true if `sources` is
   bool records = false;          ///< where the calibration comes from
-  bool output = false;           ///< where results go while a run lasts
+  bool output = false;           ///< settings of the outputs to other programs
   bool sources = false;          ///< the set of cameras, and the sources of images and ground truth
 
   /// Returns whether any field is true. `boxes` is not tested, because `targets` is also true if

@@ -9,17 +9,19 @@
 
 namespace dewpoint::project {
 
-/// Reads the keys `pixel_format`, `size` and `rate` and the tables [camera.identity] and
-/// [camera.controls] of a [[camera]]. Only a camera with a `device` may have them.
+/// Reads the device settings of a [[camera]]: the keys `pixel_format`, `size` and `rate`, and the
+/// tables [camera.identity] and [camera.controls]. They are errors for a camera without the key
+/// `device`. Errors are stored in `reader`.
 void readDeviceSettings(TableReader& reader, const std::string& file, const std::string& prefix,
                         ProjectCamera& camera);
 
-/// Returns the same keys as TOML; empty if no format is requested.
+/// Returns the keys `pixel_format`, `size` and `rate` as TOML; empty if no format is requested.
 std::string deviceFormatText(const DeviceFormat& format);
-/// Returns the same tables as TOML; empty if the settings have neither.
+/// Returns the tables [camera.identity] and [camera.controls] as TOML; empty if there is neither an
+/// identity nor a control.
 std::string deviceTablesText(const DeviceSettings& settings);
 
-/// Checks the settings of a device. BadValue names the key, as "size".
+/// Checks the settings of a device. Error: BadValue, which names the key, for example "size".
 Status checkDeviceSettings(const DeviceSettings& settings);
 
 } // namespace dewpoint::project
