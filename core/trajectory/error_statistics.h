@@ -15,8 +15,8 @@ struct CameraBias {
   std::string name;
   double alongBias = 0.0;  ///< mean error along the axis; positive: estimated too far away
   double acrossBias = 0.0; ///< length of the mean error across the axis
-  double alongRms = 0.0;
-  double acrossRms = 0.0;
+  double alongRms = 0.0;   ///< root mean square error along the axis
+  double acrossRms = 0.0;  ///< root mean square error across the axis
 };
 
 /// Statistics of error lengths and the mean error vector, in meters.

@@ -21,13 +21,13 @@ namespace dewpoint::trajectory {
 /// compared frame.
 struct Evaluation {
   std::string target;
-  double rmse = 0.0;
-  double median = 0.0;
-  double p95 = 0.0; ///< 95th percentile, interpolated linearly between order statistics
-  double max = 0.0;
-  double rmseAll = 0.0;
-  /// Of the frames that the statistics cover, the fraction in which the true position lies inside
-  /// the estimated 95 % ellipsoid.
+  double rmse = 0.0;    ///< root mean square error
+  double median = 0.0;  ///< median error
+  double p95 = 0.0;     ///< 95th percentile, interpolated linearly between order statistics
+  double max = 0.0;     ///< largest error
+  double rmseAll = 0.0; ///< root mean square error of all compared frames
+  /// Fraction of the frames in which the true position lies inside the estimated 95 % ellipsoid, 0
+  /// to 1. Only frames that the statistics cover are counted.
   double inside95 = 0.0;
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
   std::vector<CameraBias> cameras;

@@ -12,7 +12,7 @@ namespace dewpoint::trajectory {
 
 /// Returns a human-readable summary with a few lines per target, in millimeters.
 std::string evaluationText(const std::vector<Evaluation>& evaluations);
-/// Returns the same numbers in meters as JSON: {"unit": "m", "targets": [...]}.
+/// Returns evaluations as JSON, in meters: {"unit": "m", "targets": [...]}.
 nlohmann::json evaluationJson(const std::vector<Evaluation>& evaluations);
 
 } // namespace dewpoint::trajectory

@@ -27,9 +27,9 @@ struct TrajectorySample {
   std::string target;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double effectiveSampleSize = 0.0;
-  int cameras = 0;   ///< number of cameras that show the target
-  bool valid = true; ///< true: the target is tracked, and its position is usable
+  double effectiveSampleSize = 0.0; ///< of the particles: 1 / sum of squared weights
+  int cameras = 0;                  ///< number of cameras that show the target
+  bool valid = true;                ///< true: the target is tracked, and its position is usable
   /// Measurement in this frame; empty: the target was not seen, or the measurement is not known.
   std::optional<PositionMeasurement> seen;
   double existenceProbability = 0.0;   ///< probability that the target exists; not stored in files

@@ -17,7 +17,7 @@ EncodedFiles encodeWideCsv(const ExportTable& table, const std::string& name);
 /// are written, and the rotation is always the identity
 /// (https://cvg.cit.tum.de/data/datasets/rgbd-dataset/file_formats).
 EncodedFiles encodeTum(const ExportTable& table, const std::string& name);
-/// Encodes TRC (track row column) of Motion Analysis, as read by OpenSim.
+/// Encodes TRC (track row column), the format of Motion Analysis that OpenSim reads.
 EncodedFiles encodeTrc(const ExportTable& table, const std::string& name);
 /// Encodes C3D with points only, floating-point, little-endian (C3D file format user guide, Motion
 /// Lab Systems).
@@ -36,9 +36,11 @@ EncodedFiles encodeJsonLines(const ExportTable& table, const std::string& name);
 /// Returns the header as lines that begin with `# `. It contains a description of the file, the
 /// units and axes, and ExportTable::entries.
 std::string commentHeader(const ExportTable& table);
-/// Formats a number: lengths and times with nine significant digits, covariances with six.
+/// Returns the text of a length, with nine significant digits.
 std::string lengthText(double value);
+/// Returns the text of a time, with nine significant digits.
 std::string timeText(double value);
+/// Returns the text of an element of a covariance, with six significant digits.
 std::string covarianceText(double value);
 
 } // namespace dewpoint::trajectory::encoders

@@ -12,8 +12,8 @@ namespace dewpoint::trajectory {
 
 /// Treatment of frames in which the position of a target is unknown.
 enum class GapRule {
-  LeaveEmpty, ///< left empty
-  Fill        ///< interpolated between neighbors, or smoothed, and marked as filled
+  LeaveEmpty, ///< the values of the frame are left empty
+  Fill ///< the position is interpolated between its neighbors, or smoothed, and marked as filled
 };
 
 /// Upward axis of the file. Both choices are right-handed.
@@ -28,8 +28,8 @@ enum class LengthUnit { Meter, Millimeter };
 /// First or last row of an export: a time in seconds, or a frame number. The row at the bound is
 /// exported too.
 struct RangeBound {
-  double value = 0.0;
-  bool isFrame = false;
+  double value = 0.0;   ///< time in seconds, or frame number
+  bool isFrame = false; ///< true if `value` is a frame number
 };
 
 /// The user's choices for an export. Values that are not set take the default of the format.

@@ -49,7 +49,7 @@ struct ExportTable {
   bool extent = false;     ///< at least one cell has an extent
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
-  bool header = true;
+  bool header = true; ///< see ExportOptions::header
   /// Entries of the header: version, project, method, seed, ..., smoothed, date.
   std::vector<std::pair<std::string, std::string>> entries;
 

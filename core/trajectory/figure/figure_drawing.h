@@ -34,19 +34,23 @@ struct FigureDrawing {
 
   enum class Align { Left, Center, Right };
 
+  /// Straight grid line.
   struct GridLine {
     Eigen::Vector2d from;
     Eigen::Vector2d to;
   };
+  /// Outline of a plot.
   struct Frame {
     Eigen::AlignedBox2d box;
   };
+  /// Text, aligned in a box.
   struct Label {
     Eigen::AlignedBox2d box; ///< text that is too long extends beyond the box
     Align align = Align::Left;
     bool isCentered = false; ///< vertically centered; otherwise at the top of the box
     std::string text;
   };
+  /// Part of the curve of one target, without gaps.
   struct Curve {
     std::size_t target = 0;
     Eigen::AlignedBox2d within; ///< clipping rectangle

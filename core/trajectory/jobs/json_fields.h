@@ -17,21 +17,24 @@ namespace dewpoint::trajectory {
 /// Maximum number of targets or files in the record of a job.
 inline constexpr std::size_t kMaxRecordEntries = 10'000;
 
-/// Reads the file of one JSON object. Errors: those of readTextFile(); FileUnreadable if the file
-/// is larger than limits::kMaxRecordBytes; NotParsed if it is not a JSON object.
+/// Reads a file that contains one JSON object. Errors: those of readTextFile(); FileUnreadable if
+/// the file is larger than limits::kMaxRecordBytes; NotParsed if it does not contain a JSON object.
 Result<nlohmann::ordered_json> readJsonObject(const std::string& file);
 
-/// Reads the mandatory keys of a JSON object and keeps the first error, which names the file and,
-/// as the field, `prefix` followed by the key. Other keys are ignored, because later versions may
-/// add some. Unlike the conversions of the library, a number is never cut to fit its type.
+/// Reads required keys of a JSON object and stores the first error. The error names the file and
+/// the field, which is `prefix` followed by the key. Keys that are not read are ignored, because
+/// later versions may add some. A number that does not fit its type is an error.
 class JsonFields {
 public:
   JsonFields(const nlohmann::ordered_json& object, std::string file, std::string prefix);
 
+  /// Reads a text into `value`. Leaves `value` unchanged after an error.
   void text(const char* key, std::string& value);
-  /// Reads a number, which is finite because JSON knows no others.
+  /// Reads a number into `value`. It is always finite, because JSON has no other numbers. Leaves
+  /// `value` unchanged after an error.
   void number(const char* key, double& value);
-  /// Reads a whole number between `low` and `high`, inclusive.
+  /// Reads a whole number from `low` to `high`, both included, into `value`. Leaves `value`
+  /// unchanged after an error.
   template <std::integral Integer>
   void integer(const char* key, Integer& value, Integer low, Integer high) {
     const nlohmann::ordered_json* found = find(key);
@@ -53,7 +56,8 @@ public:
     }
     value = found->get<Integer>();
   }
-  /// The same, but nothing for null.
+  /// Reads a whole number from `low` to `high`, both included, or null. For null, `value` is not
+  /// changed.
   template <std::integral Integer>
   void integer(const char* key, std::optional<Integer>& value, Integer low, Integer high) {
     if (const nlohmann::ordered_json* found = find(key); found != nullptr && !found->is_null()) {
@@ -62,13 +66,14 @@ public:
       value = read;
     }
   }
-  /// Returns the array of objects under a key, or null after an error. More than kMaxRecordEntries
-  /// entries, and an entry that is not an object, are errors.
+  /// Returns the array of objects under a key, or null after an error. It is an error if an entry
+  /// is not an object, or if there are more than kMaxRecordEntries entries.
   const nlohmann::ordered_json* objects(const char* key);
 
-  /// Records an error, unless there is one already.
+  /// Stores an error for a key, unless an error is already stored.
   void fail(ErrorCode code, const char* key, std::string detail);
-  /// Records the error of a part, unless there is one already.
+  /// Stores the error of `part`, if it has one, unless an error is already stored. Use it for an
+  /// object inside this object.
   void recordErrorOf(const JsonFields& part);
   const std::optional<Error>& error() const { return error_; }
 
