@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the window needs of the camera devices of this computer: which are connected, their
-// settings and controls, and which one is that of a camera of the project.
+// Collects the headers that the window needs for the camera devices of this computer: the connected
+// devices, their settings and controls, and the assignment of devices to the cameras of a project.
 #include "core/capture/device_settings.h"
 #include "core/capture/devices/camera_device.h"
 #include "core/capture/devices/color_lock.h"

@@ -7,8 +7,8 @@
 
 namespace dewpoint::setup {
 
-/// Returns the parameters used to track a project if none are given: the defaults of its method,
-/// and values derived from its cameras.
+/// Returns the parameters with which a project is tracked if it specifies none: the defaults of its
+/// method, and values derived from its cameras.
 ParameterValues defaultParameters(const Project& project);
 
 /// Returns whether a parameter in use differs from defaultParameters(). For a parameter derived
@@ -16,9 +16,10 @@ ParameterValues defaultParameters(const Project& project);
 bool isChanged(const ParameterValues& used, const ParameterValues& defaults,
                const ParameterDeclaration& declaration);
 
-/// Resets a parameter, which must be declared (asserted), to its value in defaultParameters(). If
-/// it is derived from the cameras, the other parameters derived from them keep the values in use.
-/// If all of them then equal the derived values, they are no longer marked as given in the project.
+/// Resets a parameter to its value in defaultParameters(). The parameter must be declared
+/// (asserted). If it is derived from the cameras, the other parameters derived from the cameras
+/// keep the values in use. If all of these parameters then equal the derived values, they are no
+/// longer marked as given in the project.
 void resetParameter(Project& project, std::string_view key);
 /// Resets all parameters for which isChanged() is true.
 void resetParameters(Project& project);

@@ -13,21 +13,23 @@
 
 namespace dewpoint::setup {
 
-/// A connected device, as it is listed.
+/// Connected device, with its controls, for a list of devices.
 struct ListedDevice {
   CameraDevice device;
-  std::optional<std::vector<DeviceControl>> controls = {}; ///< nothing: not to be listed
+  std::optional<std::vector<DeviceControl>> controls = {}; ///< empty: controls are not listed
 };
 
-/// Returns devices as text for people, several lines each. Empty if there are none.
+/// Returns a human-readable list of devices, with several lines per device. Empty if there are no
+/// devices.
 std::string deviceListText(std::span<const ListedDevice> devices);
 
-/// Returns devices as a JSON array with one object each, indented. Bytes that are not valid UTF-8
-/// are replaced.
+/// Returns an indented JSON array with one object per device. Bytes that are not valid UTF-8 are
+/// replaced.
 std::string deviceListJson(std::span<const ListedDevice> devices);
 
-/// Gives each camera of a project that has a device but no identity the identity and the stable
-/// address of the device that is connected at its location. Returns how many cameras got one.
+/// Stores the identities of connected devices in a project. For each camera whose device has no
+/// identity yet, stores the identity and the stable address of the device at the camera's location.
+/// Returns the number of cameras for which this was done.
 std::size_t identifyDevices(Project& project, std::span<const CameraDevice> devices);
 
 } // namespace dewpoint::setup

@@ -11,8 +11,8 @@
 namespace dewpoint::setup {
 
 /// Returns how many targets must be added to track all objects that have the color and size of a
-/// target, according to the assessment of its color. Targets that already have the same colors are
-/// subtracted. Returns 0 unless the assessment suggests tracking all these objects.
+/// target. `assessment` is the assessment of this target's color. Targets that already have the
+/// same colors are subtracted. Returns 0 unless the assessment suggests tracking all these objects.
 int missingTargetCount(const Project& project, std::size_t target,
                        const ColorAssessment& assessment);
 

@@ -30,7 +30,7 @@ struct MissingFile {
 Result<std::vector<MissingFile>> missingFilesOf(const std::filesystem::path& file,
                                                 const MovedFiles& moved = {});
 
-/// As above, for a project in memory.
+/// Returns the missing files of a project in memory, without duplicates.
 std::vector<MissingFile> missingFilesOf(const Project& project);
 
 /// Returns the locations of missing files after one of them, `located`, was found at `found`. Each

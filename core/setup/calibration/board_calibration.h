@@ -22,9 +22,10 @@ struct LensesFromBoards {
 };
 
 /// Estimates the intrinsics of each camera in `seen` from views chosen by chooseViews(). A camera
-/// that did not see the board well enough keeps its intrinsics. If this applies to all cameras,
-/// returns the error of one of them, which names it. If only another board was seen, returns
-/// NotFound with the description of that board. Returns Canceled if `progress` canceled the work.
+/// that did not see the board well enough keeps its intrinsics. If no camera saw the board well
+/// enough, returns the error of one camera, which names this camera. If only another board was
+/// seen, returns NotFound with the description of that board. Returns Canceled if `progress`
+/// canceled the work.
 Result<LensesFromBoards> intrinsicsFromBoards(const BoardDetections& seen,
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});

@@ -25,9 +25,12 @@ public:
   void begin(const Project& project, const BoardGuideRequest& request);
   /// Passes images to the guide, replacing images that are still waiting.
   void show(FrameSetPtr frames);
+  /// Captures the last images that show the board. Call this function when the user asks for it.
   void captureNow();
   /// Like captureNow(), but for a board that lies on the floor.
   void captureFloor();
+  /// Ends the calibration of the intrinsics, whatever accuracy it has reached, and continues with
+  /// the poses.
   void skipToPoses();
   /// Returns the newest state since begin(); never null.
   BoardGuideStatePtr newest() const;

@@ -45,8 +45,8 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const BoardDete
                                          const BoardGoal& goal,
                                          const CalibrationProgress& progress = {});
 
-/// As above, but first searches for the board in a recording. Also returns the errors of
-/// findBoards().
+/// Searches for the board in a recording, and then calibrates as the overload above. Also returns
+/// the errors of findBoards().
 Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource& source,
                                          const BoardCalibrationRequest& request,
                                          const BoardGoal& goal,

@@ -39,8 +39,8 @@ struct BoardCalibrationRequest {
 struct MissedImage {
   std::string file;         ///< name of an image file; empty for a frame of a recording
   std::int64_t instant = 0; ///< number of the frame, or of the file in its list; counts from 0
-  /// Reason, if it is known. It is looked for only in image files and in recordings of few frames,
-  /// and only in a few images of each camera.
+  /// Reason why the board was not found, if it is known. It is determined only for image files and
+  /// short recordings, and only for a few images of each camera.
   BoardMiss miss;
 };
 
@@ -90,9 +90,9 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
                                    const BoardCalibrationRequest& request,
                                    const CalibrationProgress& progress = {});
 
-/// Searches image files from one camera for the board, like the function above. `lookFirst` has the
-/// same meaning as in BoardCalibrationRequest. Each view is named after its file. Returns
-/// FileUnreadable, Mismatch if the image sizes differ, or Canceled.
+/// Searches image files from one camera for the board. `lookFirst` has the same meaning as in
+/// BoardCalibrationRequest. Each view is named after its file. Returns FileUnreadable, Mismatch if
+/// the image sizes differ, or Canceled.
 Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pictures,
                                    const BoardDescription& board, DetectionEffort effort,
                                    const CalibrationProgress& progress = {}, bool lookFirst = true);

@@ -31,11 +31,11 @@ enum class CameraMatch { ByName, ByOrder, None };
 CameraMatch matchCameras(const std::vector<std::string>& cameras,
                          const std::vector<std::string>& inFile);
 
-/// Finds the calibration of recordings beside them: the file in one of their folders that can be
-/// used as it is, and whose cameras match those named `cameras`. A file that matches by name
-/// precedes those that match by order. Project files do not count. Empty if there is no such file
-/// or more than one, and in folders with more than 64 files that could be calibrations. Takes time:
-/// reads these files.
+/// Returns the calibration file for recordings that is in the same folder as one of them. The file
+/// must be usable without further information, and its cameras must match those named `cameras`.
+/// Files that match by name are preferred to files that match by order. Project files are ignored.
+/// Returns nothing if there is no such file or more than one. Folders with more than 64 possible
+/// calibration files are ignored. May take long, because it reads these files.
 std::optional<std::filesystem::path> calibrationBeside(const std::vector<std::string>& recordings,
                                                        const std::vector<std::string>& cameras);
 

@@ -41,8 +41,10 @@ struct CalibrationImport {
   std::string formatTitle;
   std::vector<std::string> decisions; ///< full sentences: units, axes, directions
   std::vector<ImportedCamera> cameras;
-  bool matchedByOrder = false; ///< names match no camera; the order in the file was used
-  bool lensOnly = false;       ///< the file has no poses; those of the project are kept
+  /// True if no name in the file matched a camera, so that cameras were matched by order.
+  bool matchedByOrder = false;
+  /// True if the file has no poses, so that the poses in the project were kept.
+  bool lensOnly = false;
   /// Likely mistakes in the calibration: two cameras with the same pose, or another unit
   /// (checkRig()).
   std::vector<camera_motion::CameraDisagreement> faults;

@@ -40,6 +40,7 @@ struct StepProgress {
 
 /// Unit of the error of a step.
 enum class StepErrorUnit { None, Pixels, Meters, Fraction };
+/// Returns the unit of StepProgress::error for a step.
 StepErrorUnit errorUnit(GuideStep step);
 
 /// Returns the steps of a way, in order.
@@ -48,7 +49,7 @@ const std::vector<GuideStep>& stepsOf(CalibrationWay way);
 /// Returns the progress of a step. `status` is the calibrationStatus() of the same project.
 StepProgress progressOf(GuideStep step, const Project& project, const CalibrationStatus& status);
 
-/// Returns the first step of a way that is not done, or the last step.
+/// Returns the first step of a way that is not done, or the last step if all steps are done.
 GuideStep nextStep(CalibrationWay way, const Project& project, const CalibrationStatus& status);
 
 /// Returns the way in which most camera poses were calibrated; nothing if none is recorded.

@@ -30,8 +30,9 @@ struct FloorFromBoard {
 Result<FloorFromBoard> withFloorFromBoard(const Project& project, const BoardDescription& board,
                                           const FrameSet& frames);
 
-/// Does the same with frame `frame` (from 0) of a recording. Also returns BadValue if the recording
-/// has no such frame, and the errors of the source.
+/// Sets the world frame as the overload above does, from the images of frame `frame` (from 0) of a
+/// recording. Also returns BadValue if the recording has no such frame, and the errors of the
+/// source.
 Result<FloorFromBoard> withFloorFromBoard(const Project& project, const BoardDescription& board,
                                           FrameSetSource& source, std::int64_t frame);
 

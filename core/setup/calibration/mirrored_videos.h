@@ -12,7 +12,7 @@
 namespace dewpoint::setup {
 
 /// Which cameras show a ChArUco board mirrored left to right, and what is mirrored: the board or
-/// the video. A chessboard looks the same in a mirrored image, so nothing can be found out with it.
+/// the video. A chessboard looks the same in a mirrored image, so it cannot show this.
 struct MirroredVideos {
   enum class Cause {
     None,          ///< no camera shows a mirrored board
@@ -28,19 +28,21 @@ struct MirroredVideos {
 /// Counts the images (CV_8UC1 or CV_8UC3, BGR) that show a board as it is and mirrored.
 BoardSides countSides(const BoardDescription& board, const std::vector<cv::Mat>& images);
 
-/// Decides which videos are mirrored. A camera shows a mirrored board if at least three of its
+/// Returns which videos are mirrored. A camera shows a mirrored board if at least three of its
 /// images do, and none shows the board as it is.
 MirroredVideos mirroredVideos(const std::vector<BoardSides>& cameras);
-/// Decides this from a search. A camera that saw the board in any frame is not mirrored.
+/// Returns which videos are mirrored, according to a search for the board. A camera that saw the
+/// board as it is in any frame is not mirrored.
 MirroredVideos mirroredVideos(const BoardDetections& seen);
-/// Decides this from `frames` evenly spaced frames of a recording. Returns Cause::None for a
-/// chessboard. Returns BadValue if the cameras are live, Canceled, or the errors of the source.
+/// Returns which videos are mirrored, according to `frames` evenly spaced frames of a recording.
+/// Returns Cause::None for a chessboard. Returns BadValue if the cameras are live, Canceled, or the
+/// errors of the source.
 Result<MirroredVideos> findMirroredVideos(FrameSetSource& source, const BoardDescription& board,
                                           int frames = kFramesToLookAt,
                                           const CalibrationProgress& progress = {});
 
 /// Returns a sentence that names the mirrored videos. `names` contains the names of all cameras.
-/// Empty if there are none.
+/// The sentence is empty if no video is mirrored.
 std::string mirroredText(const MirroredVideos& mirrored, const std::vector<std::string>& names);
 
 /// Returns the project with the images of these cameras mirrored (see withImageSymmetry()), except

@@ -15,14 +15,15 @@ namespace dewpoint::setup {
 /// Collects the images in which a search did not find the board, and finds out why.
 class MissedImages {
 public:
-  /// `explained`: whether reasons are looked for at all, because there is time for each image.
+  /// `explained`: true if explain() is to find reasons, which takes time for each image.
   MissedImages(std::size_t cameras, bool explained) : images_(cameras), explained_(explained) {}
 
-  /// Adds an image of camera `index` to its `missed` images. `file` is empty for a frame.
+  /// Adds an image of the camera with index `index` to PerCamera::missed of `camera`. `file` is
+  /// empty for a frame of a recording.
   void add(std::size_t index, std::string file, std::int64_t instant, const cv::Mat& image,
            BoardDetections::PerCamera& camera);
-  /// Sets the reasons of the first images that each camera missed. A camera whose images show
-  /// another board needs no reasons. Returns Canceled.
+  /// Stores in `seen` why the board was not found, for the first images that each camera missed.
+  /// Skips cameras whose images show another board. Error: Canceled.
   Status explain(const BoardDetector& detector, const CalibrationProgress& progress,
                  BoardDetections& seen) const;
 
@@ -31,9 +32,9 @@ private:
   bool explained_ = false;
 };
 
-/// Missed images that follow each other in a search and have the same reason.
+/// Consecutive missed images of a search that have the same reason.
 struct MissedRun {
-  std::string file; ///< empty for frames; a file is a run of its own
+  std::string file; ///< name of an image file, which is always a separate run; empty for frames
   std::int64_t first = 0;
   std::int64_t last = 0; ///< the last frame of the run
   int images = 0;        ///< number of images in the run
@@ -44,7 +45,7 @@ struct MissedRun {
 /// shows the board.
 std::vector<MissedRun> missedRuns(const BoardDetections::PerCamera& camera);
 
-/// Number of runs that a sentence about missed images lists at most.
+/// Maximum number of runs that a sentence about missed images lists.
 inline constexpr std::size_t kMostListedRuns = 8;
 
 /// Returns whether the reason of any missed image is known.

@@ -20,8 +20,8 @@ struct WandRefinement {
   WandResult result;
   Result<CalibrationAccuracy> accuracy; ///< accuracy, or the reason why there is none
   /// Root mean square reprojection error of the same image points with the cameras `before`,
-  /// pixels. Empty if more was estimated than poses and intrinsics: offsets, the scale, or the
-  /// floor.
+  /// pixels. Empty if anything besides poses and intrinsics was estimated: time offsets, the scale,
+  /// or the floor.
   std::optional<double> beforePx = std::nullopt;
   /// True if the poses of all cameras in `before` were measured or read from a file, and have not
   /// been changed since then.
@@ -71,7 +71,7 @@ struct FarOffCamera {
 
 /// Returns the cameras that the refinement rotated by at least 1.5 degrees, or moved by at least 5
 /// cm, and at least three times as much as the median of the other cameras. Empty if there are
-/// fewer than three cameras, because two cannot tell which of them was off.
+/// fewer than three cameras, because two cameras do not show which of them was far off.
 std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement);
 
 /// Returns a sentence that names the camera. `rig` contains the names.

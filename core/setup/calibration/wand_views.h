@@ -22,6 +22,7 @@ public:
   /// Creates one detector per ball: one, or two for a stick.
   WandViews(std::size_t cameraCount, const std::vector<ColorClassifier>& balls);
 
+  /// Searches the images of a frame set for the balls.
   void add(const FrameSet& frames);
   /// Returns the detections of each camera, in the order of the frames.
   const std::vector<std::vector<MarkerObservation>>& views() const { return views_; }
@@ -66,14 +67,14 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
 /// options.
 Result<std::vector<ColorClassifier>> wandColors(const Project& project, const WandOptions& options);
 
-/// Progress of a calibration. The callback returns false to stop it.
+/// Progress of a calibration by wand.
 struct WandCalibrationProgress {
   bool isSearching = true; ///< true: searching the images; false: solving
   std::int64_t done = 0;
   std::int64_t total = 0; ///< 0 if unknown
   double rms = 0.0;       ///< reprojection error in pixels, while solving
 };
-/// Receives the progress; returning false stops the calibration.
+/// Function that receives the progress of a calibration. It returns false to stop the calibration.
 using WandCalibrationCallback = std::function<bool(const WandCalibrationProgress&)>;
 
 /// Calibrates from collected views, live or from a recording. The command line and the window give

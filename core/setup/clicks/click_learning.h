@@ -50,13 +50,15 @@ struct ClickLearningResult {
   std::optional<PositionCorrection> correction;
 };
 
-/// Comparison of the radius that the user entered with the radius derived from clicks. The latter
-/// is accurate to about one third.
+/// Comparison of the radius that the user entered with the radius derived from clicks. The radius
+/// derived from clicks is accurate to about one third.
 enum class RadiusFit : std::uint8_t {
   Fits,
   IsDiameter, ///< the entered value is about twice as large, so it may be the diameter
   Differs,
 };
+/// Compares the radius that the user entered (`given`) with the radius derived from clicks
+/// (`shown`), in the same unit.
 RadiusFit compareRadius(double given, double shown);
 
 /// Learns the color of a target from samples: from those that the user clicked, and from samples of
@@ -72,10 +74,10 @@ Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedI
                                             const CounterpartLimits& limits = {},
                                             const std::vector<ColorSample>& others = {});
 
-/// Same for a target of a project (`target`: index in Project::targets; if out of range, a new
-/// target). Takes the cameras, the volume of interest, the radius and the other targets' samples
-/// from the project. Also sets ClickLearningResult::correction, which the overload above leaves
-/// empty.
+/// Learns the color of a target of a project from samples, as the overload above does. `target` is
+/// an index in Project::targets; if it is out of range, the target is new. The cameras, the volume
+/// of interest, the radius and the samples of other targets come from the project. Also sets
+/// ClickLearningResult::correction, which the overload above leaves empty.
 Result<ClickLearningResult> learnFromClicks(const Project& project, int target,
                                             const ClickedImages& shown,
                                             const std::vector<ColorSample>& samples);

@@ -25,7 +25,8 @@ struct ExaminationOptions {
   /// Folder to which results would be written; empty: the folder of the project.
   std::filesystem::path output = {};
   bool everyFrame = false; ///< true to decode all frames, not only the first, middle and last ones
-  /// Opens the images of a project as a run would. If empty, checks that need it are omitted.
+  /// Function that opens the images of a project as a run would. If it is empty, checks that need
+  /// images from all cameras are omitted.
   std::function<Result<std::unique_ptr<FrameSetSource>>(const Project&)> open = {};
   /// Called from time to time with the progress (0 to 1); returning false ends the examination
   /// early.

@@ -27,9 +27,9 @@ std::vector<std::string> inNaturalOrder(std::vector<std::string> files);
 bool isFootage(const std::filesystem::path& file);
 
 /// Returns whether a location may be the source of a camera: footage, a folder with at least one
-/// file named like an image, a device, or anything that is not in the file system. The latter may
-/// be the address of a stream. If it is a missing file, an error is reported when the source is
-/// opened.
+/// file named like an image, a device, or anything that is not in the file system. A text that is
+/// not in the file system may be the address of a stream. If it is a missing file, opening the
+/// source reports an error.
 bool canBeImageSource(const std::string& location);
 
 /// Returns the possible camera sources in a folder, in natural order: videos and image folders, but
@@ -37,7 +37,8 @@ bool canBeImageSource(const std::string& location);
 std::vector<std::string> footageIn(const std::filesystem::path& folder);
 
 /// Returns the paths of the cameras that are connected to this computer ("/dev/video0"), ordered by
-/// number, also of those that you have no permission to open. Asks their drivers, but starts none.
+/// number. Includes cameras that the user has no permission to open. Queries the drivers, but does
+/// not start any camera.
 std::vector<std::string> connectedCameras();
 
 } // namespace dewpoint::setup

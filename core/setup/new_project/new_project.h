@@ -48,7 +48,7 @@ struct CreatedProject {
   bool matchedByOrder = false;
   /// Full sentences about calibrations that were fitted to the size of the images.
   std::vector<std::string> decisions = {};
-  /// Likely mistakes in the calibration file: two cameras of one pose (checkRig()).
+  /// Likely mistakes in the calibration file: two cameras with the same pose (checkRig()).
   std::vector<camera_motion::CameraDisagreement> faults = {};
 };
 
@@ -66,8 +66,9 @@ Result<CreatedProject> createNewProject(const NewProject& wanted);
 Result<CreatedProject> withCalibration(Project project, const std::filesystem::path& file,
                                        const CalibrationAdaptation& adaptation = {});
 
-/// As above, for cameras that were read from `file` and already have the names of the project's
-/// cameras.
+/// Returns the project with the calibration of the cameras in `rig`. These were read from `file`
+/// and already have the names of the project's cameras. For errors, see the overload above; `fit`
+/// describes how the image sizes differ.
 Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
                                        const std::string& file,
                                        const std::optional<SizeFit>& fit = {});
@@ -79,7 +80,7 @@ Status guessMissingCameras(Project& project);
 /// Returns whether at least one camera has the pose guessed by createNewProject(), so that
 /// positions in space are not meaningful.
 bool hasGuessedPose(const Project& project);
-/// As above, for one camera.
+/// Returns whether one camera has the pose guessed by createNewProject().
 bool hasGuessedPose(const Project& project, std::size_t camera);
 /// Returns whether the lens of a camera is the one guessed by createNewProject().
 bool hasGuessedLens(const Project& project, std::size_t camera);

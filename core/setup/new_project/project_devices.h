@@ -15,29 +15,30 @@
 
 namespace dewpoint::setup {
 
-// The cameras of a project and the devices that are connected to this computer. Nothing is opened.
+// Functions that relate the cameras of a project to the devices connected to this computer. They
+// open no device.
 
-/// Returns the source for a camera that uses a device: its address and its identity.
+/// Returns the camera source for a device, with the address and the identity of the device.
 CameraSource sourceOf(const capture::CameraDevice& device);
 
-/// Returns which device belongs to each camera of a project, in its order. A camera whose device
-/// has an identity in the project is recognized by it (capture::matchDevices()). Others, which were
-/// written by hand, have the device at their location: a number, a device node, or an address.
-/// Cameras that are not devices have none, and are not missing: their basis is None without
-/// candidates.
+/// Returns the device that belongs to each camera of a project, in project order. If the project
+/// contains the identity of a camera's device, the device is found by this identity
+/// (capture::matchDevices()). Otherwise, it is the device at the camera's location: a number, a
+/// device node, or an address. The match is empty for a camera whose source is not a device.
 std::vector<capture::DeviceMatch>
 matchProjectDevices(const Project& project, std::span<const capture::CameraDevice> devices);
 
-/// Returns the USB buses that cannot carry the images of the project's cameras
-/// (capture::bandwidthShortages()), in the formats in which the devices would be opened: where the
-/// project requests no size, a calibrated camera has the size of its calibration. `requests` and
-/// BandwidthProposal::request are indices of cameras of the project. Cameras whose devices do not
-/// offer what is requested are left out: they cannot be opened.
+/// Returns the USB buses that are too slow for the images of a project's cameras
+/// (capture::bandwidthShortages()). The formats are those in which the devices would be opened: if
+/// the project requests no size, the images of a calibrated camera have the size of its
+/// calibration. In the result, BandwidthShortage::requests and BandwidthProposal::request are
+/// indices of cameras in the project. Ignores cameras whose devices do not offer the requested
+/// format, because they cannot be opened.
 std::vector<capture::BandwidthShortage>
 projectBandwidthShortages(const Project& project, std::span<const capture::CameraDevice> devices);
 
-/// Returns what changes the colors of a device by itself at present: its automatic exposure, gain,
-/// white balance and hue, if they are on (see capture::lockColors()).
+/// Returns which automatic adjustments of a device's colors are currently on: exposure, gain, white
+/// balance and hue (see capture::lockColors()).
 std::vector<capture::ColorAutomatic>
 automaticsOn(const std::vector<capture::DeviceControl>& controls);
 
