@@ -8,7 +8,7 @@
 
 namespace dewpoint::capture {
 
-/// Where the capture time of a live image comes from.
+/// Origin of the capture time of a live image.
 enum class TimeOrigin {
   Driver, ///< the driver of the camera, or the camera itself
   /// The sender of a network stream; the packets with the shortest delay relate its clock to ours.

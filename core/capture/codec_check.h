@@ -11,7 +11,7 @@ namespace dewpoint::capture {
 
 /// Result of checkCodecs() for one type of recording.
 struct CodecOutcome {
-  std::string name; ///< for example "FFV1"
+  std::string name; ///< name of the type, for example "FFV1"
   /// True if this program needs the codec for its own recordings. Otherwise the codec is only
   /// needed to read recordings from other programs.
   bool isNeeded = false;

@@ -10,8 +10,8 @@
 
 namespace dewpoint::capture {
 
-/// How the images of a camera are rotated, mirrored and cropped, their size after that, and the
-/// camera's name for error messages.
+/// Rotation, mirroring, cropping and final size of the images of a camera, and the camera's name
+/// for error messages.
 struct ImageShape {
   std::string camera;
   int rotateDegrees = 0;  ///< clockwise: 0, 90, 180 or 270

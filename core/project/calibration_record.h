@@ -8,7 +8,7 @@
 
 namespace dewpoint::project {
 
-/// Where a part of a calibration comes from.
+/// Origin of a part of a calibration.
 enum class CalibrationOrigin {
   Points, ///< points measured in the room and clicked in the images
   Board,  ///< views of a printed board
@@ -17,7 +17,7 @@ enum class CalibrationOrigin {
   Marks   ///< points marked in the images to define the floor or a measured distance
 };
 
-/// Where the intrinsics of a camera come from.
+/// Origin and accuracy of the intrinsics of a camera.
 struct LensRecord {
   CalibrationOrigin origin = CalibrationOrigin::File;
   /// Largest standard deviation, over the image, of the projection of a direction due to errors of
@@ -29,7 +29,7 @@ struct LensRecord {
   bool operator==(const LensRecord&) const = default;
 };
 
-/// Where the pose of a camera comes from.
+/// Origin and accuracy of the pose of a camera.
 struct PoseRecord {
   CalibrationOrigin origin = CalibrationOrigin::File;
   /// Standard deviation of the camera position relative to the other cameras, meters. Empty if
@@ -42,9 +42,9 @@ struct PoseRecord {
   bool operator==(const PoseRecord&) const = default;
 };
 
-/// Where the calibration of a camera comes from. Each of the two records contains a copy of the
-/// calibration values that it describes. A record becomes invalid as soon as the calibration of the
-/// camera differs from this copy.
+/// Origin and accuracy of the calibration of a camera. Each of the two records contains a copy of
+/// the calibration values that it describes. A record becomes invalid as soon as the calibration of
+/// the camera differs from this copy.
 struct CameraRecord {
   std::optional<LensRecord> lens;
   std::optional<PoseRecord> pose;
@@ -61,7 +61,7 @@ struct LengthCheck {
   bool operator==(const LengthCheck&) const = default;
 };
 
-/// Where the world frame of a project comes from.
+/// Origin and accuracy of the world frame of a project.
 struct WorldRecord {
   std::optional<CalibrationOrigin> scale; ///< origin of the scale; empty if unknown
   /// Relative error of the scale: with a probability of 95 %, the true error is at most this value.
@@ -70,7 +70,8 @@ struct WorldRecord {
   std::optional<CalibrationOrigin> floor; ///< origin of the floor; empty if unknown
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed.
   std::optional<double> accuracy;
-  /// Same for positions outside this volume that at least two cameras see, meters; extrapolated.
+  /// Error, in meters, that 95 % of the positions outside the calibrated volume do not exceed, if
+  /// at least two cameras see them. It is extrapolated.
   std::optional<double> accuracyOutside;
   /// Comparison of a measured with a calibrated length, if the user made one.
   std::optional<LengthCheck> check;

@@ -11,7 +11,7 @@ namespace dewpoint::project {
 
 /// Axes of the positions that are sent to other programs during a run.
 enum class OutputAxes {
-  ZUp,          ///< as in Dewpoint: right-handed, z up
+  ZUp,          ///< right-handed, z up: (x, y, z) of Dewpoint
   YUp,          ///< right-handed, y up: (y, z, x) of Dewpoint, as in the export formats
   YUpLeftHanded ///< left-handed, y up: (x, z, y) of Dewpoint, as in Unity
 };

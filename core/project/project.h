@@ -48,7 +48,7 @@ struct ProjectCamera {
   double delay = 0.0;
   /// Identity, format and controls of the device (`source` is Device only).
   DeviceSettings device = {};
-  /// Where the camera's calibration comes from, as far as is known.
+  /// Origin of the camera's calibration, as far as it is known.
   CameraRecord calibrated = {};
   /// Margins cut off from the images after rotation and mirroring. The calibration is that of the
   /// cropped images.
@@ -132,7 +132,7 @@ struct Project {
   std::vector<PositionCorrection> corrections;
   /// Outputs that send results to other programs during a run; they do not affect the results.
   OutputSettings output;
-  WorldRecord calibrated; ///< where the floor and the scale come from, as far as is known
+  WorldRecord calibrated; ///< origin of the floor and the scale, as far as it is known
   std::string layout;     ///< view layout saved by the window; empty: default layout
 
   bool operator==(const Project&) const = default;

@@ -23,7 +23,7 @@ struct ProjectChanges {
   bool corrections = false;      ///< corrections of target positions
   bool backgroundImages = false; ///< background images; never true if `sources` is
   bool controls = false;         ///< controls of devices; never true if `sources` is
-  bool records = false;          ///< where the calibration comes from
+  bool records = false;          ///< records of the origin of the calibration
   bool output = false;           ///< settings of the outputs to other programs
   bool sources = false;          ///< the set of cameras, and the sources of images and ground truth
 

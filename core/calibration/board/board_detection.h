@@ -22,7 +22,7 @@ struct BoardDetection {
   double edgeWidthPx = 0.0;
 };
 
-/// How thoroughly to search for the board; a thorough search takes more time.
+/// Thoroughness of a search for the board. A more thorough search takes more time.
 enum class DetectionEffort {
   Live, ///< searches for the board in a reduced image; for live images
   /// Chessboards: the settings of OpenCV's calibration sample (11 px, 30 steps, 0.1 px), so that

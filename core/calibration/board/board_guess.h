@@ -11,7 +11,7 @@
 
 namespace dewpoint::calibration {
 
-/// Board found in images by guessBoards(), and how well the images show it.
+/// Board found in images by guessBoards(), and in how many images and corners it was seen.
 struct BoardGuess {
   /// The board that was found. Images do not show the square size, nor whether a chessboard is
   /// `inverted`; these two are copied from the board that was passed as `requested`.

@@ -9,7 +9,7 @@
 
 namespace dewpoint::calibration {
 
-/// Why a board was not found in an image.
+/// Reason why a board was not found in an image.
 struct BoardMiss {
   enum class Reason {
     Unknown,       ///< the image may not show the board at all
@@ -25,9 +25,9 @@ struct BoardMiss {
   bool operator==(const BoardMiss&) const = default;
 };
 
-/// Finds out why `detector` does not find its board in an image (CV_8UC1 or CV_8UC3, BGR). A reason
-/// is given only if the image proves it: the board itself is found in the reduced or enlarged
-/// image, or a part of it is found in the image as it is. Takes up to a few seconds.
+/// Returns the reason why `detector` does not find its board in an image (CV_8UC1 or CV_8UC3, BGR).
+/// Returns Unknown unless the image proves a reason: the board is found in the reduced or enlarged
+/// image, or a part of the board is found in the original image. Takes up to a few seconds.
 BoardMiss whyBoardMissed(const BoardDetector& detector, const cv::Mat& image);
 
 /// Returns the reason in a few words: "blurred, edges of 9 px". Empty if it is not known.

@@ -8,7 +8,7 @@
 
 namespace dewpoint::calibration {
 
-/// How a board that is larger than the paper is split into parts, one per sheet. All sheets are
+/// Division of a board that is larger than the paper into parts, one per sheet. All sheets are
 /// portrait, or all are landscape. All lengths are in millimeters. Positions on the board are
 /// measured from the upper left corner of its grid of squares. Positions on a page are measured
 /// from the upper left corner of the page. In both cases, y points down.

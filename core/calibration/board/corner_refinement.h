@@ -28,7 +28,8 @@ double smallestSpacing(const std::vector<cv::Point2f>& grid, int columns);
 double edgeWidth(const cv::Mat& gray, const BoardDescription& board,
                  const BoardDetection& detection, double reach);
 
-/// Returns the interpolated gray level at a point between pixels. Points are clamped to the image.
+/// Returns the interpolated gray level at a point between pixels. For points outside the image,
+/// returns the gray level at the nearest point of the image.
 double grayAt(const cv::Mat& gray, double column, double row);
 
 } // namespace dewpoint::calibration

@@ -14,7 +14,7 @@ namespace dewpoint::calibration {
 
 /// Camera with known intrinsics, and its views of the board.
 struct BoardCamera {
-  Camera camera; ///< its name is used in errors; its pose matters only if it defines the world
+  Camera camera; ///< camera with known intrinsics; its pose is used only if it defines the world
   /// Views of different cameras that were taken at the same time have the same BoardView::instant.
   std::vector<BoardView> views;
   /// Standard deviation of the projection of a ray, in pixels, due to errors of the intrinsics of
@@ -51,7 +51,7 @@ struct BoardPose {
   Eigen::Isometry3d worldFromBoard = Eigen::Isometry3d::Identity();
 };
 
-/// How well one camera fits the result.
+/// Fit of one camera to the result.
 struct CameraFit {
   /// Root mean square distance between the corners used and their projections, pixels.
   double rmsPx = 0.0;
@@ -61,15 +61,15 @@ struct CameraFit {
   /// the errors of the corners are independent. setCameraSigmas() replaces the value by an estimate
   /// without this assumption.
   double centerSigma = 0.0;
-  double rotationSigma = 0.0; ///< same for the camera orientation, radians
+  double rotationSigma = 0.0; ///< standard deviation of the camera orientation, radians
   bool lensRefined = false;   ///< true if the intrinsics were adjusted as well
 };
 
 /// Output of calibrateExtrinsics().
 struct ExtrinsicsResult {
-  CameraRig cameras; ///< in request order
+  CameraRig cameras; ///< cameras with their new poses, in the order of the request
   std::vector<CameraFit> fits;
-  std::vector<BoardPose> boardPoses; ///< in order of instants
+  std::vector<BoardPose> boardPoses; ///< poses of the board, in ascending order of instants
   double rmsPx = 0.0;
   /// Covariance of the camera poses, scaled to match the size of the residuals.
   BundleCovariance covariance;

@@ -19,7 +19,7 @@ enum class IntrinsicsModel {
   Fisheye            ///< the model of cv::fisheye, k1 to k4
 };
 
-/// Whether pixels are assumed to be square (focalX = focalY).
+/// Assumption about the shape of pixels. Square pixels mean focalX = focalY.
 enum class PixelShape {
   Measured, ///< square, unless the images clearly show otherwise
   Square,   ///< square: focalX = focalY

@@ -20,7 +20,7 @@ struct ReadMarker {
   std::array<cv::Point2f, 4> corners;
 };
 
-/// How markers were read: with which code, and in which version of the image.
+/// Code with which markers were read, and the version of the image in which they were read.
 struct MarkerReading {
   int code = 0;          ///< index in markerCodes()
   bool inverted = false; ///< black and white are exchanged

@@ -20,7 +20,7 @@ struct BoardView {
   BoardDetection detection;
 };
 
-/// How well one image fits the calibration.
+/// Fit of one image to the calibration.
 struct ViewFit {
   std::string name;
   std::int64_t instant = 0;
@@ -36,8 +36,8 @@ struct ViewFit {
   std::vector<Eigen::Vector2d> residuals; ///< measured minus projected, pixels
 };
 
-/// Computes how well a view fits a camera and a pose of the board relative to it. The camera's own
-/// pose is not used.
+/// Computes the fit of a view to a camera and to a pose of the board relative to this camera. The
+/// camera's own pose is not used.
 ViewFit fitView(const BoardDescription& board, const BoardView& view, const Camera& camera,
                 const Eigen::Isometry3d& cameraFromBoard);
 

@@ -32,10 +32,11 @@ struct PosePrior {
 struct BundleCamera {
   Camera camera;
   bool poseFixed = false;
-  bool focalFree = false;                  ///< both focal lengths together, keeping their ratio
-  bool aspectFree = false;                 ///< the ratio of the focal lengths
-  bool centerFree = false;                 ///< the principal point
-  std::array<bool, 8> distortionFree = {}; ///< in the order of the camera's lens model
+  bool focalFree = false;  ///< both focal lengths together, keeping their ratio
+  bool aspectFree = false; ///< the ratio of the focal lengths
+  bool centerFree = false; ///< the principal point
+  /// Distortion coefficients, in the order of the camera's lens model, each free if true.
+  std::array<bool, 8> distortionFree = {};
   double offset =
       0.0; ///< seconds, added to the times of the camera's observations to get true times
   /// Must be false for at least one camera, because only differences between offsets can be

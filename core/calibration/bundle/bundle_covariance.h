@@ -47,10 +47,10 @@ std::string quantityName(CameraQuantity quantity);
 
 /// Joint covariance of all free camera parameters, with the bodies eliminated.
 ///
-/// If nothing fixes the pose of the world (6 degrees of freedom) or its size (1), these have no
-/// error by convention. The covariance is then a pseudoinverse of the information matrix, after
-/// each column was scaled by its own precision. Such a covariance is valid only for quantities that
-/// do not depend on the choice of the world.
+/// If nothing determines the pose of the world (6 degrees of freedom) or its size (1), the pose or
+/// the size is treated as exact. The covariance is then a pseudoinverse of the information matrix,
+/// after each column was scaled by its own precision. Such a covariance is valid only for
+/// quantities that do not depend on the choice of the world.
 struct BundleCovariance {
   std::vector<CameraColumn> columns;
   Eigen::MatrixXd matrix;

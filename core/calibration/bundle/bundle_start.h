@@ -11,7 +11,7 @@ namespace dewpoint::calibration {
 
 /// Usable parts of a problem, with start values for its bodies.
 struct BundleStart {
-  std::vector<BundleState> states; ///< with start values where `stateUsed` is true
+  std::vector<BundleState> states; ///< states, with start values where `stateUsed` is true
   std::vector<bool> stateUsed;
   std::vector<bool> observationUsed;
   /// For each observation, the states (of the same body, ascending in time) between which its point

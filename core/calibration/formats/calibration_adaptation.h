@@ -11,7 +11,7 @@
 
 namespace dewpoint::calibration {
 
-/// How the images of a camera were made from images of the size for which it was calibrated.
+/// Relation of a camera's images to the images for which it was calibrated, if their sizes differ.
 enum class SizeFit {
   Crop, ///< equal margins were cut off, or added, on opposite sides
   /// Rows at the bottom and columns at the right were cut off, or added (for example, 1088 rows cut
@@ -28,18 +28,20 @@ using CameraRenaming = std::map<std::string, std::string>;
 /// Instructions of the user for a calibration whose camera names or image sizes do not fit.
 struct CalibrationAdaptation {
   CameraRenaming names;
-  std::optional<SizeFit> fit; ///< how to fit cameras to images of another size; empty: do not
+  /// How to adapt cameras to images of another size; empty: cameras are not adapted.
+  std::optional<SizeFit> fit;
 };
 
 /// Parses a value of the command line: crop, trim, scale, rotate-90 or rotate-270. Returns nothing
 /// for any other text.
 std::optional<SizeFit> parseSizeFit(const std::string& text);
 
-/// Adapts a calibrated camera to images of `width` x `height` pixels; `fit` says how these were
-/// made from images of the calibrated size. Every world point is still projected onto the same
-/// image content, so if the image was rotated, the pose is rotated, too. Pixel centers are at
-/// integer coordinates, so scaling by s maps column u to s (u + 1/2) - 1/2. Error: Mismatch if a
-/// rotated image would have another size, or if the principal point would be outside the image.
+/// Returns a calibrated camera adapted to images of `width` x `height` pixels. `fit` specifies how
+/// these images were made from images of the calibrated size. Every world point is still projected
+/// onto the same image content, so if the image was rotated, the pose is rotated, too. Pixel
+/// centers are at integer coordinates, so scaling by s maps column u to s (u + 1/2) - 1/2. Error:
+/// Mismatch if a rotated image would have another size, or if the principal point would be outside
+/// the image.
 Result<Camera> fittedToSize(const Camera& camera, int width, int height, SizeFit fit);
 
 /// Returns a sentence such as "left: cropped from 1920 x 1088 to 1920 x 1080 pixels.".

@@ -47,7 +47,7 @@ struct LensSupport {
   bool fisheye = false;        ///< true if it also has the four coefficients of LensModel::Fisheye
 };
 
-/// How a format distributes cameras among files.
+/// Distribution of cameras among the files of a format.
 enum class FileLayout {
   OneFile,
   FilePerCamera, ///< a folder, or one file for one camera

@@ -11,7 +11,7 @@
 
 namespace dewpoint::calibration {
 
-/// Where and how to write a calibration.
+/// Destination and format of a calibration that is written.
 struct CalibrationOutput {
   std::filesystem::path path; ///< a file, or a folder for formats with one file per camera
   std::string format;         ///< format name; derived from the extension if only one format has it

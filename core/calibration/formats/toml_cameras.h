@@ -14,7 +14,8 @@ enum class TomlDialect {
   /// `unit` in the metadata or in a camera, or none of the features of the other dialects.
   Dewpoint,
   Anipose, ///< `[metadata]` with `adjusted`
-  Pose2Sim ///< as Anipose, with `fisheye = false` and four coefficients for every camera
+  /// Same features as Anipose, with `fisheye = false` and four coefficients for every camera.
+  Pose2Sim
 };
 
 /// Returns the tool that wrote a file; None if the file has no camera table or is not TOML.

@@ -11,7 +11,7 @@ namespace dewpoint::calibration {
 /// Coordinate frame whose axes are used to move and rotate a camera.
 enum class NudgeFrame {
   Camera, ///< x right, y down, z forward
-  World   ///< as in the project, with z up
+  World   ///< world frame of the project, with z up
 };
 
 /// Returns the camera moved by a vector (meters).

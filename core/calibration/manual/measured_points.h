@@ -27,7 +27,7 @@ struct PointClick {
 struct MeasuredPoint {
   std::string name;
   Eigen::Vector3d world = Eigen::Vector3d::Zero(); ///< measured position, meters
-  std::vector<PointClick> clicks;                  ///< at most one per camera
+  std::vector<PointClick> clicks;                  ///< clicks on the point, at most one per camera
 
   bool operator==(const MeasuredPoint&) const = default;
 };
@@ -111,9 +111,8 @@ struct PointSolution {
 struct PointSettings {
   bool estimateFocal =
       false; ///< true to estimate the focal lengths of cameras with kFewestPointsOfFocal points
-  /// Standard deviations used as weights in the joint refinement.
-  double tapeSigma = 0.003; ///< of a tape measurement, meters
-  double clickSigma = 0.5;  ///< of a click, pixels
+  double tapeSigma = 0.003; ///< standard deviation of a tape measurement, meters
+  double clickSigma = 0.5;  ///< standard deviation of a click, pixels
 };
 
 /// Estimates the poses of all cameras from clicks on measured points.

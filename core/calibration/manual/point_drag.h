@@ -8,10 +8,10 @@
 
 namespace dewpoint::calibration {
 
-/// How a camera moves while the user drags a world point through its image.
+/// Motion of a camera while the user drags a world point through its image.
 enum class DragMode {
-  Turn, ///< keeps its position and rotates
-  Slide ///< keeps its orientation and moves parallel to its image plane
+  Turn, ///< the camera rotates and keeps its position
+  Slide ///< the camera moves parallel to its image plane and keeps its orientation
 };
 
 /// Reason why a drag could not continue.

@@ -18,7 +18,7 @@ struct PointPose {
 PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
                          bool estimateFocal);
 
-/// What the pose of one camera shows about the world: whether its z axis points up.
+/// Direction of the world's z axis, as shown by the pose of one camera.
 enum class WorldSide {
   Unknown, ///< the points fit badly, or the camera looks steeply down or up
   Upright, ///< no sign that z points down

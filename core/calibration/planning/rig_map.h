@@ -42,11 +42,10 @@ std::optional<std::size_t> cellAt(const VolumeGrid& grid, const Eigen::Vector3d&
 /// Divides a volume into about `cellCount` nearly cubic cells, at least one along each axis.
 VolumeGrid gridOver(const Eigen::AlignedBox3d& volume, std::size_t cellCount);
 
-/// Returns the room that a rig is designed for, as far as the project defines it: the area of the
-/// reference grid, extending upwards from its floor. A floor grid has no height, so the room
-/// extends up to the highest camera. This height is at least a quarter of the length of the floor,
-/// and at most its whole length. A wall grid has no depth, so the room extends towards the cameras
-/// by the length of the wall.
+/// Returns the volume in which a rig is planned to measure, derived from the reference grid. For a
+/// floor grid, the volume lies above the grid and extends up to the highest camera. Its height is
+/// at least a quarter of the length of the floor, and at most its whole length. For a wall grid,
+/// the volume extends from the wall towards the cameras by the length of the wall.
 Eigen::AlignedBox3d roomVolume(const CameraRig& rig, const ReferenceGrid& grid);
 
 /// Number of cells in a displayed map. Displayed fractions are also computed from these cells. A

@@ -42,10 +42,9 @@ struct CalibrationAccuracy {
   /// Part of position95 that is caused by errors of the cameras; meters. Averaging over several
   /// images does not reduce this part.
   double cameras95 = 0.0;
-  /// Same as position95, but for positions that at least two cameras see (commonView()) outside the
-  /// volume in which the target was during the calibration; meters. This is an extrapolation,
-  /// because nothing was observed there. Never below position95. Empty if there are too few such
-  /// positions.
+  /// Error that 95 % of the positions outside the region of the board or wand do not exceed, if at
+  /// least two cameras see them (commonView()); meters. This is an extrapolation, because nothing
+  /// was observed there. Never below position95. Empty if there are too few such positions.
   std::optional<double> outside95;
   /// Distance from the calibrated volume within which 95 % of the positions of `outside95` lie,
   /// meters; 0 if `outside95` is empty.

@@ -86,7 +86,7 @@ std::optional<CameraResection> fitCamera(const Camera& initial,
 /// of freedom), up to a constant. This distribution gives outliers little weight.
 double meanCost(const std::vector<double>& squares, double sigmaPx);
 
-/// Selects at most `most` elements, evenly spread.
+/// Returns at most `most` elements of a list, evenly spread, in their order.
 template <class T> std::vector<T> evenSelection(const std::vector<T>& all, std::size_t most) {
   if (all.size() <= most) {
     return all;

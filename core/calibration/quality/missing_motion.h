@@ -20,7 +20,7 @@ enum class MissingMotion {
   SeenTogether ///< two cameras rarely saw the ball at the same time
 };
 
-/// Part of an image; `Edges` stands for all four sides.
+/// Part of an image. `Edges` means all four sides.
 enum class ImageSide { Edges, Left, Right, Top, Bottom };
 
 /// Kind of motion that a recording lacks.
@@ -29,9 +29,9 @@ struct MotionGap {
   /// Indices in the rig. InDepth and WholeImage: the camera. OffThePlane: the camera whose optical
   /// axis is closest to the normal of the plane. SeenTogether: the two cameras. Otherwise empty.
   std::vector<std::size_t> cameras = {};
-  /// How much of this motion there was. LongEnough: time from the first to the last sight of the
-  /// ball, seconds. OffTheLine and OffThePlane: extent of the ball's positions across the line or
-  /// the plane, meters. InDepth: range of the distances, meters. WholeVolume and WholeImage:
+  /// Amount of this motion in the recording. LongEnough: time from the first to the last sight of
+  /// the ball, seconds. OffTheLine and OffThePlane: extent of the ball's positions across the line
+  /// or the plane, meters. InDepth: range of the distances, meters. WholeVolume and WholeImage:
   /// fraction of the volume or of the image, 0 to 1. SeenTogether: number of frames.
   double value = 0.0;
   ImageSide side = ImageSide::Edges; ///< WholeImage: side at which the ball was not seen

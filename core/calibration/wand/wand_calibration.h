@@ -29,13 +29,13 @@ struct MarkerObservation {
   double sigma = 0.3;  ///< standard deviation of `pixel` per axis, pixels
 };
 
-/// How the scale of the result is determined.
+/// Method to determine the scale of the result.
 enum class WandScale {
-  InitialRig, ///< from the initial rig; the scale is then only as accurate as that rig
-  Stick,      ///< from the known length of the stick
-  /// From the known distance between two positions that ball 0 touched (WandProblem::distance).
+  InitialRig, ///< by the initial rig; the scale is only as accurate as this rig
+  Stick,      ///< by the known length of the stick
+  /// By the known distance between two positions that ball 0 touched (WandProblem::distance).
   Distance,
-  Diameter ///< from the apparent radius of the ball, measured to about 0.05 px
+  Diameter ///< by the apparent radius of the ball, measured to about 0.05 px
 };
 
 /// Two times at which ball 0 was held at two positions with a known distance between them.
@@ -54,7 +54,7 @@ struct WandProblem {
   double stickLength =
       0.0; ///< distance between the centers of balls 0 and 1, meters; 0: only one ball
   WandScale scale = WandScale::InitialRig;
-  TouchedDistance distance;       ///< for WandScale::Distance
+  TouchedDistance distance;       ///< the known distance; used for WandScale::Distance
   std::vector<double> floorTimes; ///< times when ball 0 lay on the floor or touched it, seconds
   std::optional<std::array<double, 2>> fallSpan; ///< time span in which ball 0 fell freely, seconds
   bool findOffsets = false;    ///< estimate time offsets of the cameras relative to the first

@@ -30,7 +30,7 @@ struct DeviceControl {
   ControlKind kind = ControlKind::Integer;
   std::int64_t minimum = 0;
   std::int64_t maximum = 0;
-  std::int64_t step = 1; ///< at least 1
+  std::int64_t step = 1; ///< distance between two possible values, at least 1
   std::int64_t defaultValue = 0;
   std::int64_t value = 0;
   std::vector<ControlMenuItem> menu; ///< choices that the device offers; only for ControlKind::Menu

@@ -13,7 +13,7 @@ namespace dewpoint::capture {
 /// Parts of a network address such as http://user:password@host:8080/video?size=2. Missing parts
 /// are empty.
 struct AddressParts {
-  std::string scheme; ///< in lower case, without ://
+  std::string scheme; ///< scheme in lower case, without ://
   std::string user;   ///< user name, with percent escapes decoded
   std::string password;
   std::string host;             ///< host name or address, without the brackets of an IPv6 address

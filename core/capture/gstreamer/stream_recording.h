@@ -18,7 +18,7 @@ namespace dewpoint::capture {
 
 /// Storage of images that a camera sends uncompressed.
 enum class RawStorage {
-  Jpeg,     ///< as JPEG of quality 95
+  Jpeg,     ///< JPEG of quality 95
   Lossless, ///< uncompressed: 18 to 28 MB/s for 640 x 480 pixels at 30 images per second
 };
 

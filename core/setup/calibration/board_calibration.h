@@ -17,7 +17,8 @@ namespace dewpoint::setup {
 /// `kept` contains the reason.
 struct LensesFromBoards {
   std::vector<std::optional<IntrinsicsResult>> cameras; ///< empty: the camera keeps its intrinsics
-  /// For each camera that keeps its intrinsics: its name (field), and the reason.
+  /// For each camera that keeps its intrinsics, an error with the name of the camera (Error::field)
+  /// and the reason.
   std::vector<Error> kept;
 };
 

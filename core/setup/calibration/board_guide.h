@@ -83,8 +83,8 @@ public:
   BoardGuideState step(const FrameSet& frames);
   /// Captures the last images that show the board. Call this function when the user asks for it.
   BoardGuideState captureNow();
-  /// Like captureNow(), but for a board that lies on the floor. Capturing the floor requires at
-  /// least one detection.
+  /// Captures the last images that show the board, which must lie on the floor. At least one camera
+  /// must have detected the board.
   BoardGuideState captureFloor();
   /// Ends the phase Lenses, whatever accuracy it has reached, and continues with the poses.
   BoardGuideState skipToPoses();

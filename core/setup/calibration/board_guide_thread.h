@@ -27,7 +27,7 @@ public:
   void show(FrameSetPtr frames);
   /// Captures the last images that show the board. Call this function when the user asks for it.
   void captureNow();
-  /// Like captureNow(), but for a board that lies on the floor.
+  /// Captures the last images that show the board, which must lie on the floor.
   void captureFloor();
   /// Ends the calibration of the intrinsics, whatever accuracy it has reached, and continues with
   /// the poses.

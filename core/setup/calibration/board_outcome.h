@@ -11,10 +11,10 @@
 
 namespace dewpoint::setup {
 
-/// What a calibration with a board estimates; at least one must be true.
+/// Quantities that a calibration with a board estimates. At least one must be true.
 struct BoardGoal {
-  bool lenses = true;
-  bool poses = false;
+  bool lenses = true; ///< estimate the intrinsics
+  bool poses = false; ///< estimate the poses
 
   bool operator==(const BoardGoal&) const = default;
 };

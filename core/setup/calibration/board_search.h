@@ -44,7 +44,7 @@ struct MissedImage {
   BoardMiss miss;
 };
 
-/// How a few images of a camera show a board: as it is, or only after they are mirrored.
+/// Numbers of images of a camera that show a board as it is, or only after they are mirrored.
 struct BoardSides {
   int plain = 0;    ///< number of images that show the board as it is
   int mirrored = 0; ///< number of images that show it after they are mirrored left to right
@@ -62,7 +62,7 @@ struct BoardDetections {
     /// saw the requested board but other cameras did.
     std::optional<BoardGuess> otherBoard = std::nullopt;
     std::vector<MissedImage> missed = {}; ///< the images without the board, in order
-    /// How a few images show the board. Counted only if some images show a mirrored board.
+    /// Counts from a few images of this camera. Set only if some images show a mirrored board.
     BoardSides sides = {};
   };
   std::vector<PerCamera> cameras;

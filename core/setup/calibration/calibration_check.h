@@ -24,7 +24,7 @@ struct CheckedCalibration {
 /// cannot be used, its format is still returned, provided that it can be recognized.
 CheckedCalibration checkCalibration(const std::filesystem::path& file);
 
-/// How createNewProject() matches the cameras in a file to those of the project.
+/// Method by which createNewProject() matches the cameras in a file to those of the project.
 enum class CameraMatch { ByName, ByOrder, None };
 /// Returns how the cameras named `inFile` in a file are matched to those named `cameras` in a
 /// project.

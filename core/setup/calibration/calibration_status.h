@@ -9,14 +9,14 @@
 
 namespace dewpoint::setup {
 
-/// How well a part of the calibration is known.
+/// Quality of the knowledge about a part of the calibration.
 enum class Knowledge {
   Missing, ///< only guessed by the program, or known to be wrong
   Given,   ///< entered, set by hand or read from a file; its accuracy was not measured
   Measured ///< found by measurement with this program, and not changed since
 };
 
-/// What is known about one part of the calibration.
+/// Status of one part of the calibration.
 struct PartStatus {
   Knowledge knowledge = Knowledge::Missing;
   std::optional<CalibrationOrigin> origin = {}; ///< empty if not recorded
@@ -27,14 +27,14 @@ struct PartStatus {
   bool operator==(const PartStatus&) const = default;
 };
 
-/// What is known about one camera.
+/// Calibration status of one camera.
 struct CameraCalibrationStatus {
   PartStatus lens;    ///< error: see LensRecord::error, pixels
   PartStatus pose;    ///< error: see PoseRecord::error, meters
   double delay = 0.0; ///< delay of the images (ProjectCamera::delay), seconds
 };
 
-/// What is known about the calibration of a project.
+/// Calibration status of a project.
 struct CalibrationStatus {
   std::vector<CameraCalibrationStatus> cameras; ///< in project order
   PartStatus scale;                             ///< error: see WorldRecord::scaleError
@@ -43,9 +43,10 @@ struct CalibrationStatus {
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed
   /// (WorldRecord::accuracy).
   std::optional<double> accuracy;
-  /// Same for positions outside this volume that at least two cameras see, meters
-  /// (WorldRecord::accuracyOutside).
+  /// Error, in meters, that 95 % of the positions outside the calibrated volume do not exceed, if
+  /// at least two cameras see them (WorldRecord::accuracyOutside).
   std::optional<double> accuracyOutside;
+  /// Comparison of a measured with a calibrated length, if the user made one.
   std::optional<LengthCheck> check;
 };
 
@@ -53,8 +54,8 @@ struct CalibrationStatus {
 /// ignored. Simulated cameras are known exactly: their status is Measured, without an origin.
 CalibrationStatus calibrationStatus(const Project& project);
 
-/// Returns where a part of the calibration comes from, in a few words: "guessed", "board". The
-/// window translates it.
+/// Returns the origin of a part of the calibration in a few English words, for example "guessed" or
+/// "board".
 const char* originText(const PartStatus& part);
 
 /// Returns the number of cameras with at least this knowledge of a part. A part with `isPoor`

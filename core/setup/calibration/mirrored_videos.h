@@ -11,8 +11,9 @@
 
 namespace dewpoint::setup {
 
-/// Which cameras show a ChArUco board mirrored left to right, and what is mirrored: the board or
-/// the video. A chessboard looks the same in a mirrored image, so it cannot show this.
+/// Cameras that show a ChArUco board mirrored left to right, and the cause: a mirrored video or a
+/// mirrored board. A chessboard looks the same in a mirrored image, so it cannot reveal a mirrored
+/// video.
 struct MirroredVideos {
   enum class Cause {
     None,          ///< no camera shows a mirrored board

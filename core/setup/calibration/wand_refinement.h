@@ -38,9 +38,9 @@ struct WandRefinement {
 /// possible error before the calibration, WandOptions::initialPositionError.
 bool isInaccurate(const WandRefinement& refinement);
 
-/// Returns whether the old cameras fit the images at least as well as the new cameras fit images
-/// that they were not computed from (CalibrationAccuracy::heldOutPx). The recording then gives no
-/// reason to change the cameras.
+/// Returns whether the recording gives no reason to change the cameras. This is the case if the old
+/// cameras fit the images at least as well as the new cameras fit images that were not used to
+/// compute them (CalibrationAccuracy::heldOutPx).
 bool isUnneeded(const WandRefinement& refinement);
 
 /// Returns a sentence that says that the old cameras fit the images as well as the new ones.
@@ -52,9 +52,9 @@ std::string unneededText(const WandRefinement& refinement);
 /// (CameraAccuracy::positionSigma). In the second case, no error is recorded, and the recording
 /// lacks at least half of the motion that is required of some kind (MotionGap::severity).
 ///
-/// The images contradict the old cameras if these leave at least three times the reprojection error
-/// of the new ones. A camera was then probably moved. Errors that all images share, for example
-/// because hands always hide the same part of a ball, make less of a difference.
+/// The images contradict the old cameras if the old reprojection error is at least three times the
+/// new one. A camera was then probably moved. Errors that all images share cause smaller
+/// differences, for example if hands always hide the same part of a ball.
 bool isKnownBetter(const WandRefinement& refinement);
 
 /// Returns a sentence that says that the old cameras are known more accurately.

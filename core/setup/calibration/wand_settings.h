@@ -37,12 +37,11 @@ struct WandSettings {
   bool operator==(const WandSettings&) const = default;
 };
 
-/// What happens to the ball at a time that the user marks.
+/// Event at a time that the user marks: something that happens to the ball.
 enum class WandEvent { Floor, DistanceFrom, DistanceTo, FallBegins, FallEnds };
 constexpr int kWandEventCount = 5;
 
-/// A time marked by the user, and what happens to the ball at that time; `seconds` is the time in
-/// the recording.
+/// Time marked by the user, and the event at this time. `seconds` is the time in the recording.
 struct MarkedInstant {
   std::int64_t frame = 0;
   double seconds = 0.0;

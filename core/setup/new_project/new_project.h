@@ -33,7 +33,7 @@ struct NewProject {
   std::vector<NewCamera> cameras;
   std::optional<std::filesystem::path> calibration;
   double framesPerSecond = 0.0; ///< frame rate for image folders; 0 means 30
-  /// How to adapt a calibration that has other camera names or image sizes.
+  /// Adaptation of a calibration that has other camera names or image sizes.
   CalibrationAdaptation adaptation = {};
 };
 
