@@ -7,9 +7,9 @@
 
 namespace dewpoint::trajectory {
 
-/// Converts a trajectory to meters. `unit` is the length unit of its numbers in meters, for example
-/// 0.001 for millimeters. Positions are multiplied by `unit`, and covariances and extents by its
-/// square.
+/// Converts a trajectory to meters. `unit` is the length unit of the trajectory in meters, for
+/// example 0.001 for millimeters. Positions are multiplied by `unit`, and covariances and extents
+/// by its square.
 Trajectory inMeters(Trajectory trajectory, double unit);
 
 /// Returns the length unit of the truth, in meters, if the truth is probably given in millimeters

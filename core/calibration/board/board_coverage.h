@@ -22,8 +22,8 @@ BoardTilt tiltOf(const Eigen::Isometry3d& cameraFromBoard);
 double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d& boardCenter);
 
 /// Image regions in which corners were seen, and tilts at which the board was seen. A calibration
-/// has no information about regions without corners. Without views of a tilted board, it cannot
-/// separate the focal length from the distance of the board.
+/// has no information about regions without corners. Without views of a tilted board, a calibration
+/// cannot separate the focal length from the distance of the board.
 struct BoardCoverage {
   static constexpr int kColumns = 6;
   static constexpr int kRows = 4;

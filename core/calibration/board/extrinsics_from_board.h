@@ -39,9 +39,9 @@ struct ExtrinsicsRequest {
   Eigen::Isometry3d worldFromBoard = worldFromFlatBoard();
   /// True to adjust the intrinsics as well: the focal lengths (a single one if both are equal), the
   /// principal point, and the distortion coefficients that are not zero. A camera keeps its
-  /// intrinsics, and a notice names it, in two cases: its views of the board do not determine them
-  /// (kUndeterminedRayShare), or they determine them badly (kWorstRayPx) and worse than
-  /// BoardCamera::lensError.
+  /// intrinsics, and a notice names the camera, in two cases: its views do not determine the
+  /// intrinsics (kUndeterminedRayShare), or the new intrinsics would be inaccurate (kWorstRayPx)
+  /// and less accurate than BoardCamera::lensError.
   bool refineIntrinsics = false;
 };
 

@@ -21,10 +21,11 @@ struct BundleStart {
   bool moving = false; ///< true if any observation is interpolated between states
 };
 
-/// Triangulates bodies without start values, and drops observations that contain no information.
-/// These are points seen by only one camera, boards with fewer than four observed points, and
-/// images that were taken between states if neighboring states are missing. Errors: numbers that
-/// are not finite, indices out of range, a camera with too few observations.
+/// Returns the usable parts of a problem, with start values for all bodies. Bodies without start
+/// values are triangulated. Observations without information are dropped: points that only one
+/// camera sees, boards with fewer than four observed points, and images that were taken between
+/// states if neighboring states are missing. Fails if a number is not finite, an index is out of
+/// range, or a camera has too few observations.
 Result<BundleStart> initializeBundle(const BundleProblem& problem);
 
 } // namespace dewpoint::calibration

@@ -18,7 +18,8 @@ struct CameraParts {
       Eigen::Matrix3d::Identity(); ///< camera matrix [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], pixels
   std::vector<double> distortion;  ///< coefficients, in the order of `lens`
   LensModel lens = LensModel::Pinhole;
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity(); ///< camera from world
+  /// Rotation from world axes to camera axes.
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 };
 

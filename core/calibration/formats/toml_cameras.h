@@ -11,10 +11,12 @@ namespace dewpoint::calibration {
 /// Tools that write one TOML table per camera with the keys of cameraFromToml().
 enum class TomlDialect {
   None,
-  /// `unit` in the metadata or in a camera, or none of the features of the other dialects.
+  /// The file has `unit` in its metadata or in a camera, or none of the features of the other
+  /// dialects.
   Dewpoint,
-  Anipose, ///< `[metadata]` with `adjusted`
-  /// Same features as Anipose, with `fisheye = false` and four coefficients for every camera.
+  Anipose, ///< the file has `adjusted` in its `[metadata]`
+  /// The file has the features of Anipose, and `fisheye = false` and four coefficients for every
+  /// camera.
   Pose2Sim
 };
 
@@ -26,8 +28,8 @@ TomlDialect tomlDialect(const CalibrationText& source);
 Result<CameraRig> camerasFromToml(const CalibrationText& source,
                                   std::initializer_list<const char*> ignoredKeys);
 
-/// Returns the name of the first camera table with four coefficients and no `fisheye`, which leaves
-/// the meaning of the coefficients open; empty if there is none.
+/// Returns the name of the first camera table with four coefficients but without the key `fisheye`.
+/// The lens model of such a camera is not clear. Empty if there is no such table.
 std::string cameraWithUnclearLens(const CalibrationText& source);
 
 } // namespace dewpoint::calibration

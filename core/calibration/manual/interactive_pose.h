@@ -54,7 +54,7 @@ ReferenceGrid gridFor(const CameraRig& rig);
 /// Returns the horizontal field of view of the lens without distortion, in radians: 2 atan(w / 2f),
 /// or w / f for a fisheye.
 double fieldOfView(const Camera& camera);
-/// Returns the horizontal focal length (pixels) at which the lens of the camera has a horizontal
+/// Returns the horizontal focal length (pixels) that gives the camera's lens model a horizontal
 /// field of view (radians).
 double focalLengthOf(const Camera& camera, double fieldOfView);
 /// Returns the camera with another horizontal focal length (pixels). The ratio of the focal lengths

@@ -14,7 +14,8 @@ struct PointPose {
   double rmsPx = 0.0;
 };
 
-/// Estimates a pose by perspective-n-point without a start value, followed by least squares.
+/// Estimates the pose of a camera from points and their pixels, by perspective-n-point without a
+/// start value and then by least squares. With `estimateFocal`, also estimates its focal length.
 PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& anchors,
                          bool estimateFocal);
 

@@ -47,10 +47,10 @@ struct MotionGap {
 /// The extents of the ball's positions along their principal axes are compared with the distance to
 /// the cameras, and with the volume that the cameras see together (commonView()). Each camera's
 /// image is divided into 6 x 4 regions. The regions in which the ball was seen are compared with
-/// the regions that show the common volume. For two cameras that share much of their views, the
-/// number of frames in which both saw the ball is compared with the number of frames in which the
-/// camera that saw it less often saw it. All limits of lengths are relative to the size of the rig,
-/// so they suit a desk as well as a hall.
+/// the regions that show the common volume. For two cameras that share much of their views, two
+/// numbers of frames are compared: those in which both cameras saw the ball, and those in which the
+/// camera with fewer sightings saw the ball. All limits of lengths are relative to the size of the
+/// rig, so they suit a desk as well as a hall.
 std::vector<MotionGap> missingMotion(const WandResult& result);
 
 /// Returns one or two sentences that say what is missing and what to do. `rig` contains the names

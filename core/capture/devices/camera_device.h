@@ -69,9 +69,10 @@ std::string describe(const DeviceIdentity& identity);
 /// device.
 std::string describe(const DeviceFormat& format);
 
-/// Returns a requested format with its open parts filled in as openLive() would choose them: JPEG
-/// if it is offered at the requested size and rate, then the largest size, then the highest rate.
-/// Requested parts are not changed, even if the device does not offer them.
+/// Returns a requested format, with the parts that are left to the device filled in as openLive()
+/// would choose them: JPEG if it is offered at the requested size and rate, then the largest size,
+/// then the highest rate. Parts that are requested are not changed, even if the device does not
+/// offer them.
 DeviceFormat completedFormat(const DeviceFormat& format, const std::vector<OfferedFormat>& offered);
 
 /// Returns whether a device offers a format. Parts of the format that are left to the device are

@@ -26,8 +26,8 @@ struct ColorLock {
   /// switches of automatic adjustments that are off, and the fixed values.
   ControlValues values;
   std::vector<Refusal> refused; ///< controls that the device did not accept
-  /// Those of exposure, gain and white balance for which the device has no control. It is not known
-  /// whether the device adjusts them automatically.
+  /// Adjustments of exposure, gain or white balance for which the device has no control. It is not
+  /// known whether the device adjusts them automatically.
   std::vector<ColorAutomatic> missing;
 };
 

@@ -10,21 +10,21 @@ namespace dewpoint::setup {
 
 /// Returns the boards that a recording probably shows, the most likely one first. Only `frames`
 /// evenly spaced frames are searched. `requested` is the board that the user expects; for its use,
-/// see guessBoards(). Returns NotFound if there is none, BadValue if the cameras are live,
-/// Canceled, or the errors of the source.
+/// see guessBoards(). Errors: NotFound if no board is found; BadValue if the cameras are live;
+/// Canceled; the errors of the source.
 Result<std::vector<BoardGuess>> proposeBoards(FrameSetSource& source,
                                               const BoardDescription& requested,
                                               int frames = kFramesToLookAt,
                                               const CalibrationProgress& progress = {});
 /// Returns the boards that image files probably show, the most likely one first. At most `count` of
-/// the files are searched. Returns NotFound if there is none, FileMissing, FileUnreadable, or
-/// Canceled.
+/// the files are searched. `requested` is the board that the user expects. Errors: NotFound if no
+/// board is found; FileMissing; FileUnreadable; Canceled.
 Result<std::vector<BoardGuess>> proposeBoards(const std::vector<std::filesystem::path>& pictures,
                                               const BoardDescription& requested,
                                               int count = kFramesToLookAt,
                                               const CalibrationProgress& progress = {});
 /// Returns the boards that the images of one frame probably show, the most likely one first.
-/// Returns NotFound or Canceled.
+/// `requested` is the board that the user expects. Errors: NotFound if no board is found; Canceled.
 Result<std::vector<BoardGuess>> proposeBoards(const FrameSet& frames,
                                               const BoardDescription& requested,
                                               const CalibrationProgress& progress = {});

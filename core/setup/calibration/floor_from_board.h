@@ -19,14 +19,16 @@ struct FloorFromBoard {
   std::size_t cameras = 0; ///< number of cameras that see the board
 };
 
-/// Sets the world frame of calibrated cameras from images of one time in which the board lies flat
-/// on the floor: its first corner becomes the origin, x runs along its rows, y toward its upper
-/// edge, and z up (worldFromFlatBoard()). The cameras keep their positions relative to each other;
-/// everything else in the project follows them (withMovedWorld()). One camera that sees the board
-/// is enough; more cameras make the floor more accurate.
+/// Sets the world frame of calibrated cameras from images that show a board lying flat on the
+/// floor. The first corner of the board becomes the origin; x runs along the rows of the board, y
+/// toward its upper edge, and z up (worldFromFlatBoard()). The cameras keep their positions
+/// relative to each other. Everything else in the project that has world coordinates is moved with
+/// the cameras (withMovedWorld()). One camera that sees the board is enough; more cameras make the
+/// floor more accurate.
 ///
-/// `frames` has one image per camera of the project, null where there is none. Errors: those of
-/// boardInRig(), and Mismatch if an image does not have the size that its camera is calibrated for.
+/// `frames` contains one image per camera of the project, all taken at the same time. An entry is
+/// null if there is no image. Errors: those of boardInRig(), and Mismatch if an image does not have
+/// the size that its camera is calibrated for.
 Result<FloorFromBoard> withFloorFromBoard(const Project& project, const BoardDescription& board,
                                           const FrameSet& frames);
 

@@ -94,8 +94,8 @@ Result<WandRefinement> refineFromViews(const Project& project,
                                        const WandCalibrationCallback& callback = nullptr);
 
 /// Returns `project` with the calibration of the refinement: poses, intrinsics, delays if they were
-/// requested, and the records of where these come from. `project` must have the same cameras as the
-/// project that was calibrated.
+/// requested, and the records of their origin. `project` must have the same cameras as the project
+/// that was calibrated.
 Project withRefinement(Project project, const WandRefinement& refinement);
 
 /// Returns, for each camera, the regions of its image that contain balls used in the result.

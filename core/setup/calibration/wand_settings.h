@@ -55,8 +55,8 @@ struct MarkedInstant {
 /// earlier one.
 void addInstant(std::vector<MarkedInstant>& instants, const MarkedInstant& taken);
 
-/// Returns the names of the balls: those in the settings, or the project's first targets. A stick
-/// has two, if the project has enough targets.
+/// Returns the names of the balls: those in the settings, or the project's first targets. Returns
+/// two names for a stick, if the project has enough targets.
 std::vector<std::string> selectedTargets(const WandSettings& settings, const Project& project);
 
 /// Reason why a calibration with these settings is not possible.
@@ -69,7 +69,8 @@ enum class WandObstacle {
   IncompleteDistance, ///< the scale is to come from a distance, but not both ends were touched
   IncompleteFall      ///< only one end of a fall is marked
 };
-/// Returns the first obstacle, in the order of the enumeration.
+/// Returns the first obstacle that prevents a calibration with these settings, in the order of the
+/// enumeration; None if there is no obstacle.
 WandObstacle obstacleOf(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                         const Project& project);
 

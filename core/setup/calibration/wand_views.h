@@ -59,9 +59,9 @@ struct WandOptions {
   double initialRotationError = kInitialRotationError;
 };
 
-/// Creates the calibration problem for a project and options, without views, which the caller adds.
-/// The initial rig and the radii of the balls come from the project; everything else comes from the
-/// options. Errors: an unknown target; a stick without length.
+/// Creates the calibration problem for a project and options. It contains no views; the caller must
+/// add them. The initial rig and the radii of the balls come from the project; everything else
+/// comes from the options. Fails if a target is unknown or a stick has no length.
 Result<WandProblem> wandProblem(const Project& project, const WandOptions& options);
 /// Returns one color classifier per ball, made from the color of the target that is named in the
 /// options.

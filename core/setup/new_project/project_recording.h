@@ -6,8 +6,9 @@
 
 namespace dewpoint::setup {
 
-/// Returns the description from which the recording of a camera is opened. The source of the camera
-/// must be a video or an image folder. The image size is taken from the calibration of the camera.
+/// Returns the description with which openRecording() opens the recording of a camera. The source
+/// of the camera must be a video or an image folder. The image size is taken from the calibration
+/// of the camera.
 RecordedCamera recordedCamera(const ProjectCamera& camera);
 
 } // namespace dewpoint::setup

@@ -13,7 +13,7 @@ namespace dewpoint::trajectory {
 /// Result of one target in one job.
 struct GatheredRow {
   const GatheredJob* job = nullptr;
-  std::string target; ///< empty: the job found no target
+  std::string target; ///< name of the target; empty: the job found no target
   std::int64_t validFrames = 0;
   const Evaluation* evaluation = nullptr; ///< null if there is no truth
 
