@@ -42,8 +42,8 @@ struct CaptureInstant {
 struct LiveInstants {
   /// CaptureInstant::time minus the camera's delay.
   std::chrono::steady_clock::time_point captured{};
-  std::chrono::steady_clock::time_point arrived{}; ///< arrival of its data, before decoding
-  std::chrono::steady_clock::time_point decoded{}; ///< end of decoding
+  std::chrono::steady_clock::time_point arrived{}; ///< arrival of the image's data, before decoding
+  std::chrono::steady_clock::time_point decoded{}; ///< end of decoding of the image
   std::int64_t stamp = -1;                         ///< CaptureInstant::stamp
 };
 

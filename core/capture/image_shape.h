@@ -14,10 +14,10 @@ namespace dewpoint::capture {
 /// for error messages.
 struct ImageShape {
   std::string camera;
-  int rotateDegrees = 0;  ///< clockwise: 0, 90, 180 or 270
+  int rotateDegrees = 0;  ///< clockwise rotation of the images: 0, 90, 180 or 270 degrees
   int width = 0;          ///< width after rotation and cropping, pixels; 0: any
   int height = 0;         ///< height after rotation and cropping, pixels; 0: any
-  bool mirrored = false;  ///< left and right are swapped after the rotation
+  bool mirrored = false;  ///< true if left and right are swapped after the rotation
   ImageMargins crop = {}; ///< margins that are cut off after rotation and mirroring
 };
 

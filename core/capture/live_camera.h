@@ -15,12 +15,12 @@ struct LiveCamera {
   /// or rtsp://..., "gst:" followed by a GStreamer pipeline, or "test:" followed by the name of a
   /// test pattern (see gstreamer/pipeline_text.h).
   std::string location;
-  int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
+  int rotateDegrees = 0; ///< clockwise rotation of the images: 0, 90, 180 or 270 degrees
   /// Expected size of the images after rotation and cropping, pixels; 0: the size of the first
   /// image.
   int width = 0;
   int height = 0;
-  bool mirrored = false; ///< left and right are swapped after the rotation
+  bool mirrored = false; ///< true if left and right are swapped after the rotation
   /// Additional time, compared to the other cameras, from the exposure of an image to its arrival;
   /// seconds.
   double delay = 0.0;

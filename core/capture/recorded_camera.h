@@ -19,13 +19,14 @@ struct RecordedCamera {
 
   std::string name;
   Kind kind = Kind::Video;
-  std::string path;      ///< video or folder; not used for generated images
-  int rotateDegrees = 0; ///< clockwise: 0, 90, 180 or 270
+  std::string path;      ///< path of the video or folder; not used for generated images
+  int rotateDegrees = 0; ///< clockwise rotation of the images: 0, 90, 180 or 270 degrees
   int width = 0;         ///< expected width after rotation and cropping, pixels; 0: any
   int height = 0;        ///< expected height after rotation and cropping, pixels; 0: any
-  std::function<cv::Mat(std::int64_t)> generate; ///< returns a new CV_8UC3 image for a frame number
-  std::int64_t generatedFrames = 0;              ///< number of generated images
-  bool mirrored = false;                         ///< left and right are swapped after the rotation
+  /// Function that returns a new CV_8UC3 image for a frame number.
+  std::function<cv::Mat(std::int64_t)> generate;
+  std::int64_t generatedFrames = 0; ///< number of generated images
+  bool mirrored = false;            ///< true if left and right are swapped after the rotation
   /// Path of the file with a table of capture times (readCaptureTimes()). Empty if images are
   /// evenly spaced at the frame rate of the recording. Either all cameras have such a file or none.
   std::string times;

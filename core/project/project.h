@@ -121,7 +121,7 @@ struct Project {
   std::vector<ProjectCamera> cameras;
   std::optional<std::filesystem::path> truth; ///< absolute path of truth.csv
   std::string scene; ///< name or file of the simulated scene; empty if there is none
-  std::vector<ProjectMarker> markers; ///< ordered by frame
+  std::vector<ProjectMarker> markers; ///< markers in the recording, ordered by frame
   /// Grid drawn over the images while cameras are adjusted by hand.
   std::optional<ReferenceGrid> grid;
   std::vector<MeasuredPoint> points; ///< points measured in the room and clicked in the images

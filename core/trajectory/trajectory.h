@@ -27,9 +27,10 @@ struct TrajectorySample {
   std::string target;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double effectiveSampleSize = 0.0; ///< of the particles: 1 / sum of squared weights
-  int cameras = 0;                  ///< number of cameras that show the target
-  bool valid = true;                ///< true: the target is tracked, and its position is usable
+  /// Effective sample size of the particles: 1 / sum of squared weights.
+  double effectiveSampleSize = 0.0;
+  int cameras = 0;   ///< number of cameras that show the target
+  bool valid = true; ///< true: the target is tracked, and its position is usable
   /// Measurement in this frame; empty: the target was not seen, or the measurement is not known.
   std::optional<PositionMeasurement> seen;
   double existenceProbability = 0.0;   ///< probability that the target exists; not stored in files
@@ -52,7 +53,8 @@ struct TrajectoryCamera {
 
 /// Header of a trajectory file.
 struct TrajectoryHeader {
-  std::vector<std::pair<std::string, std::string>> entries; ///< method, seed, parameters, version
+  /// Names and values of the header entries: method, seed, parameters, version.
+  std::vector<std::pair<std::string, std::string>> entries;
   std::vector<TrajectoryCamera> cameras;
   bool hasSeen = false;      ///< the file has columns for `seen`
   bool hasBest = false;      ///< the file has columns for `best`

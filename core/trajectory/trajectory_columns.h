@@ -28,8 +28,9 @@ struct TargetColumns {
 struct TrajectoryColumns {
   /// Frame number of each row, ascending; kNoFrame if the file has no frame numbers.
   std::vector<std::int64_t> frames;
-  std::vector<double> times;          ///< time of each row, seconds; NaN if the file has no times
-  std::vector<TargetColumns> targets; ///< in the order of their first appearance
+  std::vector<double> times; ///< time of each row, seconds; NaN if the file has no times
+  /// Columns of the targets, in the order of their first appearance.
+  std::vector<TargetColumns> targets;
 };
 
 /// Returns the columns of all targets. They share the same rows: one for each frame in which any

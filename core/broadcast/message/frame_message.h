@@ -39,7 +39,7 @@ struct CameraMessage {
 /// Data that stays the same from frame to frame. It is sent once, and again after a change.
 struct RigMessage {
   OutputCoordinates coordinates;
-  std::vector<CameraMessage> cameras; ///< in the order of the project
+  std::vector<CameraMessage> cameras; ///< cameras, in project order
   /// Volume in output coordinates: the project's volume of interest, or else the volume that at
   /// least two cameras see. TUIO output maps it to the range 0 to 1.
   WorldBox volume{Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()};
@@ -72,7 +72,7 @@ struct FrameMessage {
   std::int64_t frame = 0;    ///< number of the frame in the run
   std::int64_t sequence = 0; ///< number of this message since the outputs were opened, from 1
   double time = 0.0;         ///< capture time, seconds since the start of the run
-  RigMessagePtr rig;         ///< never null
+  RigMessagePtr rig;         ///< rig of this frame; never null
   std::vector<TargetMessage> targets;
 };
 

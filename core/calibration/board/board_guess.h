@@ -30,13 +30,14 @@ cv::Mat imageForGuess(const cv::Mat& image);
 
 /// Returns the boards that are shown in images: chessboards of any size, and ChArUco boards of any
 /// size and dictionary with at least four visible markers. Boards may be legacy or inverted, and
-/// images may be mirrored. `images`: CV_8UC1 or CV_8UC3 (BGR), of any cameras. Each board is
-/// confirmed with a BoardDetector. The board with the most corners comes first, because it is the
-/// most likely one. `requested` is the board that the user described. For a ChArUco board, the
-/// result names the smallest dictionary that has enough markers with the observed number of cells,
-/// unless `requested` names a larger one. The marker size is measured in the images, to a twentieth
-/// of a square. Deterministic; takes about 0.3 s per image. Returns an empty list if there is no
-/// board. Error: Canceled.
+/// images may be mirrored. The board with the most corners comes first, because it is the most
+/// likely one. Returns an empty list if no board is found. Error: Canceled.
+///
+/// `images`: CV_8UC1 or CV_8UC3 (BGR), from any cameras. `requested` is the board that the user
+/// described. For a ChArUco board, the result names the smallest dictionary that has enough markers
+/// with the observed number of cells, unless `requested` names a larger one. The marker size is
+/// measured in the images, to a twentieth of a square. Each board is confirmed with a
+/// BoardDetector. Deterministic; takes about 0.3 s per image.
 Result<std::vector<BoardGuess>> guessBoards(const std::vector<cv::Mat>& images,
                                             const BoardDescription& requested,
                                             const CalibrationProgress& progress = {});

@@ -15,8 +15,8 @@ namespace dewpoint::calibration {
 std::optional<std::vector<cv::Point2f>>
 chessboardCorners(const cv::Mat& gray, const BoardDescription& board, DetectionEffort effort);
 
-/// Rotates a grid of corners by quarter turns and renumbers the corners. Returns the previous
-/// number of each corner, in the order of the new numbers. `columns` is the number of columns
+/// Returns how the corners of a grid are renumbered if the grid is rotated by quarter turns: the
+/// old number of each corner, in the order of the new numbers. `columns` is the number of columns
 /// before the rotation.
 std::vector<std::size_t> rotatedOrder(std::size_t cornerCount, int columns, int quarterTurns);
 

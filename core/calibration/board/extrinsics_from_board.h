@@ -79,7 +79,7 @@ struct ExtrinsicsResult {
   /// Solution of `problem`. Its covariance assumes the pixel sigmas of `problem` and is not scaled
   /// to the residuals.
   BundleResult bundle;
-  std::vector<DetectedFault> faults = {}; ///< filled by findBoardFaults()
+  std::vector<DetectedFault> faults = {}; ///< faults found by findBoardFaults()
 };
 
 /// Estimates the poses of all cameras from a board that several of them see at the same instants.

@@ -18,7 +18,8 @@ namespace dewpoint::calibration {
 /// Size of a pose block: a rotation vector (radians) relative to a fixed rotation, then the
 /// camera's position (meters).
 inline constexpr int kPoseSize = 6;
-inline constexpr int kLensSize = 12; ///< focalX, focalY / focalX, principal point, distortion
+/// Size of a lens block: focalX, focalY / focalX, principal point, distortion.
+inline constexpr int kLensSize = 12;
 
 /// Returns the lens block of a camera, in the order given at kLensSize.
 std::array<double, kLensSize> lensBlock(const Camera& camera);

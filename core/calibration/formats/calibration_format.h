@@ -22,7 +22,7 @@ struct CalibrationText {
 struct CalibrationHints {
   std::string format;                     ///< format name; recognized from the content if empty
   std::optional<double> unit;             ///< meters per unit of length in the file
-  std::optional<LensModel> lens;          ///< lens model if there are four coefficients
+  std::optional<LensModel> lens;          ///< lens model of cameras with four coefficients
   std::optional<std::array<int, 2>> size; ///< image width and height, pixels
   /// True if the poses in the file are world-from-camera, false if they are camera-from-world. If
   /// specified, the plausibility of the poses is not checked.
@@ -44,7 +44,7 @@ struct ParsedCalibration {
 /// Lens models that a format can represent.
 struct LensSupport {
   int pinholeCoefficients = 8; ///< 4 (k1 k2 p1 p2), 5 (also k3) or 8 (also k4 k5 k6)
-  bool fisheye = false;        ///< true if it also has the four coefficients of LensModel::Fisheye
+  bool fisheye = false; ///< true if the format also has the four coefficients of LensModel::Fisheye
 };
 
 /// Distribution of cameras among the files of a format.

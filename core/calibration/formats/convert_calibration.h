@@ -34,14 +34,14 @@ struct CalibrationConversion {
   std::string from;                   ///< name of the input format
   std::string to;                     ///< name of the output format
   std::vector<std::string> decisions; ///< complete sentences about reading and writing
-  std::vector<std::string> notices;   ///< sentences about what is probably a mistake in the input
+  std::vector<std::string> notices;   ///< sentences about likely mistakes in the input
   std::vector<CameraDifference> cameras;
-  double largestPixels = 0.0; ///< largest over all cameras, pixels
+  double largestPixels = 0.0; ///< largest CameraDifference::largestPixels of all cameras, pixels
   std::vector<std::filesystem::path> written;
 };
 
-/// Compares the projections of the same points by two cameras. The points are at 9 x 9 pixels
-/// across the image, at 0.3, 1, 3 and 10 m in front of `camera`. `otherFromWorld` maps the world of
+/// Returns how far apart two cameras project the same points. The points are at 9 x 9 pixels across
+/// the image, at 0.3, 1, 3 and 10 m in front of `camera`. `otherFromWorld` maps the world of
 /// `camera` to that of `other`.
 CameraDifference difference(const Camera& camera, const Camera& other,
                             const Eigen::Isometry3d& otherFromWorld);

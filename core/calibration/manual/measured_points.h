@@ -35,8 +35,8 @@ struct MeasuredPoint {
 /// Returns the click on a point in a camera's image, or null if there is none.
 const PointClick* clickIn(const MeasuredPoint& point, int camera);
 
-/// Sets the pixel at which a camera sees the point, and the frame of the click
-/// (PointClick::frame). Replaces an earlier click in this camera.
+/// Sets the pixel at which a camera sees the point, and the frame of the click (PointClick::frame).
+/// Replaces an earlier click in this camera.
 void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel,
                 std::optional<std::int64_t> frame = std::nullopt);
 
@@ -97,7 +97,7 @@ struct PointSolution {
   std::vector<ClickResidual>
       residuals; ///< residuals of all clicks for the solved rig and the points as entered
   double rmsPx = 0.0;
-  /// If `isWorstWrong`: index of the wrong point. Otherwise: index of the point with the largest
+  /// Index of the wrong point if `isWorstWrong`; otherwise, index of the point with the largest
   /// residual.
   std::optional<int> worst;
   /// True if all other points fit when the point `worst` is left out. That point was then entered

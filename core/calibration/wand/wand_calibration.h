@@ -23,7 +23,7 @@ inline constexpr double kInitialPositionError = 0.12;
 /// Observation of a ball in one image.
 struct MarkerObservation {
   double time = 0.0;    ///< seconds, by the camera's own clock
-  std::size_t ball = 0; ///< 0, or 1 for the ball at the other end of a stick
+  std::size_t ball = 0; ///< index of the ball: 0, or 1 for the ball at the other end of a stick
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of the ball's outline
   double radius = 0.0; ///< radius of the outline, pixels; 0: not measured
   double sigma = 0.3;  ///< standard deviation of `pixel` per axis, pixels
@@ -48,7 +48,7 @@ struct TouchedDistance {
 /// Input of calibrateFromWand(): a wand, its views, and what to estimate.
 struct WandProblem {
   CameraRig initialRig;                              ///< approximate poses of the cameras
-  std::vector<std::vector<MarkerObservation>> views; ///< per camera of `initialRig`
+  std::vector<std::vector<MarkerObservation>> views; ///< views of each camera in `initialRig`
   std::array<double, 2> ballRadius = {
       0.0, 0.0}; ///< radii of the balls, meters; 0: unknown, so that balls are treated as points
   double stickLength =
@@ -105,7 +105,7 @@ struct WandResult {
   BundleProblem problem; ///< last adjusted problem, in the world frame of the result
   BundleResult bundle;   ///< solution of `problem`, with the covariance
   double seconds = 0.0;  ///< computation time, seconds
-  std::vector<DetectedFault> faults = {}; ///< filled by findWandFaults()
+  std::vector<DetectedFault> faults = {}; ///< faults found by findWandFaults()
 };
 
 /// Progress of a calibration by wand.

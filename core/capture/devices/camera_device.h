@@ -23,7 +23,7 @@ struct OfferedFormat {
   std::string pixelFormat;        ///< see DeviceFormat::pixelFormat; for example "MJPG"
   std::string description;        ///< name given by the driver, for example "Motion-JPEG"
   bool isCompressed = false;      ///< true if the images are compressed
-  std::vector<OfferedSize> sizes; ///< largest first
+  std::vector<OfferedSize> sizes; ///< image sizes, largest first
 
   /// True if the device accepts a range of sizes. `sizes` then contains only the common sizes in
   /// this range.

@@ -17,7 +17,7 @@ struct AddressParts {
   std::string user;   ///< user name, with percent escapes decoded
   std::string password;
   std::string host;             ///< host name or address, without the brackets of an IPv6 address
-  std::optional<int> port = {}; ///< 1 to 65535
+  std::optional<int> port = {}; ///< port number, 1 to 65535
   std::string path;             ///< text from the first / after the host, including the query
   /// Options in the query, with percent escapes decoded.
   std::vector<std::pair<std::string, std::string>> options = {};

@@ -24,8 +24,8 @@ enum class RawStorage {
 
 /// Files of the recording of one camera.
 struct StreamFiles {
-  std::filesystem::path video; ///< Matroska (.mkv)
-  std::filesystem::path times; ///< table of capture times (.csv)
+  std::filesystem::path video; ///< video file in Matroska format (.mkv)
+  std::filesystem::path times; ///< file with the table of capture times (.csv)
 };
 
 /// Progress of a recording.

@@ -16,7 +16,8 @@ namespace dewpoint::setup {
 /// Intrinsics estimated from views of a board. If the intrinsics of a camera were not estimated,
 /// `kept` contains the reason.
 struct LensesFromBoards {
-  std::vector<std::optional<IntrinsicsResult>> cameras; ///< empty: the camera keeps its intrinsics
+  /// Result for each camera; empty: the camera keeps its intrinsics.
+  std::vector<std::optional<IntrinsicsResult>> cameras;
   /// For each camera that keeps its intrinsics, an error with the name of the camera (Error::field)
   /// and the reason.
   std::vector<Error> kept;

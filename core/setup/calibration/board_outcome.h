@@ -31,7 +31,7 @@ struct BoardOutcome {
   /// Sentence with the accuracy, or with the reason why there is none. Empty if no camera poses
   /// were estimated.
   std::string accuracySummary;
-  std::string report; ///< a single HTML page
+  std::string report; ///< report about the calibration, a single HTML page
   /// Images in which each camera did not see the board, if intrinsics were requested.
   std::vector<std::vector<MissedRun>> missed;
 };

@@ -32,7 +32,8 @@ enum class GuideStep {
 struct StepProgress {
   int done = 0;
   int total = 1;
-  std::optional<double> error; ///< pixels, meters or a fraction, see errorUnit()
+  /// Error of the step in the unit errorUnit(): pixels, meters, or a fraction.
+  std::optional<double> error;
 
   bool isDone() const { return done >= total; }
   bool operator==(const StepProgress&) const = default;

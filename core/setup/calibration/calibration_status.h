@@ -19,7 +19,8 @@ enum class Knowledge {
 /// Status of one part of the calibration.
 struct PartStatus {
   Knowledge knowledge = Knowledge::Missing;
-  std::optional<CalibrationOrigin> origin = {}; ///< empty if not recorded
+  /// Origin of this part; empty if it is not recorded.
+  std::optional<CalibrationOrigin> origin = {};
   /// Error of this part; its meaning and unit differ from part to part; empty if unknown.
   std::optional<double> error = {};
   bool isPoor = false; ///< measured, but with such low accuracy that it should be measured again
@@ -29,16 +30,16 @@ struct PartStatus {
 
 /// Calibration status of one camera.
 struct CameraCalibrationStatus {
-  PartStatus lens;    ///< error: see LensRecord::error, pixels
-  PartStatus pose;    ///< error: see PoseRecord::error, meters
+  PartStatus lens;    ///< status of the intrinsics; the error is LensRecord::error, pixels
+  PartStatus pose;    ///< status of the pose; the error is PoseRecord::error, meters
   double delay = 0.0; ///< delay of the images (ProjectCamera::delay), seconds
 };
 
 /// Calibration status of a project.
 struct CalibrationStatus {
-  std::vector<CameraCalibrationStatus> cameras; ///< in project order
-  PartStatus scale;                             ///< error: see WorldRecord::scaleError
-  PartStatus floor;      ///< floor and upward direction; its error is never given
+  std::vector<CameraCalibrationStatus> cameras; ///< status of each camera, in project order
+  PartStatus scale;      ///< status of the scale; the error is WorldRecord::scaleError
+  PartStatus floor;      ///< status of the floor and the upward direction, without an error
   bool isUpright = true; ///< false if the images show that the z axis does not point up
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed
   /// (WorldRecord::accuracy).

@@ -36,7 +36,7 @@ private:
 struct MissedRun {
   std::string file; ///< name of an image file, which is always a separate run; empty for frames
   std::int64_t first = 0;
-  std::int64_t last = 0; ///< the last frame of the run
+  std::int64_t last = 0; ///< number of the last frame of the run
   int images = 0;        ///< number of images in the run
   BoardMiss miss;
 };

@@ -52,7 +52,8 @@ struct Examination {
 
   const Project& project;
   const ExaminationOptions& options;
-  std::vector<CameraFootage> footage; ///< in the order of the project's cameras
+  /// Data about each recording, in the order of the project's cameras.
+  std::vector<CameraFootage> footage;
   std::vector<Finding> findings = {};
 
   /// Adds a finding about a field of the project file.

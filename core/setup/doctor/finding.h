@@ -83,7 +83,7 @@ enum class FindingKind {
 /// which "%1", "%2" ... are placeholders for values.
 struct FindingTexts {
   FindingKind kind;
-  std::string_view name; ///< identifier for programs: "recording-missing"
+  std::string_view name; ///< identifier for programs, for example "recording-missing"
   FindingLevel level;
   std::string_view what;
   std::string_view advice; ///< recommended action; empty if there is nothing to do
@@ -98,8 +98,8 @@ const FindingTexts& textsOf(FindingKind kind);
 struct Finding {
   FindingKind kind = FindingKind::ProjectRead;
   std::vector<std::string> values = {}; ///< values for the placeholders in the texts
-  std::string file = {};                ///< empty if it concerns no file
-  std::string field = {};               ///< name in the project file; may be empty
+  std::string file = {};  ///< file to which the finding refers; empty if it refers to no file
+  std::string field = {}; ///< name of the field in the project file; may be empty
 
   FindingLevel level() const { return textsOf(kind).level; }
 };

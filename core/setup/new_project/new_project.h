@@ -22,14 +22,14 @@ inline constexpr int kAssumedImageHeight = 480;
 
 /// A camera named by the user for a new project.
 struct NewCamera {
-  std::string name; ///< empty: the name of its file
+  std::string name; ///< name of the camera; empty: name of its file
   SourceKind source = SourceKind::Video;
   std::string location; ///< video, image folder, device or address
 };
 
 /// Inputs of a new project.
 struct NewProject {
-  std::string name; ///< empty: name of the folder of its first recording
+  std::string name; ///< name of the project; empty: name of the folder of its first recording
   std::vector<NewCamera> cameras;
   std::optional<std::filesystem::path> calibration;
   double framesPerSecond = 0.0; ///< frame rate for image folders; 0 means 30

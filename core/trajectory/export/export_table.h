@@ -35,9 +35,9 @@ struct ExportCell {
 /// Contents of an export: one row per time, one column per target.
 struct ExportTable {
   std::vector<std::string> targets;
-  std::vector<double> times;                  ///< seconds, ascending, one per row
-  std::vector<std::int64_t> frames;           ///< frame numbers, one per row
-  std::vector<std::vector<ExportCell>> cells; ///< [target][row]
+  std::vector<double> times;                  ///< time of each row, seconds, ascending
+  std::vector<std::int64_t> frames;           ///< frame number of each row
+  std::vector<std::vector<ExportCell>> cells; ///< cells, indexed by [target][row]
   double rate = 0.0;                          ///< rows per second
   double recordedRate = 0.0;                  ///< rows per second before resampling
   /// Number of rows before resampling, including rows of dropped frames.

@@ -29,7 +29,7 @@ std::string figureTitle(const std::vector<std::pair<std::string, std::string>>& 
 /// figure.
 struct FigureDrawing {
   static constexpr double kWidth = 1000.0;
-  static constexpr double kHeight = 707.0; ///< aspect ratio of A4, 1.414 : 1
+  static constexpr double kHeight = 707.0; ///< height; the aspect ratio is that of A4, 1.414 : 1
   static constexpr double kFontSize = 13.0;
 
   enum class Align { Left, Center, Right };
@@ -65,7 +65,7 @@ struct FigureDrawing {
   };
   using Item = std::variant<GridLine, Frame, Label, Curve, LegendKey>;
 
-  std::vector<Item> items; ///< in drawing order
+  std::vector<Item> items; ///< elements of the figure, in drawing order
 };
 
 /// Lays out the figure of a table.

@@ -53,7 +53,7 @@ struct FigurePanel {
   int verticalAxis = 0;
   AxisRange horizontal;
   AxisRange vertical;
-  std::vector<FigureCurve> curves; ///< ordered by target
+  std::vector<FigureCurve> curves; ///< curves of the plot, ordered by target
 };
 
 /// Contents of a trajectory's figure, in the unit and along the axes of the table.

@@ -34,8 +34,8 @@ struct GatheredJobs {
 };
 
 /// Reads the output folders of jobs. Returns Mismatch if two folders contain different results of
-/// the same job, or if an evaluation belongs to another trajectory. For an
-/// invalid file, returns the errors of readJobRecord().
+/// the same job, or if an evaluation belongs to another trajectory. For an invalid file, returns
+/// the errors of readJobRecord().
 Result<GatheredJobs> gatherJobs(const std::vector<std::string>& folders);
 
 /// Returns the text of the file that `dewpoint-cli evaluate` writes to an output folder: the

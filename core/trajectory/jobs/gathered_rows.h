@@ -15,7 +15,7 @@ struct GatheredRow {
   const GatheredJob* job = nullptr;
   std::string target; ///< name of the target; empty: the job found no target
   std::int64_t validFrames = 0;
-  const Evaluation* evaluation = nullptr; ///< null if there is no truth
+  const Evaluation* evaluation = nullptr; ///< comparison with the truth; null if there is no truth
 
   /// Returns the fraction of the job's frames in which the target had a valid position; 0 without
   /// frames.
