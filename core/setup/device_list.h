@@ -29,7 +29,7 @@ std::string deviceListJson(std::span<const ListedDevice> devices);
 
 /// Stores the identities of connected devices in a project. For each camera whose device has no
 /// identity yet, stores the identity and the stable address of the device at the camera's location.
-/// Returns the number of cameras for which this was done.
+/// Returns the number of cameras that got an identity.
 std::size_t identifyDevices(Project& project, std::span<const CameraDevice> devices);
 
 } // namespace dewpoint::setup

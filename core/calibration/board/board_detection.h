@@ -26,7 +26,7 @@ struct BoardDetection {
 enum class DetectionEffort {
   Live, ///< searches for the board in a reduced image; for live images
   /// Chessboards: the settings of OpenCV's calibration sample (11 px, 30 steps, 0.1 px), so that
-  /// results can be compared with results of that sample. ChArUco boards: the same as Exact.
+  /// results can be compared with results of that sample. ChArUco boards: same as Exact.
   Sample,
   Exact ///< tries harder to find the board; takes up to a second per image
 };

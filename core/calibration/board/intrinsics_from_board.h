@@ -68,9 +68,9 @@ struct IntrinsicsResult {
   /// Largest standard deviation of the projection of a ray across the image, in pixels; see
   /// projectionSigma().
   double worstProjectionPx = 0.0;
-  /// Same as worstProjectionPx, but under the assumption that the errors of all corners are
-  /// independent. It decreases with every added view, and so indicates whether there are enough
-  /// views.
+  /// Largest standard deviation of the projection of a ray across the image, in pixels, if the
+  /// errors of all corners are assumed to be independent. It decreases with every added view, so it
+  /// indicates whether there are enough views.
   double independentProjectionPx = 0.0;
 };
 

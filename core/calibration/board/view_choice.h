@@ -14,7 +14,7 @@ namespace dewpoint::calibration {
 std::vector<BoardView> chooseViews(const BoardDescription& board, std::vector<BoardView> views,
                                    int width, int height, int count);
 
-/// Selects views of several cameras for a calibration. Chooses at most `count` instants
+/// Returns views of several cameras for a calibration. Chooses at most `count` instants
 /// (BoardView::instant) at which at least two cameras saw the board sharply, and keeps the sharp
 /// views of these instants. The instants differ as much as possible, as in chooseViews(). Also
 /// keeps all views of the instant `always`. `widths`: image width of each camera, pixels.

@@ -128,8 +128,8 @@ struct BundleResult {
   double rms = 0.0;     ///< RMS residual length over all cameras, pixels
   std::size_t used = 0; ///< number of observations used
   /// Ratio of the residuals to the given sigmas, robustly weighted and corrected for the degrees of
-  /// freedom. A covariance that is multiplied by the square of this ratio is scaled to the
-  /// residuals that were found.
+  /// freedom. Multiply `covariance` by the square of this ratio to scale it to the actual size of
+  /// the residuals.
   double noiseFactor = 1.0;
   BundleCovariance covariance; ///< covariance of the cameras, for the given sigmas
   int iterations = 0;
@@ -153,8 +153,8 @@ using BundleCallback = std::function<bool(const BundleProgress&)>;
 /// time offsets in the same adjustment. Boards are assumed to be at rest. Deterministic: one
 /// thread, fixed order.
 ///
-/// Errors: a camera or body without enough observations, geometry that does not determine the
-/// cameras, no convergence, invalid numbers, and Canceled.
+/// Fails if a camera or body has too few observations, if the observations do not determine the
+/// cameras, if the iterations do not converge, or if a number is invalid. Also returns Canceled.
 Result<BundleResult> adjustBundle(const BundleProblem& problem,
                                   const BundleCallback& callback = nullptr);
 

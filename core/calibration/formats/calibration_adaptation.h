@@ -51,9 +51,9 @@ std::string sizeFitSentence(const Camera& before, const Camera& after, SizeFit f
 /// "camera 1" in the file. Errors name --map.
 Result<CameraRenaming> parseCameraRenaming(const std::vector<std::string>& texts);
 
-/// Gives the cameras that were read from `file` their new names. Cameras without a new name keep
-/// theirs. Errors: NotFound, with a list of the names in the file, if it lacks one of the cameras;
-/// BadValue if two cameras would have the same name.
+/// Renames the cameras that were read from `file`. Cameras without a new name keep their names.
+/// Errors: NotFound, which lists the names in the file, if the file does not contain one of the
+/// cameras to rename; BadValue if two cameras would have the same name.
 Status renameCameras(CameraRig& rig, const CameraRenaming& names, const std::string& file);
 
 /// Returns the names in quotes, separated by commas.

@@ -59,11 +59,11 @@ class StreamRecording {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// Starts recording the images of `feed`. Images of the feed's pre-roll that were captured after
-  /// `zero` are written first. `begin` is the start of the recording; earlier images count as
-  /// RecordedCounts::preRollImages. Without `begin`, the recording starts at `zero`. The files are
-  /// created with the first image, which for H.264 and H.265 is a key frame. Capture times are
-  /// relative to `zero`. `field` names the camera in errors.
+  /// Starts recording the images of `feed`. Images captured before `zero` are left out. Later
+  /// images of the feed's pre-roll are written first. `begin` is the start of the recording;
+  /// earlier images count as RecordedCounts::preRollImages. Without `begin`, the recording starts
+  /// at `zero`. The files are created with the first image, which for H.264 and H.265 is a key
+  /// frame. Capture times are relative to `zero`. `field` names the camera in errors.
   StreamRecording(EncodedFeedPtr feed, StreamFiles files, RawStorage raw, Clock::time_point zero,
                   std::string field, std::optional<Clock::time_point> begin = std::nullopt);
   StreamRecording(const StreamRecording&) = delete;

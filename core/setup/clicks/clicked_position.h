@@ -16,8 +16,8 @@ namespace dewpoint::setup {
 ///
 /// With several clicks, the position is the nearestPoint() of their rays. The covariance follows
 /// from the errors of the clicks, and is larger if these errors do not explain the distance between
-/// the rays. A single click does not determine the depth, which is then that of `estimate` (the
-/// target's estimate in this frame). The variance along the ray is the squared distance of the
+/// the rays. A single click does not determine the depth. The depth is then taken from `estimate`
+/// (the target's estimate in this frame). The variance along the ray is the squared distance of the
 /// estimate from the ray plus the estimate's own variance along the ray. Without an estimate in
 /// front of the camera, the position is on the part of the ray that the largest number of other
 /// cameras sees. This part may extend to infinity, so its inverse depths are assumed to be

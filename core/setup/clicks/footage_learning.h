@@ -31,9 +31,9 @@ struct FootageLearningResult {
   cv::Mat image; ///< image that contains the first click
 };
 
-/// Learns the color of a target from clicks in a recording. The target is an existing one in the
-/// project, or a new one with the given name. The images of the other cameras are searched for the
-/// object of the first click. `backgroundImages` are those returned by loadBackgroundImages().
+/// Learns the color of a target from clicks in a recording. The target is a target of the project,
+/// or a new target with the given name. The images of the other cameras are searched for the object
+/// of the first click. `backgroundImages` are those returned by loadBackgroundImages().
 ///
 /// Returns BadValue, which names "camera" if the cameras are live, "frame" if the frame is after
 /// the end of the recording, and "pixel" or "box" if the click is outside the image. Returns
