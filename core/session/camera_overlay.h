@@ -10,8 +10,8 @@
 
 namespace dewpoint::session {
 
-/// Ellipse in an image, in pixels. `angle` is the angle of the major axis in radians, measured from
-/// the x axis (columns) toward the y axis (rows).
+/// Ellipse in an image, in pixels. `angle` is the direction of the major axis in radians, measured
+/// from the x axis (to the right) toward the y axis (down).
 struct ImageEllipse {
   Eigen::Vector2d center;
   double semiMajor = 0.0;
@@ -21,38 +21,38 @@ struct ImageEllipse {
 
 /// Projection of one target into the image of one camera, in pixels.
 struct CameraOverlay {
-  /// Projections of the particles in front of the camera. If there are very many, only an even
-  /// selection of them.
+  /// Projections of the particles in front of the camera; an even selection if there are very many.
   std::vector<Eigen::Vector2f> particles;
   std::vector<float> weights; ///< relative to the largest weight: 0 to 1
   std::optional<Eigen::Vector2d> estimate;
   /// Ellipse that contains 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.).
   std::optional<ImageEllipse> ellipse;
-  std::optional<ImageEllipse> outline; ///< outline of a target that is not a ball
-  std::optional<Eigen::Vector2d> best; ///< projection of the particle of highest weight
+  std::optional<ImageEllipse> outline; ///< projected outline of a target that is not a ball
+  std::optional<Eigen::Vector2d> best; ///< projection of the particle with the highest weight
   std::optional<Eigen::Vector2d> truth;
-  /// Box of an image target, for methods that track boxes. `estimate` and `ellipse` are then empty.
+  /// Bounding box, for methods that track boxes in the image. `estimate` and `ellipse` are then
+  /// empty.
   std::optional<ImageBox> box;
   bool boxHidden = false; ///< the target is hidden; the box is at its estimated position
 };
 
-/// Returns the radius of the visible cloud in pixels: the distance from the estimate within which
-/// 90 % of the particle weight lies. Distant particles with little weight have no effect. Returns 0
-/// without an estimate or particles.
+/// Returns the radius of the particle cloud in the image, in pixels: the distance from the estimate
+/// within which 90 % of the particle weight lies. Returns 0 if there is no estimate or no particle.
 double cloudRadius(const CameraOverlay& overlay);
 
-/// Candidate position of a target, as a circle in an image.
+/// Candidate position of a target, as a circle in a camera image.
 struct ProposedOutline {
   Eigen::Vector2d center;
   double radius = 0.0; ///< pixels
   CandidatePosition::Kind kind = CandidatePosition::Kind::Existing;
   double probability = 0.0;
 };
-/// Returns the candidate positions of a target, projected into camera `camera`.
+/// Returns the candidate positions of a target, projected into the image of camera number `camera`.
 std::vector<ProposedOutline> proposedOutlines(const TrackSnapshot& snapshot, int camera,
                                               const TargetSnapshot& target);
 
-/// Projects a target of a snapshot into camera `camera` of the snapshot's rig.
+/// Returns the projection of a target into the image of camera number `camera` of the snapshot's
+/// rig.
 CameraOverlay cameraOverlay(const TrackSnapshot& snapshot, int camera,
                             const TargetSnapshot& target);
 

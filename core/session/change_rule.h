@@ -15,14 +15,14 @@ namespace dewpoint::session {
 /// to new frames, and earlier results are marked.
 class ChangeRule {
 public:
-  /// Tracking again starts without asking the user if its expected duration is below this limit, in
-  /// seconds.
+  /// Longest expected duration, in seconds, for which frames are tracked again without asking the
+  /// user.
   static constexpr double kQuickSeconds = 2.0;
 
   /// State of the session when the rule is applied.
   struct SessionState {
     bool isLive = false; ///< the cameras are live; their earlier images cannot be tracked again
-    /// Frames are being tracked, or recorded frames are being shown, one after another.
+    /// The session plays: frames are being tracked or shown one after another.
     bool isPlaying = false;
     bool isRerunning = false; ///< past frames are being tracked again
     bool isEdited = false;    ///< settings have changed since the rule was last applied
@@ -30,7 +30,7 @@ public:
     double quick = kQuickSeconds; ///< longest duration that counts as quick, seconds
   };
   enum class Action {
-    Nothing,    ///< all results match the current settings, or there is nothing to do
+    Nothing,    ///< leave the results as they are
     Mark,       ///< mark old results without asking, because the run continues
     Offer,      ///< mark old results and offer to track again
     TrackAgain, ///< track again immediately, starting at `from`
@@ -41,10 +41,10 @@ public:
     bool operator==(const Decision&) const = default;
   };
 
-  /// Returns what to do in this state of the session.
+  /// Returns what to do about old results in this state of the session.
   static Decision decide(const SessionState& state);
-  /// Returns the expected time for tracking again from the first old result, in seconds; 0 if
-  /// unknown.
+  /// Returns the expected time, in seconds, to track again from the first old result to the newest
+  /// frame; 0 if unknown.
   static double expectedSeconds(const OldResults& old);
 };
 

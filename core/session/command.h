@@ -28,8 +28,7 @@ struct TrackSnapshot;
 namespace command {
 /// Starts or resumes playing.
 struct Play {};
-/// Pauses. If past frames are being tracked again (Rerun), this ends before the remaining ones are
-/// tracked.
+/// Pauses. If past frames are being tracked again (Rerun), the remaining ones are not tracked.
 struct Pause {};
 /// Tracks the next frame with all its iterations, then pauses.
 struct StepFrame {};
@@ -43,32 +42,33 @@ struct Restart {
 struct SetParameters {
   ParameterValues parameters;
 };
-/// Changes the method; the seed is kept. If `from` is set, the results of frames before it are
-/// kept.
+/// Changes the tracking method and tracks again. The random seed is kept. If `from` is set, the
+/// results of frames before `from` are kept.
 struct SetMethod {
   std::string method;
   ParameterValues parameters;
-  std::optional<std::int64_t> from; ///< not set: from the first frame
+  /// First frame to track again; not set: the first frame of the run.
+  std::optional<std::int64_t> from;
 };
-/// Pauses and shows another frame. This can be an earlier frame, as it was tracked, or, in a
-/// recording, a later frame that was not tracked yet. The run itself stays at its frame. Play then
-/// continues from the frame shown: it replays frames up to the frame of the run, then tracks the
-/// following ones.
+/// Pauses and shows another frame: an earlier frame with its results or, in a recording, a later
+/// frame that was not tracked yet. The run itself stays at its current frame. The command Play then
+/// continues from the frame shown: frames up to the current frame of the run are replayed, later
+/// ones are tracked.
 struct ShowFrame {
   std::int64_t frame = 0;
 };
-/// Shows the current frame of the run again.
+/// Shows the current frame of the run again, after ShowFrame.
 struct ReturnToNewestFrame {};
-/// Tracks again from this frame up to the frame that the run had reached, as fast as possible, with
-/// the current parameters, colors and background images. The results recorded from this frame on
-/// are replaced. Pausing stops the rerun.
+/// Tracks frames again, from frame `from` up to the frame that the run had reached, as fast as
+/// possible, with the current parameters, colors and background images. The former results of these
+/// frames are replaced. Pausing stops the rerun.
 struct Rerun {
   std::int64_t from = 0;
   /// If true, the frame that is shown does not change: frames are tracked again without being
   /// published, unless this takes noticeably long.
   bool keepView = false;
 };
-/// Turns likelihood maps on or off (TargetSnapshot::maps).
+/// Turns likelihood maps in snapshots on or off (TargetSnapshot::maps).
 struct ShowMaps {
   bool shown = false;
 };
@@ -77,28 +77,29 @@ struct ShowMaps {
 struct SetTargets {
   std::vector<Target> targets;
 };
-/// Changes the calibration of the same cameras from the next iteration on; tracks continue. A rig
-/// with different image sizes or a different number of cameras requires a new run and is ignored.
+/// Changes the calibration of the cameras from the next iteration on; tracks continue. Ignored if
+/// the number of cameras or an image size differs, because this requires a new run.
 struct SetCameras {
   CameraRig rig;
 };
-/// Replaces the background images of the cameras. `images` are those returned by
+/// Replaces the background images of the cameras. `images` has one image per camera, as returned by
 /// loadBackgroundImages(). The current estimates are kept.
 struct SetBackgroundImages {
   std::vector<std::string> files; ///< paths as named in the project
   std::vector<cv::Mat> images;
 };
-/// Changes or removes the volume of interest. Targets are limited to it from the next iteration on;
-/// the positions at which tracks are created, from the next restart on.
+/// Changes or removes the volume of interest, to which targets are limited. The change applies to
+/// existing tracks from the next iteration on, and to the positions at which new tracks are created
+/// from the next restart on.
 struct SetVolumeOfInterest {
   std::optional<WorldBox> volume;
 };
-/// Turns masks on or off (TrackSnapshot::masks). A mask marks the pixels that have the color of a
-/// target, or that are moving.
+/// Turns masks in snapshots on or off (TrackSnapshot::masks). A mask marks the pixels that have the
+/// color of a target, or that are moving.
 struct ShowMasks {
   bool shown = false;
 };
-/// Turns people's hulls and density contours on or off (TargetSnapshot::shape).
+/// Turns the body shapes of people in snapshots on or off (TargetSnapshot::shape).
 struct ShowShapes {
   bool shown = false;
 };
@@ -107,31 +108,34 @@ struct ShowShapes {
 struct SetThreads {
   int threads = 0;
 };
-/// Sets the playback speed. The results do not depend on it.
+/// Sets the playback speed. The results do not depend on this speed.
 struct SetPace {
   Pace pace;
 };
-/// Reports whether a calibration board is being shown to live cameras. While it is, no camera is
-/// reported as moved (CameraMotionWatch::setPaused()).
+/// Sets whether a calibration board is being shown to live cameras. As long as this is so, no
+/// camera is reported as moved (CameraMotionWatch::setPaused()).
 struct ShowBoard {
   bool shown = false;
 };
-/// Replaces all person corrections; only tracking methods that find people automatically use them.
-/// Past frames are tracked again from the first frame whose corrections changed.
+/// Replaces all of the user's corrections of people (persons added or removed). Only methods that
+/// find people automatically use these corrections. Past frames are tracked again from the first
+/// frame whose corrections changed.
 struct SetPersonCorrections {
   std::vector<PersonCorrection> people; ///< ordered by frame
 };
-/// Replaces all position corrections; tracking methods that cannot apply them ignore them. Past
-/// frames are tracked again from the first frame whose corrections changed.
+/// Replaces all of the user's corrections of target positions. Methods that cannot apply
+/// corrections ignore them. Past frames are tracked again from the first frame whose corrections
+/// changed.
 struct SetCorrections {
   std::vector<PositionCorrection> corrections; ///< ordered by frame
 };
-/// Makes a snapshot of one frame for the sender alone. Neither the run nor the frame that is shown
-/// changes, and the snapshot is not published.
+/// Requests a snapshot of one frame for the sender alone. The snapshot is not published, and
+/// neither the run nor the frame that is shown changes.
 struct DescribeFrame {
   std::int64_t frame = 0;
-  /// Called in the tracking thread, exactly once, unless the session ends first. It must return
-  /// immediately. Errors: Canceled, NotFound, and those of reading the frame.
+  /// Receives the snapshot or an error: Canceled, NotFound, or an error of reading the frame.
+  /// Called exactly once, in the tracking thread, unless the session ends first. Must return
+  /// immediately.
   std::function<void(Result<std::shared_ptr<const TrackSnapshot>>)> receive;
   /// Returns whether the snapshot is still wanted. Any thread may call it.
   std::function<bool()> isWanted = [] { return true; };

@@ -12,7 +12,8 @@ namespace dewpoint::session {
 
 // The corrections passed to these functions are ordered by `frame`.
 
-/// Returns the first frame in which the corrections differ; nothing if they are the same.
+/// Returns the first frame in which two lists of corrections differ; nothing if the lists are
+/// equal.
 template <class Correction>
 std::optional<std::int64_t> firstDifferingFrame(const std::vector<Correction>& before,
                                                 const std::vector<Correction>& after) {
@@ -23,8 +24,8 @@ std::optional<std::int64_t> firstDifferingFrame(const std::vector<Correction>& b
   return a == before.end() ? b->frame : b == after.end() ? a->frame : std::min(a->frame, b->frame);
 }
 
-/// Returns the corrections that `after` adds at the end of `before`; nothing if `after` does not
-/// begin with `before`.
+/// Returns the corrections that were appended to the list `before` to get `after`; nothing if
+/// `after` does not begin with `before`.
 template <class Correction>
 std::optional<std::vector<Correction>> appendedCorrections(const std::vector<Correction>& before,
                                                            const std::vector<Correction>& after) {

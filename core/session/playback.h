@@ -13,11 +13,10 @@ namespace dewpoint::session {
 /// without further commands, and which frame comes next. It has no thread, clock or image. The
 /// *head* is the last frame that the run has taken. At the head, the run is Paused, Playing or
 /// Ended. Viewing and Replaying show a frame other than the head. Rerunning tracks past frames
-/// again, up to the former head; the last of these frames is the goal. Holding is the same, but on
-/// hold until it is resumed. The table gives the next state for each state (column) and event
-/// (row). The event "return to head" is returnToNewestFrame(). The row "advance, head" applies if
-/// the next frame is the head, the row "advance, none" if there is no next frame. A dash means no
-/// change:
+/// again, up to the former head; the last of these frames is the goal. Holding is a rerun on hold,
+/// which can be resumed. The table gives the next state for each state (column) and event (row).
+/// The event "return to head" is returnToNewestFrame(). The row "advance, head" applies if the next
+/// frame is the head, the row "advance, none" if there is no next frame. A dash means no change:
 ///
 /// |                | Paused  | Playing | Ended   | Viewing   | Replaying | Rerunning | Holding   |
 /// | -------------- | ------- | ------- | ------- | --------- | --------- | --------- | --------- |
@@ -34,11 +33,10 @@ namespace dewpoint::session {
 /// | reach the goal | -       | -       | -       | -         | -         | before**  | before**  |
 ///
 /// In every state, rerun() leads to Rerunning, continueTrackingAt() to Playing, and endInput() to
-/// Ended.
-/// *: Ended if the input had ended before a frame other than the head was shown.
-/// **: Ended if the input had ended before the rerun; Playing if the run was Playing; otherwise
-/// Paused. If a rerun begins during another one, there is only one end, at the later of the two
-/// goals. It leads to the state to which the end of the first rerun would have led.
+/// Ended. *: Ended if the input had ended before a frame other than the head was shown. **: Ended
+/// if the input had ended before the rerun; Playing if the run was Playing; otherwise Paused. If a
+/// rerun begins during another one, both end together, at the later of the two goals. The next
+/// state is then the one that would have followed the first rerun.
 class Playback {
 public:
   struct Paused {};
@@ -78,46 +76,45 @@ public:
   void play();
   void pause(); ///< abandons the rest of a rerun
   void hold();  ///< like pause(), but a rerun can be resumed
-  /// Shows this frame and stops other activity. If `frame` is empty or equal to `head`, shows the
-  /// head.
+  /// Shows a frame and stops playing. If `frame` is empty or equal to `head`, shows the head (the
+  /// current frame of the run).
   void show(std::optional<std::int64_t> frame, std::int64_t head);
-  /// Leaves Viewing or Replaying, and shows the head.
+  /// Shows the head (the current frame of the run) instead of a past frame.
   void returnToNewestFrame();
-  /// When replaying, shows the frame `next`. If `next` is empty, there is no further frame, and
+  /// Shows the frame `next` while replaying. If `next` is empty, there is no further frame, and
   /// replaying ends.
   void advance(std::optional<std::int64_t> next, std::int64_t head);
-  /// Starts tracking the frames in `range` again. If another rerun is in progress, the new one
-  /// continues to the goal of the other if that is later. `viewAfterwards` is the frame to show
-  /// after the rerun; if empty, the head is shown.
+  /// Starts tracking the frames in `range` again (a rerun). If another rerun is in progress, the
+  /// new one continues to the later of the two last frames. `viewAfterwards` is the frame to show
+  /// after the rerun; if empty, the head (the current frame of the run) is shown.
   void rerun(const RerunState& range, std::optional<std::int64_t> viewAfterwards);
   /// Starts tracking at a frame that was not tracked before.
   void continueTrackingAt(std::int64_t frame);
   /// Notes that the input has ended.
   void endInput();
-  /// Returns to the first frame. There is no head until that frame is taken.
+  /// Returns to the first frame. There is no head (current frame) until the first frame is taken.
   void restart();
 
-  /// Progress of tracking at the head.
+  /// Progress of tracking the head (the current frame of the run).
   enum class Head {
     None,    ///< no frame yet
-    Taken,   ///< the frame is shown, but no iteration was made on it
-    Tracked, ///< iterations were made
-    Recorded ///< the estimates are in the log
+    Taken,   ///< the head is shown, but no iteration was made on it
+    Tracked, ///< iterations were made on the head
+    Recorded ///< the estimates of the head are in the log
   };
   Head head() const { return head_; }
-  /// Returns the next frame to take.
+  /// Returns the number of the next frame to take from the input.
   std::int64_t nextFrame() const { return nextFrame_; }
-  /// Makes this frame the head.
+  /// Makes this frame the head (the current frame of the run).
   void take(std::int64_t frame);
-  /// Notes that an iteration was made on the head.
+  /// Notes that an iteration was made on the head (the current frame of the run).
   void track();
-  /// Notes that the estimates of the head are in the log.
+  /// Notes that the estimates of the head (the current frame of the run) are in the log.
   void record() { head_ = Head::Recorded; }
-  /// Notes that the run has reached frame `head`. If this frame is the goal of a rerun, ends the
-  /// rerun and returns the frame to show after it. Returns nothing if this is the head, or if no
-  /// rerun has ended.
+  /// Notes that the run has reached frame `head`. If this is the last frame of a rerun, ends the
+  /// rerun and returns the frame to show afterward. Returns nothing if frame `head` stays shown.
   std::optional<std::int64_t> reach(std::int64_t head);
-  /// Notes that the head is being tracked again from scratch.
+  /// Notes that the head (the current frame of the run) is being tracked again from scratch.
   void forgetEstimates();
 
   /// Content that the last snapshot still lacks.
@@ -127,9 +124,10 @@ public:
     Maps    ///< likelihood maps or motion masks of a past frame
   };
   Missing missing() const { return missing_; }
-  /// Notes what a published snapshot lacks.
+  /// Notes what a published snapshot lacks: full images if it is a preview, and maps or masks if
+  /// `lacksMaps` is true.
   void published(bool isPreview, bool lacksMaps);
-  /// Notes that the missing content was published.
+  /// Notes that the content missing from the last snapshot was published.
   void complete() { missing_ = Missing::Nothing; }
 
 private:

@@ -11,8 +11,8 @@ namespace dewpoint::session {
 /// Playing speed of a recording, chosen by the user.
 struct Pace {
   double speed = 1.0; ///< factor relative to real time, between kSlowest and kFastest
-  /// If true, iterations are shown one by one until every target is held (isHeld()), so that
-  /// convergence is visible.
+  /// If true, iterations are shown one by one until the cameras confirm every target (isHeld()), so
+  /// that the user sees the filters converge.
   bool slowUntilHeld = false;
 
   static constexpr double kSlowest = 1.0 / 30.0;
@@ -33,15 +33,15 @@ public:
   static constexpr double kSlowIterations = 5.0;
   /// Time during which the particles are shown before the first iteration.
   static constexpr Seconds kFirstIterationDelay{1.5};
-  /// Number of iterations, shown in five seconds, after which a run plays at normal speed even if a
-  /// target is not held. That target may not be in the scene yet.
+  /// Number of iterations after which a run plays at normal speed even if a target is not held
+  /// (confirmed by the cameras): the target may not be in the scene yet.
   static constexpr std::int64_t kMaxSlowIterations = 25;
 
-  /// State of the session.
+  /// State of the session that determines the next step.
   struct Situation {
     double framesPerSecond = 30.0;
-    /// True if the session takes its steps as fast as possible: the cameras are live, so it waits
-    /// only for new images, or past frames are being tracked again.
+    /// True if the session takes its steps as fast as possible, because the cameras are live or
+    /// past frames are being tracked again.
     bool isAtFullSpeed = false;
     bool isReplaying = false;    ///< shows frames that were already tracked
     std::int64_t iterations = 0; ///< number of iterations in the current run
@@ -57,7 +57,7 @@ public:
   /// Sets the pace. A speed outside kSlowest to kFastest is limited to this range; NaN becomes 1.
   void set(const Pace& pace);
   const Pace& pace() const { return pace_; }
-  /// Returns the next step.
+  /// Returns the next step: when it is due, and how large it is.
   Step next(const Situation& situation) const;
 
 private:

@@ -20,8 +20,8 @@
 
 namespace dewpoint::session {
 
-/// A selection of a target's particles: rows of x, y, z in meters, world frame, and their linear
-/// weights. The weights of all particles of the target sum to 1.
+/// Some of a target's particles: rows of x, y, z in meters, world frame, and their linear weights.
+/// The weights of all particles of the target, including those left out, sum to 1.
 struct ParticleSample {
   Eigen::Array<double, Eigen::Dynamic, 3, Eigen::RowMajor> positions;
   Eigen::ArrayXd weights;
@@ -47,17 +47,18 @@ struct RecordRunOptions {
   FrameRange frames;
   int threads = 1;            ///< number of filter threads; it never affects the result
   int particleLimit = 0;      ///< maximum number of particles kept per target and frame; 0: none
-  FrameObservers observers{}; ///< receive each frame before the observers that create the notices
+  FrameObservers observers{}; ///< receive each tracked frame
 };
 
 /// Receives the number of finished frames and, if known, their total; returning false ends the run.
 using RunProgress = std::function<bool(std::int64_t, std::optional<std::int64_t>)>;
 
 /// Tracks a recording and returns the results, which are bit-identical to those of `dewpoint-cli
-/// track`. `progress` is called before each frame and after the last one. `backgroundImages` are
-/// those returned by loadBackgroundImages(). Returns the errors of checkMethodTargets() and
-/// TrackingRun::create(). Returns an error of the source only if no frame was tracked; otherwise,
-/// it is stored in `endError`.
+/// track`. `progress` is called before each frame and after the last one. `backgroundImages` has
+/// one image per camera, as returned by loadBackgroundImages(). Returns the errors of
+/// checkMethodTargets() and TrackingRun::create(). If reading the source fails, returns its error
+/// if no frame was tracked yet; otherwise, stores the error in `endError` and returns the results
+/// so far.
 Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
                               const std::vector<cv::Mat>& backgroundImages,
                               const RecordRunOptions& order, const RunProgress& progress);

@@ -10,11 +10,11 @@
 
 namespace dewpoint::session {
 
-/// Returns the frames that must be tracked again so that the results are those of the current
-/// settings, or of another method, from frame `from` on. They begin at the nearest frame that is
-/// available, and earlier if the other method cannot begin there. If a rerun is in progress, its
-/// remaining frames are included. The last frame is before the first if nothing was tracked there
-/// yet. Nothing if there are no frames at all.
+/// Returns the range of frames that must be tracked again so that all results from frame `from` on
+/// come from the current settings or, if `method` is not null, from another method. The range
+/// begins at the available frame closest to `from`, or earlier if the other method cannot begin
+/// there. The remaining frames of a rerun in progress are included. If the range ends before it
+/// begins, there is nothing to track again. Returns nothing if no frame is available.
 std::optional<RerunState> framesToRerun(const RunWithHistory& current, const Playback& playback,
                                         std::int64_t from, const command::SetMethod* method);
 

@@ -23,8 +23,8 @@
 
 namespace dewpoint::session {
 
-/// Moves a run through the frames of its input. The run can go back to a past frame and continue
-/// from there with changes made later. Used by the tracking thread only.
+/// Moves a run through the frames of its input. The run can also go back to a past frame and
+/// continue from there with the current settings. Used by the tracking thread only.
 class RunDriver {
 public:
   /// `tap`, `log` and `truth` must outlive this object.
@@ -42,7 +42,7 @@ public:
   bool isLive() const { return input_.isLive(); }
   /// Returns the number of iterations of the run.
   std::int64_t iterations() const { return run().iterations(); }
-  /// Returns whether every target is held; true without targets.
+  /// Returns whether every target is held (confirmed by the cameras); true if there are no targets.
   bool isHeld() const { return std::ranges::all_of(run().estimates(), tracking::isHeld); }
 
   // Playback.
@@ -61,35 +61,36 @@ public:
   // Time travel.
   void show(std::int64_t frame) { playback_.show(timeTravel().nearest(frame), head()); }
   void returnToNewestFrame() { playback_.returnToNewestFrame(); }
-  /// Tracks again from this frame on. If `keepView` is true, the frame shown now is shown again
-  /// afterward.
+  /// Starts to track past frames again, from frame `from` on. If `keepView` is true, the frame
+  /// shown now is shown again afterward.
   void rerun(std::int64_t from, bool keepView = false) { rerun(from, nullptr, keepView); }
 
   // Changes. Tracks continue as far as possible.
-  /// Applies a definition. Returns false if the run does not accept it; see TrackingRun::accepts().
+  /// Applies a definition (all settings of the run). Returns false, and changes nothing, if the run
+  /// does not accept it; see TrackingRun::accepts().
   bool change(RunDefinition wanted);
   void setMethod(const command::SetMethod& request);
   void setTargets(const std::vector<Target>& targets);
   void setCameras(const CameraRig& rig);
   void setBackgroundImages(const command::SetBackgroundImages& request);
-  /// Sets whether a calibration board is being shown to live cameras. While it is, no camera is
-  /// reported as moved.
+  /// Sets whether a calibration board is being shown to live cameras. As long as this is so, no
+  /// camera is reported as moved.
   void setBoardShown(bool shown) { watches_.setPaused(shown); }
   void setPersonCorrections(const std::vector<PersonCorrection>& people);
   void setCorrections(const std::vector<PositionCorrection>& corrections);
-  /// Sets the number of threads from the next iteration on; see SessionInputs::threads.
+  /// Sets the number of filter threads from the next iteration on; see SessionInputs::threads.
   void setThreads(int wanted);
 
-  /// Returns the definition for new frames.
+  /// Returns the definition (all settings) with which new frames are tracked.
   const RunDefinition& definition() const { return *current_.definition(); }
-  /// Fills in a snapshot, except for the data that only the publishing thread has. If `quickly` is
-  /// true, the images of a past frame may be previews (small images scaled up) when the full images
-  /// are not available immediately.
+  /// Fills in a snapshot of the frame to show. If `quickly` is true, the images of a past frame may
+  /// be previews (small images scaled up) when the full images are not available immediately.
   void fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot);
-  /// Returns whether live cameras have other problems than in the last snapshot.
+  /// Returns whether the problems of live cameras have changed since the last snapshot; false for
+  /// recordings.
   bool haveNoticesChanged() const { return isReady() && isLive() && input_.haveNoticesChanged(); }
-  /// Adds likelihood maps or motion masks to a snapshot of a past frame. For this, the run is
-  /// tracked again up to that frame. If `shouldContinue` returns false, the tracking stops and
+  /// Adds likelihood maps or motion masks to a snapshot of a past frame. To compute them, a copy of
+  /// the run is tracked again up to that frame. If `shouldContinue` returns false, this stops and
   /// nothing is added.
   void addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                const TimeTravel::ShouldContinue& shouldContinue);

@@ -15,10 +15,11 @@
 
 namespace dewpoint::session {
 
-/// The source of a run's frames, and what it has reported so far. Used by the tracking thread only.
+/// Source of a run's frames, with the time and the camera problems that the source has reported.
+/// Used by the tracking thread only.
 class RunInput {
 public:
-  /// `source` may be null. Then only exists() and time() may be called.
+  /// Creates the input from `source`. If `source` is null, only exists() and time() may be called.
   explicit RunInput(std::unique_ptr<FrameSetSource> source) : source_(std::move(source)) {}
 
   bool exists() const { return source_ != nullptr; }
@@ -34,14 +35,14 @@ public:
     time_ = 0.0;
     return source_->seek(0);
   }
-  /// Notes that a frame set was taken.
+  /// Notes that a frame set was taken from the source.
   void noteTaken(const FrameSet& taken) { time_ = std::max(time_, seconds(taken.time)); }
-  /// Returns the newest time of the frames taken since the restart, in seconds.
+  /// Returns the latest time of the frames taken since the last start or restart, in seconds.
   double time() const { return time_; }
 
   /// Returns the current problems of live cameras.
   std::vector<Error> notices() const { return source_->notices(); }
-  /// Returns whether live cameras have other problems than in the last snapshot.
+  /// Returns whether the problems of live cameras have changed since the last call of show().
   bool haveNoticesChanged() const { return notices() != shownNotices_; }
   /// Stores the current problems, the number of frames, the frame rate and the number of dropped
   /// frames in a snapshot.

@@ -18,20 +18,19 @@
 
 namespace dewpoint::session {
 
-/// Log of a run since its last start or restart. The tracking thread writes it; other threads copy
-/// from it.
+/// Log of a run since its last start or restart. The tracking thread writes the log; other threads
+/// copy from it.
 class RunLog {
 public:
   /// Maximum number of iteration records; about 40 MB with four cameras.
   static constexpr std::size_t kMaxRecords = 100000;
   RunLog();
-  /// Clears the log. The records appended next are results of `project` as it is now, tracked with
-  /// `threads` filter threads.
+  /// Clears the log. The records appended next are results of `project`, tracked with `threads`
+  /// filter threads.
   void restart(const Project& project, int threads = 1);
-  /// Sets the project after its parameters, corrections or names have changed. If no frame is
-  /// recorded yet, the header of the trajectory is also replaced by that of `project`. A new name
-  /// of a target also replaces the earlier one in the samples so far, and readers then receive all
-  /// records again.
+  /// Replaces the project after its parameters, corrections or names have changed. If no frame is
+  /// recorded yet, the header of the trajectory is replaced too. If a target was renamed, its name
+  /// in all samples so far is replaced, and readers receive all records again.
   void change(const Project& project);
   void append(const std::vector<IterationRecord>& records);
   /// Appends the samples of one frame. If this frame is already the last one in the log, its former
@@ -42,19 +41,19 @@ public:
   void append(const std::vector<BoxSample>& samples);
   /// Adds the duration of one filter iteration, in seconds per target.
   void countIteration(double seconds);
-  /// Adds a finished frame. `sinceArrival` is the time in seconds since this frame arrived,
-  /// `sinceFirst` since the first frame of the run arrived.
+  /// Counts a finished frame. `sinceArrival` is the time in seconds since this frame arrived,
+  /// `sinceFirst` the time since the first frame of the run arrived.
   void countFrame(double sinceArrival, double sinceFirst);
-  /// Adds the images of a live frame; see LatencyStages::addFrames().
+  /// Adds the latency of the images of a live frame; see LatencyStages::addFrames().
   void countLiveFrame(const FrameSet& frames, LatencyStages::Clock::time_point taken,
                       LatencyStages::Clock::time_point estimated);
-  /// Adds which live images a tracked frame has. At most kMaxLiveSets frames are kept, the first
-  /// ones of the run. A frame that is tracked again is the same.
+  /// Stores which live images a tracked frame has. Only the first kMaxLiveSets frames of the run
+  /// are stored. A frame that is tracked again is not stored again.
   void addLiveSet(const FrameSet& frames);
   static constexpr std::size_t kMaxLiveSets = 500000;
-  /// Returns the images of all live frames, in ascending order.
+  /// Returns which images each live frame has, in ascending frame order.
   std::vector<LiveSet> liveSets() const;
-  /// Adds the time from a live estimate until it was painted, in seconds.
+  /// Adds the time from a live estimate until a view has painted it, in seconds.
   void countDrawing(double seconds);
   /// Sets whether the end of the input was reached.
   void setFinished(bool finished);
@@ -68,34 +67,35 @@ public:
   /// removed if this is -1. There are `count` targets afterward. Readers receive all records again.
   void renumber(const std::vector<int>& numbers, std::size_t count);
   /// Returns the iteration records from `position` on, and moves `position` past them. `generation`
-  /// identifies the log that the reader knows: if the log was cleared or went back since then,
-  /// `generation` is updated and the records are returned from the beginning. If there are more
-  /// than kMaxRecords records, every second one of the older ones is removed, repeatedly.
+  /// identifies the log that the reader knows. If the log was cleared or went back since then,
+  /// `generation` is updated and all records are returned. The log keeps at most kMaxRecords
+  /// records: when there are more, every second one of the older half is removed.
   LogUpdate<IterationRecord> since(std::uint64_t& generation, std::size_t& position) const;
   static constexpr std::size_t kMaxFrames = 50000;
-  /// Like since(), but for tracked frames, of which at most kMaxFrames are kept in the same way.
+  /// Returns the records of tracked frames, as since() does for iterations. At most kMaxFrames are
+  /// kept.
   LogUpdate<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Appends one frame, or replaces the last one if it is the same frame.
   void append(const FrameRecord& record);
   /// Appends the people of one frame. If this frame is already the last one in the log, its former
   /// people are replaced. At most kMaxPeopleFrames frames are kept (about 100 MB with two people):
-  /// if there are more, every second one of the older frames is removed, repeatedly.
+  /// when there are more, every second one of the older half is removed.
   void append(PeopleFramePtr people);
   static constexpr std::size_t kMaxPeopleFrames = 10000;
   std::vector<PeopleFramePtr> people() const;
-  /// Adds `change` to the header of the trajectory: a description of what has changed from this
-  /// frame on. Earlier descriptions for this frame and later ones are removed.
+  /// Adds `change` to the header of the trajectory: a description of the settings that have changed
+  /// from this frame on. Earlier descriptions for this frame and later ones are removed.
   void note(std::int64_t frame, const std::string& change);
   Trajectory trajectory() const;
-  /// Returns the samples added to the trajectory. `position` is the index of the first sample in
-  /// the last frame that the reader knows. This frame is returned again, because it may have been
-  /// replaced.
+  /// Returns the samples added to the trajectory since the last call. `position` is the index of
+  /// the first sample in the last frame that the reader knows. This frame is returned again,
+  /// because it may have been replaced. `generation` is as in since().
   LogUpdate<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Returns all boxes so far; empty unless the method tracks boxes.
+  /// Returns all bounding boxes so far; empty unless the method tracks boxes.
   BoxTrack boxTrack() const;
-  /// Like samplesSince(), but for boxes.
+  /// Returns the bounding boxes added since the last call, as samplesSince() does for samples.
   LogUpdate<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Stores which results so far came from settings other than the current ones.
+  /// Sets which results so far came from settings other than the current ones.
   void setOldResults(OldResults old);
   OldResults oldResults() const;
   Latency latency() const;

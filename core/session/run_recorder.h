@@ -20,10 +20,11 @@ namespace dewpoint::session {
 /// tracking thread only.
 class RunRecorder final : public FrameObserver {
 public:
-  /// `log` and `truth` must outlive the recorder. Position errors are computed from `truth`.
+  /// Creates a recorder that writes to `log` and computes position errors from the true positions
+  /// `truth`. Both must outlive the recorder.
   RunRecorder(RunLog& log, const TruthTable& truth) : log_(log), truth_(truth) {}
 
-  /// Notes that the run starts again.
+  /// Notes that the run restarts from scratch.
   void restart();
   /// Notes that the run tracks again from this frame on.
   void goBack(std::int64_t frame) { settings_.goBack(frame); }
@@ -31,12 +32,12 @@ public:
   void interrupt() { frameTimes_.clear(); }
   /// Notes that a frame is about to be taken.
   void begin() { begun_ = Clock::now(); }
-  /// Notes that a frame was taken; `isLive` if it has just come from a live source.
+  /// Notes that a frame was taken. `isLive` is true if the frame has just come from live cameras.
   void noteArrival(bool isLive);
-  /// Sets the problems that the live cameras have from now on. They are recorded with each frame.
+  /// Sets the current problems of the live cameras, which are recorded with each frame from now on.
   void setCameraProblems(std::vector<Error> problems);
-  /// Sets the arrival time of the next tracked frame to now. Otherwise, the time for which the run
-  /// was paused would count as latency.
+  /// Sets the arrival time of the next tracked frame to now, so that the time for which the run was
+  /// paused does not count as latency.
   void resetArrival();
 
   void iterated(const TrackingRun& run, double microseconds) override;
@@ -46,7 +47,7 @@ public:
 
   /// Adds frame rate, time per iteration, latency and time budget to a snapshot.
   void addStatistics(TrackSnapshot& snapshot) const;
-  /// Informs the log which results came from settings other than `now`.
+  /// Stores in the log which results came from settings other than `now`.
   void updateOldResults(const RunDefinition& now) const;
 
 private:

@@ -23,17 +23,17 @@
 
 namespace dewpoint::session {
 
-/// All results of a run that can be saved to a folder. This is an independent copy, so any thread
-/// can write it to the folder while the run continues.
+/// All results of a run that can be saved. This is an independent copy, so any thread can save it
+/// while the run continues.
 struct RunRecord {
   Project project;
   RunStatistics figures;
-  PeopleRecord people; ///< for methods that do not track people, it contains only the trajectory
+  PeopleRecord people; ///< the trajectory and, for methods that track people, the people
   BoxTrack boxes;      ///< boxes, for methods that track boxes
 
-  /// Writes trajectory.csv and run.json to a folder, which is created if necessary. Methods that
-  /// track boxes write boxes.csv and boxes_mot.txt instead of the trajectory. Methods for people
-  /// also write volumes.csv, hulls.csv and ground.csv (PeopleWriter).
+  /// Writes trajectory.csv and run.json to a folder, which is created if necessary. For methods
+  /// that track boxes, writes boxes.csv and boxes_mot.txt instead of the trajectory. For methods
+  /// that track people, also writes volumes.csv, hulls.csv and ground.csv (PeopleWriter).
   Status save(const std::filesystem::path& folder) const;
 
 private:
@@ -50,8 +50,8 @@ public:
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Sets the function that the tracking thread calls after publishing a snapshot. It should only
-  /// post an event. It may call newest(), but not onSnapshot().
+  /// Sets the function that the tracking thread calls after publishing a snapshot. `wake` should
+  /// only post an event. It may call newest(), but not onSnapshot().
   void onSnapshot(std::function<void()> wake);
   /// Returns the newest snapshot; never null.
   TrackSnapshotPtr newest() const;
@@ -61,15 +61,16 @@ public:
   /// `generation` is updated, all iterations are returned, and `restarted` is set in the result.
   LogUpdate<IterationRecord> iterationsSince(std::uint64_t& generation,
                                              std::size_t& position) const;
-  /// Like iterationsSince(), but for tracked frames: status, existence probability and missing
-  /// cameras.
+  /// Returns the records of tracked frames (status, existence probability, missing cameras), as
+  /// iterationsSince() does for iterations.
   LogUpdate<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Returns the samples added to the trajectory since `position`. Both arguments start at 0 and
   /// are updated as in iterationsSince().
   LogUpdate<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Like samplesSince(), but for the boxes of methods that track boxes.
+  /// Returns the bounding boxes added since `position`, as samplesSince() does for samples; empty
+  /// unless the method tracks boxes.
   LogUpdate<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Returns all boxes of the run so far.
+  /// Returns all bounding boxes of the run so far; empty unless the method tracks boxes.
   BoxTrack boxTrack() const;
   /// Returns which results came from settings other than those of the newest snapshot.
   OldResults oldResults() const;
@@ -86,7 +87,7 @@ public:
   /// Returns the trajectory so far and, if the method tracks people, the people of its frames.
   PeopleRecord peopleRecord() const;
 
-  /// Sends a command; command.h describes each.
+  /// Sends a command to the tracking thread; command.h describes each command.
   void send(Command command);
   void play() { send(command::Play{}); }
   void pause() { send(command::Pause{}); }
@@ -117,10 +118,11 @@ public:
   void showFrame(std::int64_t frame) { send(command::ShowFrame{frame}); }
   void returnToNewestFrame() { send(command::ReturnToNewestFrame{}); }
   void rerunFrom(std::int64_t frame) { send(command::Rerun{frame}); }
-  /// Like rerunFrom(), but the frame that is shown does not change.
+  /// Tracks again from this frame on, like rerunFrom(), but without changing the frame that is
+  /// shown.
   void rerunKeepingView(std::int64_t frame) { send(command::Rerun{frame, true}); }
-  /// Requests a snapshot of any frame that can be shown, as showFrame() would show it, but without
-  /// changing what is shown. For exports.
+  /// Requests a snapshot of any frame that can be shown, without changing what is shown. Exports
+  /// use this.
   void describeFrame(command::DescribeFrame request) { send(std::move(request)); }
   void setMasksShown(bool shown) { send(command::ShowMasks{shown}); }
   void setLikelihoodMapsShown(bool shown) { send(command::ShowMaps{shown}); }
@@ -134,12 +136,12 @@ public:
   void setCorrections(const std::vector<PositionCorrection>& corrections) {
     send(command::SetCorrections{corrections});
   }
-  /// Adds the time from a live estimate until the window has painted it, in seconds, to the
-  /// statistics.
+  /// Adds to the statistics the time, in seconds, from a live estimate until the window has painted
+  /// it.
   void countDrawing(double seconds);
-  /// Sets a function that also receives every frame set taken from now on; an empty tap removes it.
-  /// It is called in the tracking thread. A calibration uses it to access the cameras while
-  /// tracking continues.
+  /// Sets a function that receives every frame set taken from now on; an empty function removes it.
+  /// The function is called in the tracking thread. A calibration uses this to access the images
+  /// while tracking continues.
   void setFrameTap(FrameTap tap);
 
 private:

@@ -29,15 +29,14 @@ struct SessionInputs {
   Trajectory truth; ///< empty when unknown
   /// Background image of each camera (loadBackgroundImages()); may be empty.
   std::vector<cv::Mat> backgroundImages = {};
-  /// Memory limit, in bytes, for the data needed to go back in the run: images of live cameras,
-  /// particles, and copies of the tracker. If it is 0, the limit is 1 GB for live cameras and half
-  /// of that for recordings.
+  /// Memory limit, in bytes, for the data needed to go back in the run: images, particles, and
+  /// copies of the tracker. 0: 1 GB for live cameras, half of that for recordings.
   std::size_t historyBytes = 0;
-  /// Initial number of filter threads, which never changes the result. 0: default of
+  /// Initial number of filter threads; it never changes the result. 0: the default,
   /// base::filterThreadCount().
   int threads = 0;
-  /// Images of each live camera as it sends them, in the order of the project, for TakeRecorder;
-  /// empty for recordings.
+  /// Encoded images of each live camera, in project order, which TakeRecorder can record; empty for
+  /// recordings.
   std::vector<std::shared_ptr<capture::EncodedFeed>> feeds = {};
 };
 
@@ -49,7 +48,8 @@ struct SessionRequest {
 
   std::filesystem::path file;
   std::optional<Project> project;
-  MovedFiles moved; ///< current locations of files that are no longer where the project names them
+  /// Current locations of files that are no longer at the path named in the project.
+  MovedFiles moved;
 };
 
 } // namespace dewpoint::session

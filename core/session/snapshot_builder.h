@@ -18,8 +18,8 @@ struct SnapshotOptions {
   bool shapes = false; ///< TargetSnapshot::shape
 };
 
-/// Builds snapshots of one frame: the current frame of the run, or a past one. Both are first
-/// converted to a TrackedFrame, so the same content is shown for both.
+/// Builds snapshots of one frame: the current frame of the run, or a past one. Both kinds have the
+/// same content.
 class SnapshotBuilder {
 public:
   explicit SnapshotBuilder(TruthTable truth) : truth_(std::move(truth)) {}
@@ -31,19 +31,20 @@ public:
   /// `isRecorded` is true if it contains the current estimates.
   void showCurrent(const TrackingRun& run, const History* history, bool isRecorded,
                    TrackSnapshot& snapshot) const;
-  /// Fills `snapshot` with another frame. If `quickly` is true, the images may be previews (small
-  /// images scaled up). Fails if the frame cannot be read.
+  /// Fills `snapshot` with a frame other than the current one. If `quickly` is true, the images may
+  /// be previews (small images scaled up). Returns an error if the frame cannot be read.
   Status showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame, bool quickly,
                   TrackSnapshot& snapshot) const;
-  /// Fills in what belongs to the whole run, not to one frame.
+  /// Fills in the parts of `snapshot` that do not depend on the frame, such as the rig and the
+  /// method.
   static void showDefinition(const RunDefinition& definition, TrackSnapshot& snapshot);
-  /// Like showPast(), but for any frame that can be shown, even the current one, and with the maps
-  /// and masks that the options request. Errors: NotFound; Canceled, if `shouldContinue` returned
-  /// false; those of reading the frame.
+  /// Fills `snapshot` with any frame that can be shown, including the current one, with the maps
+  /// and masks that the options request. Returns NotFound, Canceled (if `shouldContinue` returned
+  /// false), or an error of reading the frame.
   Status describe(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
                   const TimeTravel::ShouldContinue& shouldContinue, TrackSnapshot& snapshot) const;
-  /// Returns whether the snapshot shows a past frame, and the options request content that only
-  /// addMaps() can provide.
+  /// Returns whether the snapshot shows a past frame without the maps or masks that the options
+  /// request and that only addMaps() can provide.
   bool lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const;
   /// Adds the data about the current frame that only the run has: likelihood maps, or motion masks
   /// for methods for people.

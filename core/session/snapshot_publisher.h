@@ -9,11 +9,13 @@
 
 namespace dewpoint::session {
 
-/// Holds the newest snapshot and notifies a listener of new ones. All functions are thread-safe.
+/// Holds the newest snapshot and notifies a listener of new snapshots. All functions are
+/// thread-safe.
 class SnapshotPublisher {
 public:
-  /// Sets the listener; an empty `wake` removes it. After this returns, the former listener is
-  /// never called again. `wake` may call newest(), but neither publish() nor onSnapshot().
+  /// Sets the listener `wake`; an empty function removes it. After this call returns, the former
+  /// listener is never called again. `wake` may call newest(), but neither publish() nor
+  /// onSnapshot().
   void onSnapshot(std::function<void()> wake);
   /// Makes a snapshot the newest one and calls the listener.
   void publish(TrackSnapshotPtr snapshot);

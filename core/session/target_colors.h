@@ -14,12 +14,13 @@ namespace dewpoint::session {
 
 struct TrackSnapshot;
 
-/// Returns what determines the color of each target. `displayColors()` turns it into the color in
-/// which all views draw the target. The learned color counts only for methods that identify targets
-/// by color. A person has the color of its identity.
+/// Returns, for each target, the inputs from which `displayColors()` computes the color in which
+/// all views draw the target. The learned color is used only for methods that identify targets by
+/// color. A person has the color of its identity.
 std::vector<DisplayColorSource> displayColorSources(const std::vector<Target>& targets,
                                                     const MethodFamily& family);
-/// Returns the same for the targets of a snapshot.
+/// Returns, for each target of a snapshot, the inputs from which `displayColors()` computes its
+/// color.
 std::vector<DisplayColorSource> displayColorSources(const TrackSnapshot& snapshot);
 
 } // namespace dewpoint::session

@@ -9,12 +9,12 @@
 
 namespace dewpoint::session {
 
-/// Exposure of one target in the image of one camera.
+/// Exposure (over- or underexposure) of one target in the image of one camera.
 struct ExposureInView {
   std::size_t target = 0; ///< index in TrackSnapshot::targets
   std::string name;       ///< name of the target
-  /// True if the pixels are those inside the estimated outline; false if they are the region of a
-  /// color sample.
+  /// True if the pixels inside the target's estimated outline were measured; false if those in the
+  /// region of a color sample were.
   bool isTracked = false;
   TargetExposure exposure;
 };
@@ -22,14 +22,14 @@ struct ExposureInView {
 /// Returns the exposures of the targets in the image of one camera of a snapshot, in the order of
 /// the targets. A target that is tracked and confirmed by this camera is measured inside its
 /// estimated outline. Any other target is measured in the region of its newest color sample from
-/// this camera, if the image still shows the sampled object there; otherwise it is left out. People
-/// are left out, too. May take tens of milliseconds.
+/// this camera, if the image still shows the sampled object there. Otherwise, the target is left
+/// out, and so are people. May take tens of milliseconds.
 std::vector<ExposureInView> exposuresInView(const TrackSnapshot& snapshot, int camera);
 
-/// Returns the worst of these exposures. Overexposed targets are worse than all others, and the one
-/// with the largest fraction of clipped pixels is the worst. If no target is overexposed, the
-/// fractions of clipped and of dark pixels are compared relative to their limits
-/// (TargetExposure::kMostClipped, kMostDark). Null if the list is empty.
+/// Returns the worst exposure; null if the list is empty. If targets are overexposed, this is the
+/// one with the largest fraction of clipped (saturated) pixels. Otherwise, the fractions of clipped
+/// and of dark pixels are compared relative to their limits (TargetExposure::kMostClipped,
+/// kMostDark).
 const ExposureInView* worstExposure(const std::vector<ExposureInView>& exposures);
 
 } // namespace dewpoint::session

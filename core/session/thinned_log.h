@@ -12,10 +12,10 @@
 
 namespace dewpoint::session {
 
-/// Log of at most `most` records, in order of arrival. When there are more, every second group of
-/// the older half is removed, repeatedly. A group consists of consecutive records with the same
-/// `group(record)`. The newest records are therefore complete, and the older ones are increasingly
-/// sparse.
+/// Log that keeps at most `most` records, in order of arrival. Whenever there are more, every
+/// second group of the older half is removed. A group consists of consecutive records with the same
+/// value of `group(record)`. The newest records are therefore complete, and older ones are
+/// increasingly sparse.
 template <class Record> class ThinnedLog {
 public:
   using GroupOf = std::int64_t (*)(const Record&);
@@ -41,8 +41,8 @@ public:
   template <class Change> void changeAll(const Change& change) {
     std::erase_if(entries_, [&](Entry& entry) { return !change(entry.record); });
   }
-  /// Returns the remaining records that were appended at or after `position`; `position` moves past
-  /// them.
+  /// Returns the records appended at or after `position` that are still in the log, and moves
+  /// `position` past them. `position` counts all records ever appended.
   std::vector<Record> since(std::size_t& position) const {
     std::vector<Record> found;
     auto next = std::lower_bound(

@@ -26,7 +26,8 @@ public:
   SnapshotPublisher& publisher() { return publisher_; }
   const SnapshotPublisher& publisher() const { return publisher_; }
   const RunLog& log() const { return log_; }
-  /// See RunLog::countDrawing(). May be called by any thread.
+  /// Adds the time, in seconds, from a live estimate until a view has painted it. May be called by
+  /// any thread.
   void countDrawing(double seconds) { log_.countDrawing(seconds); }
 
 private:

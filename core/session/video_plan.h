@@ -12,7 +12,7 @@
 
 namespace dewpoint::session {
 
-/// Frame of a run and its time.
+/// Number of a frame of a run, and its time.
 struct FrameTime {
   std::int64_t frame = 0;
   double seconds = 0.0;
@@ -23,20 +23,22 @@ struct VideoTiming {
   static constexpr double kSlowest = 0.01;
   static constexpr double kFastest = 100.0;
 
-  /// Factor relative to real time, kSlowest to kFastest. If it is not set, every frame is shown
-  /// exactly once, whatever its time.
+  /// Speed as a factor relative to real time, from kSlowest to kFastest. If not set, every frame is
+  /// shown exactly once, regardless of its time.
   std::optional<double> speed = 1.0;
-  double framesPerSecond = 30.0; ///< of the video
+  double framesPerSecond = 30.0; ///< frame rate of the video, 1 to 1000
 };
 
-/// Largest number of images in an exported video: more than a day at 60 per second.
+/// Largest number of images in an exported video: enough for more than a day at 60 frames per
+/// second.
 inline constexpr std::size_t kMaxVideoImages = 6'000'000;
 
-/// Returns the frame that each image of a video shows. Image k shows the frame whose time is
-/// closest to `k * speed / framesPerSecond` after the first frame; so frames are repeated or left
-/// out, and gaps in the recording last as long as they lasted. `frames` must be in increasing order
-/// of time; the last frame is shown for as long as the median frame. Errors: BadValue, if there is
-/// no frame, if the timing is out of range, or if there would be more than kMaxVideoImages.
+/// Returns the number of the frame that each image of a video shows. Image k shows the frame
+/// closest in time to `k * speed / framesPerSecond` seconds after the first frame. Frames are
+/// therefore repeated or left out, and gaps in the recording keep their length. The last frame
+/// lasts as long as the median frame. `frames` must be in increasing order of time. Returns
+/// BadValue if there is no frame, if the timing is out of range, or if the video would have more
+/// than kMaxVideoImages images.
 Result<std::vector<std::int64_t>> videoFrames(std::span<const FrameTime> frames,
                                               const VideoTiming& timing);
 

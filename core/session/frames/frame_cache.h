@@ -15,11 +15,12 @@ public:
   virtual ~FrameCache() = default;
   /// Adds a frame set that was taken from the source; frame numbers must increase.
   virtual void add(const FrameSetPtr& frames) = 0;
-  /// Returns the images of this frame. Null if the frame does not exist, or if it came from live
-  /// cameras and its images were dropped to save memory.
+  /// Returns the images of a frame. Null if the frame does not exist, or if its images came from
+  /// live cameras and were dropped to save memory. Returns an error if reading the images fails.
   virtual Result<FrameSetPtr> at(std::int64_t frame) = 0;
-  /// Returns a preview of a frame: the full images if they are available immediately, otherwise
-  /// small images scaled up (`exact` is then false). Null if there is none.
+  /// Returns images of a frame without waiting. Returns the full images if they are available
+  /// immediately (`exact` becomes true), otherwise small images scaled up (`exact` becomes false).
+  /// Null if there are none.
   virtual FrameSetPtr previewAt(std::int64_t frame, bool& exact) = 0;
   /// Returns the oldest frame available from at().
   virtual std::int64_t oldest() const = 0;
@@ -30,7 +31,7 @@ public:
   virtual void clear() = 0;
 };
 
-/// Returns the size of the pixel data in bytes.
+/// Returns the size of the pixel data of all images, in bytes.
 std::size_t bytesOf(const FrameSet& frames);
 
 } // namespace dewpoint::session

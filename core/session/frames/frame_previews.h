@@ -10,16 +10,17 @@
 
 namespace dewpoint::session {
 
-/// Small images of past frames, shown while the full images are being decoded. Decoding a frame of
-/// a video requires decoding all frames since its last key frame. When the memory limit is reached,
-/// every second preview is removed, and the nearest earlier one is shown instead.
+/// Small images (previews) of past frames, shown while the full images are being decoded, which can
+/// take long in a video. When the memory limit is reached, every second preview is removed. The
+/// nearest earlier preview is then shown instead of a removed one.
 class FramePreviews {
 public:
   explicit FramePreviews(std::size_t maxBytes) : most_(maxBytes) {}
 
-  /// Adds the previews of a frame.
+  /// Adds previews of the images of a frame.
   void add(const FrameSet& frames);
-  /// Returns a preview scaled up to the size of the frame; null if there is no preview close to it.
+  /// Returns previews scaled up to the size of the frame's images; null if there is no preview at
+  /// or shortly before this frame.
   FrameSetPtr at(std::int64_t frame) const;
   std::size_t bytes() const { return bytes_; }
   std::size_t most() const { return most_; }

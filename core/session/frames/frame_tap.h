@@ -9,17 +9,18 @@
 
 namespace dewpoint::session {
 
-/// Receives every frame set that the tracking thread takes from the source, in order and without
-/// omissions. Frames that are tracked again are not repeated. It is called in the tracking thread,
-/// so it must return immediately (for example, by queuing the set) and must not throw. It is
-/// intended for consumers that need every frame, such as the detection of a board or wand. Views
-/// use Workbench::connectView, which delivers only the newest snapshot.
+/// Function that receives every frame set that the tracking thread takes from the source, in order
+/// and without omissions. Frames that are tracked again are not repeated. The function is called in
+/// the tracking thread, so it must return immediately (for example, after queuing the set) and must
+/// not throw. Use a tap where every frame is needed, as in the detection of a calibration board.
+/// Views use Workbench::connectView, which delivers only the newest snapshot.
 using FrameTap = std::function<void(const FrameSetPtr&)>;
 
-/// Holds a tap, which any thread may set.
+/// Holds a frame tap, which any thread may set.
 class FrameTapSlot {
 public:
-  /// Sets the tap; an empty one removes it. After this returns, the former tap is not called again.
+  /// Sets the tap; an empty function removes it. After this call returns, the former tap is not
+  /// called again.
   void set(FrameTap tap) {
     const std::lock_guard lock(mutex_);
     tap_ = std::move(tap);

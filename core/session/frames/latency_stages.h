@@ -11,42 +11,44 @@
 
 namespace dewpoint::session {
 
-/// Durations in seconds over the run so far; 0 before the first.
+/// Median, 99th percentile and maximum of a latency over the run so far, in seconds; 0 before the
+/// first measurement.
 struct Latency {
   double median = 0.0;
   double p99 = 0.0;
   double longest = 0.0;
 };
 
-/// Returns median, 99th percentile and longest of durations.
+/// Returns the median, the 99th percentile and the maximum of the durations, in seconds.
 Latency latencyOf(const DurationHistogram& durations);
 
 /// Number of values of TimeOrigin.
 inline constexpr std::size_t kTimeOrigins = 3;
 
-/// Where the time from light to estimate, and to the screen, goes for live images.
+/// Latency of live images, from the capture to the estimate and to the display, divided into
+/// stages.
 struct LiveLatency {
   Latency capture; ///< exposure and transfer: from the capture time to the arrival of the data
-  Latency decode;  ///< from the arrival to the finished image
-  Latency wait;    ///< until the tracking thread takes the image, with those of other cameras
-  Latency compute; ///< until the estimate
-  Latency draw;    ///< from the estimate until it is painted in a camera view
+  Latency decode;  ///< from the arrival to the decoded image
+  Latency wait;    ///< from the decoded image until the tracking thread takes it
+  Latency compute; ///< from when the tracking thread takes the images to the estimate
+  Latency draw;    ///< from the estimate until a camera view has painted it
   Latency total;   ///< from the capture time to the estimate
-  /// Images by the origin of their capture times, indexed by TimeOrigin. The total of an image
-  /// whose time is that of its arrival lacks the part `capture`, to which only the others
-  /// contribute.
+  /// Number of images by the origin of their capture times, indexed by TimeOrigin. If the capture
+  /// time of an image is unknown, its arrival time is used instead: the image does not count in
+  /// `capture`, and its `total` begins at the arrival.
   std::array<std::int64_t, kTimeOrigins> images{};
 };
 
-/// Collects the durations of LiveLatency.
+/// Collects the durations summarized in LiveLatency.
 class LatencyStages {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// Adds the images of a frame set that the tracking thread took at `taken` and whose estimate was
-  /// there at `estimated`. Images without instants (recordings) are not counted.
+  /// Adds the images of a frame set. `taken` is when the tracking thread took the set, `estimated`
+  /// when its estimate was finished. Images from recordings are not counted.
   void addFrames(const FrameSet& frames, Clock::time_point taken, Clock::time_point estimated);
-  /// Adds the time from an estimate until it was painted, in seconds.
+  /// Adds the time from an estimate until a view has painted it, in seconds.
   void addDrawing(double seconds) { draw_.add(seconds); }
   LiveLatency summary() const;
 

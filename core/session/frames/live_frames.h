@@ -8,8 +8,8 @@
 
 namespace dewpoint::session {
 
-/// Returns a cache of frames from live cameras: the newest uncompressed, older ones as JPEG, which
-/// a separate thread compresses. It uses up to `maxBytes` in total.
+/// Returns a cache of frames from live cameras. The newest frames are kept uncompressed, older ones
+/// as JPEG, which a separate thread compresses. The cache uses at most `maxBytes` of memory.
 std::unique_ptr<FrameCache> makeLiveFrameCache(std::size_t maxBytes);
 
 } // namespace dewpoint::session

@@ -9,7 +9,7 @@
 
 namespace dewpoint::session {
 
-/// Which images of live cameras a run tracked in one frame.
+/// Identifies the images of live cameras that a run tracked in one frame.
 struct LiveSet {
   struct Image {
     std::int64_t stamp = -1; ///< CaptureInstant::stamp
@@ -18,7 +18,7 @@ struct LiveSet {
 
   std::int64_t index = 0;                   ///< FrameSet::index
   TimeStamp time{};                         ///< FrameSet::time
-  std::vector<std::optional<Image>> images; ///< per camera; nothing: the camera had no image
+  std::vector<std::optional<Image>> images; ///< per camera; empty: the camera had no image
 };
 
 } // namespace dewpoint::session

@@ -9,10 +9,10 @@
 
 namespace dewpoint::session {
 
-/// Returns a cache of the frames of a recording. It keeps the most recently decoded frames, and
-/// small images of all past frames, up to `maxBytes`. Other frames are read again by seeking in
-/// `source`, which changes its position. When frames are requested in backward order, some earlier
-/// ones are decoded at the same time.
+/// Returns a cache of the frames of a recording. The cache keeps the most recently decoded frames
+/// and small images of all past frames, in at most `maxBytes` of memory. Other frames are read
+/// again from `source`, which changes the position of `source`. When frames are requested in
+/// backward order, some earlier ones are decoded ahead.
 std::unique_ptr<FrameCache> makeRecordedFrameCache(FrameSetSource& source, std::size_t maxBytes);
 
 } // namespace dewpoint::session

@@ -17,13 +17,13 @@ namespace dewpoint::session {
 
 /// Status of a target, shown as one word.
 enum class TargetStatus {
-  Searching, ///< not held, and either never held before or held less than kLostAfter ago
+  Searching, ///< not held, and either never held before or last held less than kLostAfter ago
   Held,      ///< the cameras confirm the estimate
-  Ambiguous, ///< held, or nearly so, but another object is about as likely to be the target
+  Ambiguous, ///< held or nearly held, but another object is about as likely to be the target
   Lost,      ///< was held, but not in the last kLostAfter seconds
-  Gone,      ///< removed, or not yet created: there is nothing to search for
+  Gone,      ///< removed or not yet created, so there is nothing to search for
 };
-/// Time in seconds after which a target that is not held counts as lost.
+/// Time in seconds after which a target that is not held (confirmed by the cameras) counts as lost.
 inline constexpr double kLostAfter = 1.0;
 
 /// Estimate and state of one target in one frame.
@@ -35,7 +35,8 @@ struct TrackedTarget {
   std::vector<CameraReport> reasons; ///< per camera: whether it confirms the target, or why not
   TargetStatus status = TargetStatus::Searching;
   BoxParticles boxParticles; ///< particles of a BoxEstimate
-  /// Time in seconds when the target was last held; the time of this frame if it is held now.
+  /// Time, in seconds, at which the target was last held (confirmed by the cameras); the time of
+  /// this frame if the target is held now.
   double lastHeld = -std::numeric_limits<double>::infinity();
 };
 
@@ -47,13 +48,13 @@ struct TrackedFrame {
   std::int64_t totalIterations = 0; ///< number of iterations since the start or restart
   std::shared_ptr<const std::vector<Target>> definitions; ///< the targets as defined by the user
   std::vector<TrackedTarget> targets; ///< targets in this frame, in the order of `definitions`
-  /// State of each camera; empty except for methods for people.
+  /// State of each camera, only for methods that track people; empty for other methods.
   std::vector<PeopleCameraState> peopleCameras;
 
   std::size_t bytes() const;
 };
 
-/// Record of one frame for the timeline.
+/// Data about one tracked frame that the timeline shows.
 struct FrameRecord {
   struct Entry {
     TargetStatus status = TargetStatus::Searching;
@@ -64,15 +65,15 @@ struct FrameRecord {
   double time = 0.0;                ///< seconds
   std::uint64_t missingCameras = 0; ///< bit k: camera k delivered no image (the first 64 cameras)
   /// Problems of live cameras at the time of the frame; null if there were none. Consecutive frames
-  /// share the list while it does not change.
+  /// with the same problems share one list.
   std::shared_ptr<const std::vector<Error>> cameraProblems = nullptr;
   std::vector<Entry> targets;
 };
 
-/// Returns the status of a target at `time`, given whether it is held at that time and when it was
-/// last held. Times are in seconds.
+/// Returns the status of a target at `time`: `held` tells whether the cameras confirm the target at
+/// this time, `lastHeld` when they last did. Times are in seconds.
 TargetStatus statusOf(bool held, double time, double lastHeld);
-/// Returns the record of a frame.
+/// Returns the data that the timeline shows about a tracked frame.
 FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames);
 
 } // namespace dewpoint::session

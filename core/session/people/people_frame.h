@@ -15,8 +15,8 @@
 
 namespace dewpoint::session {
 
-/// People in one frame, with the points of their bodies. The volumes of the bodies are computed
-/// from these points.
+/// People in one frame, with the weighted points from which the volumes of their bodies are
+/// computed.
 struct PeopleFrame {
   struct Person {
     PersonEstimate estimate;
@@ -33,16 +33,16 @@ using PeopleFramePtr = std::shared_ptr<const PeopleFrame>;
 /// Returns the people of a tracked frame.
 PeopleFramePtr peopleFrame(const TrackedFrame& trackedFrame);
 
-/// All data about the people of a run. It is an independent copy, which can be written while the
-/// run continues.
+/// All data about the people of a run. This is an independent copy, so any thread can write it to
+/// files while the run continues.
 struct PeopleRecord {
   Trajectory trajectory;
   std::vector<PeopleFramePtr> frames;
 };
-/// Writes trajectory.csv, volumes.csv, hulls.csv and ground.csv to a folder (PeopleWriter), which
-/// takes a few milliseconds per person and frame. `shouldContinue` receives the progress (0 to 1);
-/// if it returns false, the remaining frames are omitted. Returns the number of frames written, or
-/// FileUnwritable.
+/// Writes trajectory.csv, volumes.csv, hulls.csv and ground.csv to a folder (see PeopleWriter), and
+/// returns the number of frames written. This takes a few milliseconds per person and frame.
+/// `shouldContinue` receives the progress (0 to 1); if it returns false, the remaining frames are
+/// omitted. Returns FileUnwritable if a file cannot be written.
 Result<std::size_t> savePeople(const PeopleRecord& record, const std::filesystem::path& folder,
                                const std::function<bool(double)>& shouldContinue);
 

@@ -13,13 +13,13 @@
 
 namespace dewpoint::session {
 
-/// Returns the display color of an identity, BGR: twelve colors that are easy to distinguish, used
-/// cyclically.
+/// Returns the color in which a person with this identity is drawn (blue, green, red). Twelve
+/// colors that are easy to distinguish are used cyclically.
 cv::Scalar identityColor(int identity);
 
-/// Returns the images of all cameras next to each other as one image (CV_8UC3), with the outline of
-/// every person's 95 % volume and the person's identity. Each camera's image is `width` pixels
-/// wide, and black if it is missing.
+/// Returns one image (CV_8UC3) with the images of all cameras next to each other. The outline of
+/// every person's 95 % volume and the person's identity are drawn in each. Each camera's image is
+/// `width` pixels wide, and black if it is missing.
 cv::Mat peopleOverlay(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,
                       int width);
 

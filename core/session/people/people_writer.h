@@ -10,16 +10,16 @@
 
 namespace dewpoint::session {
 
-/// Returns the sample that represents a person in a trajectory.
+/// Returns the estimate of a person as a row of a trajectory; `time` in seconds.
 TrajectorySample sampleOf(const PersonEstimate& person, std::int64_t frame, double time);
 
 /// Writes the results of people tracking, frame by frame, to a folder:
-/// - trajectory.csv: positions and identities, in the usual trajectory format (the target is
-/// `person N`);
+/// - trajectory.csv: positions and identities, in the usual trajectory format (the target is called
+///   `person N`);
 /// - volumes.csv: frame, time_s, person, volume_m3, vertices, interacting, hue, saturation,
-/// height_m;
+///   height_m;
 /// - hulls.csv: frame, person, vertex, x_m, y_m, z_m: corners of the convex hull of the 95 %
-/// volume;
+///   volume;
 /// - ground.csv: frame, person, probability, curve, point, x_m, y_m: level curves around the
 ///   smallest areas of the floor that contain 25, 50, 75 and 95 % of the occupancy density.
 class PeopleWriter {

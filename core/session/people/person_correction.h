@@ -19,9 +19,9 @@ struct PeopleChange {
   std::optional<int> removedPerson;         ///< PersonPlacing::removePerson
 };
 
-/// Returns the effect of a correction in its frame: a new person, or one to remove. A correction
-/// that cannot be applied, such as a person outside the observed floor, changes nothing and adds an
-/// error to `correctionErrors`.
+/// Returns the effect of a user's correction in its frame: a person to add, or one to remove. A
+/// correction that cannot be applied (for example, a person outside the observed floor) changes
+/// nothing and adds an error to `correctionErrors`.
 PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFinding& finding,
                           const CameraRig& rig, const ParameterValues& parameters,
                           std::vector<Error>& correctionErrors);

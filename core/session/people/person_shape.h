@@ -14,17 +14,19 @@ namespace dewpoint::session {
 struct PersonShape {
   ConvexHull hull;     ///< convex hull of the 95 % volume
   double volume = 0.0; ///< volume of the hull, m³
-  /// Level curves around the smallest areas of the floor that contain the fractions
-  /// kGroundFractions of the density, the smallest area first. Each area may have several parts.
+  /// Level curves of the person's density on the floor. Each entry has the curves around the
+  /// smallest area that contains one of the fractions kGroundFractions, the smallest area first. An
+  /// area may have several parts.
   std::vector<std::vector<LevelCurve>> ground;
 };
 
-/// Fractions of the density on the floor for the level curves.
+/// Fractions of a person's density on the floor for which level curves are drawn.
 inline constexpr double kGroundFractions[] = {0.25, 0.5, 0.75, 0.95};
-/// Largest number of points used for a person's shape, since the density is a sum over all pairs.
+/// Largest number of points from which a person's shape is computed, to limit the computing time.
 inline constexpr int kMaxShapePoints = 500;
 
-/// Returns the shape of a body from an even selection of up to kMaxShapePoints of its points.
+/// Returns the shape of a person's body, computed from an even selection of at most kMaxShapePoints
+/// of its points.
 PersonShape personShape(const BodyCloud& body);
 
 } // namespace dewpoint::session

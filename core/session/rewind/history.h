@@ -14,74 +14,80 @@
 
 namespace dewpoint::session {
 
-/// Memory limits of the parts of a run's history, in bytes.
+/// Memory limits, in bytes, for the parts of a run's history (the data needed to go back to past
+/// frames).
 struct HistoryLimits {
   std::size_t frames = 0;        ///< images
   std::size_t trackedFrames = 0; ///< particles and estimates
   std::size_t checkpoints = 0;   ///< copies of the tracker, from which tracking can continue
-  /// Divides `total` among the parts; live cameras use most of it for images.
+  /// Returns limits that sum to `total` bytes. With live cameras, most of the memory is for images.
   static HistoryLimits of(std::size_t total, bool live);
   std::size_t sum() const { return frames + trackedFrames + checkpoints; }
 };
 
 /// Returns the point that an estimate adds to the tail of its target (the drawn recent path): the
-/// mean, or NaN if the target is not held.
+/// mean position in meters, or NaN if the target is not held (confirmed by the cameras).
 Eigen::Vector3d tailPosition(const TrackEstimate& estimate);
 
-/// Results of every frame tracked so far, and checkpoints (copies of the method) from which each
-/// frame can be reached again. When the memory limit is reached, every second frame of the older
-/// half loses its particles (never its estimate), and every second checkpoint is removed. Used by
-/// one thread.
+/// Results of every frame tracked so far, and checkpoints: saved states of the run, from which each
+/// frame can be reached again by tracking. When the memory limit is reached, every second frame of
+/// the older half loses its particles (never its estimate), and every second checkpoint is removed.
+/// Used by one thread.
 class History {
 public:
   explicit History(const HistoryLimits& limits) : limits_(limits) {}
 
   /// Removes everything, for a new run.
   void clear();
-  /// Stores a checkpoint from time to time. Called before the run begins `frame`.
+  /// Stores a checkpoint (the state of the run) if the last one is far enough back. Must be called
+  /// before the run begins `frame`.
   void beforeFrame(std::int64_t frame, const TrackingRun& run);
-  /// Stores a change made to the run in `frame`, after `iterations` iterations on this frame.
+  /// Stores a change that was made to the run in `frame`, after `iterations` iterations on this
+  /// frame.
   void changed(std::int64_t frame, int iterations, const RunChange& change);
   /// Stores the results of a frame that was tracked, or tracked again.
   void record(TrackedFrame trackedFrame);
-  /// Removes the results, checkpoints and changes of this frame and later ones. A checkpoint right
-  /// before this frame is kept.
+  /// Removes the results, checkpoints and changes of frame `frame` and of later frames. A
+  /// checkpoint from right before this frame is kept.
   void forgetFrom(std::int64_t frame);
-  /// Removes all checkpoints because the method has changed.
+  /// Removes all checkpoints (saved states of the run). Call this when the method has changed.
   void removeCheckpoints();
-  /// Makes tails begin at this frame, so that they do not continue earlier estimates.
+  /// Makes all tails (drawn recent paths) begin at this frame, so that they do not continue earlier
+  /// estimates.
   void beginTails(std::int64_t frame) { tailBegins_.insert(frame); }
-  /// Removes everything before this frame, because the images of earlier frames no longer exist.
+  /// Removes all data of frames before this one, whose images no longer exist.
   void forgetBefore(std::int64_t frame);
 
-  /// Returns a frame; null if it was not tracked.
+  /// Returns the results of a frame; null if it was not tracked.
   const TrackedFrame* at(std::int64_t frame) const;
-  /// Returns the last tracked frame before this one; null if there is none.
+  /// Returns the results of the last tracked frame before this one; null if there is none.
   const TrackedFrame* before(std::int64_t frame) const;
   const TrackedFrame* newest() const {
     return trackedFrames_.empty() ? nullptr : &trackedFrames_.back();
   }
-  /// Returns the first tracked frame after this one; null if there is none.
+  /// Returns the results of the first tracked frame after this one; null if there is none.
   const TrackedFrame* after(std::int64_t frame) const;
-  /// Largest number of positions in a tail.
+  /// Largest number of positions in a tail (drawn recent path) of a target.
   static constexpr std::size_t kTailLength = 256;
-  /// Returns the tail of a target up to and including frame `end`: the last kTailLength values of
-  /// tailPosition(), oldest first. `frame` is `end` itself, or the next frame while its results are
-  /// not recorded yet. The tail begins no earlier than the last beginTails() at or before `frame`.
-  /// Empty for boxes and for targets that are gone.
+  /// Returns the tail (recent path) of a target up to and including frame `end`: the last
+  /// kTailLength values of tailPosition(), oldest first. The tail begins no earlier than the last
+  /// frame passed to beginTails() that is not after `frame`. `frame` is the frame shown: `end`
+  /// itself, or the next one if its results are not recorded yet. Empty for targets that are boxes
+  /// and for targets that are gone.
   std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame, std::int64_t end) const;
 
-  /// State of the run from which a later frame can be reached by tracking.
+  /// Saved state of the run, from which a later frame can be reached by tracking.
   struct Checkpoint {
-    std::int64_t frame = 0; ///< next frame to begin
+    std::int64_t frame = 0; ///< frame that the run begins next from this state
     TrackingRun::State state;
   };
   /// Returns the last checkpoint at or before this frame; null if there is none.
   const Checkpoint* checkpointFor(std::int64_t frame) const;
-  /// Returns the frame at which the method began from scratch, and the definition with which it
-  /// began. The state in this checkpoint has no tracker. Empty before the first frame.
+  /// Returns the frame at which the method began from scratch, and the run's definition at that
+  /// time. The returned state contains no tracker. Empty before the first frame.
   const std::optional<Checkpoint>& methodStart() const { return methodStart_; }
-  /// Returns the changes made in `frame` after `iterations` iterations on this frame, in order.
+  /// Returns the changes that were made to the run in `frame` after `iterations` iterations on this
+  /// frame, in order.
   std::vector<RunChange> changesAt(std::int64_t frame, int iterations) const;
 
   const HistoryLimits& limits() const { return limits_; }

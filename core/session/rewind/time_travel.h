@@ -11,32 +11,34 @@
 
 namespace dewpoint::session {
 
-/// Returns to earlier frames of a run: shows them as they were, and restores the run to its state
-/// before a frame, from which it continues with bit-identical results. Used by the tracking thread
-/// only.
+/// Makes earlier frames of a run available. It provides their images and results, and restores the
+/// run to its state before a frame, from which tracking continues with bit-identical results. Used
+/// by the tracking thread only.
 class TimeTravel {
 public:
-  /// Changes the position of `source` to read recorded frames again. `bytes` limits the total
-  /// memory.
+  /// Creates an empty history. Recorded frames are read again from `source`, which must outlive
+  /// this object; its position changes. `bytes` limits the total memory.
   TimeTravel(FrameSetSource& source, std::size_t bytes);
 
   /// Removes everything, for a new run.
   void clear();
-  /// Called before the run begins this frame set.
+  /// Stores the images of a frame set. Must be called before the run begins this frame set.
   void beforeFrame(const FrameSetPtr& frames, const TrackingRun& run);
-  /// Stores a change made to the run.
+  /// Stores a change that was made to the run in its current frame.
   void changed(const TrackingRun& run, const RunChange& change);
-  /// Stores the results of the run's current frame. Called when the frame is finished, and again
-  /// after each further iteration on it.
+  /// Stores the results of the run's current frame and returns them. Must be called when the frame
+  /// is finished, and again after each further iteration on this frame.
   const TrackedFrame& record(const TrackingRun& run);
 
-  /// Returns the images of this frame; null if there are none, or if they have been dropped.
+  /// Returns the images of a frame; null if there are none, or if they have been dropped to save
+  /// memory.
   Result<FrameSetPtr> frames(std::int64_t frame) { return cache_->at(frame); }
   /// Returns the frame closest to this one that can be shown; nothing before the first frame.
   std::optional<std::int64_t> nearest(std::int64_t frame) const;
   /// Returns the next frame after this one that can be shown; nothing at the end.
   std::optional<std::int64_t> nextShowable(std::int64_t frame) const;
-  /// Like frames(), but may return small images scaled up; `preview` is then true.
+  /// Returns the images of a frame like frames(), but small images scaled up if the full ones are
+  /// not available immediately. Sets `preview` to true in this case.
   Result<FrameSetPtr> previewAt(std::int64_t frame, bool& preview);
   /// Returns the range of frames that can be shown, and the memory used for them.
   HistoryState state() const;
@@ -44,31 +46,32 @@ public:
 
   /// Returns whether to continue a long operation.
   using ShouldContinue = std::function<bool()>;
-  /// Restores `run` to its state right before it began `frame`, by tracking from the nearest
-  /// checkpoint with the definition used at that time. If there is no checkpoint before the frame,
-  /// `run` starts from scratch at the frame. Nothing is removed from the history. Returns the frame
-  /// reached, which is `frame` unless `shouldContinue` returned false, or an error.
+  /// Restores `run` to its state right before it began `frame`, by tracking again from the nearest
+  /// checkpoint (saved state) with the settings used at that time. If there is no checkpoint before
+  /// the frame, `run` starts from scratch at the frame. Nothing is removed from the history.
+  /// Returns the frame reached: `frame`, or an earlier one if `shouldContinue` returned false.
   Result<std::int64_t> goBack(TrackingRun& run, std::int64_t frame,
                               const ShouldContinue& shouldContinue);
-  /// Removes the results of this frame and later ones.
+  /// Removes the results of this frame and of later ones.
   void forgetFrom(std::int64_t frame) {
     history_.forgetFrom(frame);
     probe_.reset();
   }
-  /// Removes all checkpoints, because another run continues from the current frame.
+  /// Removes all checkpoints (saved states). Call this when another run continues from the current
+  /// frame.
   void removeCheckpoints() {
     history_.removeCheckpoints();
     probe_.reset();
   }
-  /// Calls History::beginTails().
+  /// Makes the tails (drawn recent paths) of targets begin at this frame.
   void beginTails(std::int64_t frame) { history_.beginTails(frame); }
 
-  /// Returns a separate run in the state in which `run` was after `frame`, a past frame. It
-  /// provides likelihood maps and motion masks, which the history does not store. Null if this is
-  /// not possible or `shouldContinue` returned false.
+  /// Returns a separate run in the state that `run` had after the past frame `frame`. Use it to get
+  /// likelihood maps and motion masks, which the history does not store. Null if the state cannot
+  /// be restored, or if `shouldContinue` returned false.
   const TrackingRun* runAt(std::int64_t frame, const TrackingRun& run,
                            const ShouldContinue& shouldContinue);
-  /// Sets the number of threads of the run returned by runAt().
+  /// Sets the number of filter threads of the run returned by runAt().
   void setThreadCount(int threadCount);
 
 private:

@@ -12,15 +12,16 @@
 
 namespace dewpoint::session {
 
-/// Returns the background images of a project's cameras, which show the scene without targets, in
-/// project order. An image is empty if none was given for the camera. Errors name the file and the
-/// camera.
+/// Returns the background images of a project's cameras, which show the scene without targets: one
+/// per camera, in project order, empty if the project names none for this camera. Errors name the
+/// file and the camera.
 Result<std::vector<cv::Mat>> loadBackgroundImages(const Project& project);
 
-/// Writes an image from a camera of the project (CV_8UC3, rotated as in the project) to a folder as
-/// the background image of this camera. The rotation is undone in the file. The folder is created
-/// if it does not exist, and the file gets a new name. Returns the file, or FileUnwritable if it
-/// cannot be written. Waits for the disk, so do not call it from a window's thread.
+/// Writes the background image of a camera to a folder and returns the new file. `image` is
+/// CV_8UC3, rotated as the project states; the rotation is undone in the file. The folder is
+/// created if it does not exist, and the file gets a name that is not in use. Returns
+/// FileUnwritable if the file cannot be written. Waits for the disk, so do not call this from a
+/// window's thread.
 Result<std::filesystem::path> saveBackgroundImage(const Project& project, std::size_t camera,
                                                   const cv::Mat& image,
                                                   const std::filesystem::path& folder);

@@ -12,7 +12,7 @@
 
 namespace dewpoint::session {
 
-/// A correction from which its target is to be tracked backward in time.
+/// Request to track a target backward in time, starting at a correction made by the user.
 struct BackwardRequest {
   RunDefinition definition; ///< definition of the run
   PositionCorrection from;  ///< correction to start from, one of the run's corrections
@@ -24,24 +24,25 @@ struct BackwardRequest {
 using BackwardProgress = std::function<bool(double)>;
 
 /// Finds the positions of a target before a correction made by the user. A separate run tracks the
-/// frames before the correction from last to first. It starts with the correction and with the
-/// estimates of the other targets in that frame. It ends at an earlier correction by the user, when
-/// the target is lost, when it jumps away from the former estimates, or when it has agreed with
-/// them for ten seconds. After such an agreement, all earlier estimates are considered correct.
+/// frames before the correction from last to first. This run starts with the corrected position and
+/// with the estimates of the other targets in that frame. It ends at an earlier correction by the
+/// user, when the target is lost or jumps away from the former estimates, or when it has agreed
+/// with the former estimates for ten seconds. In the last case, all earlier estimates are
+/// considered correct.
 ///
-/// Returns corrections for the frames in which it found the target elsewhere, about two per second,
-/// with `trackedFrom` set. A run that continues from the first of them is at the correct position
-/// of the target. Returns none if no estimate was wrong, for live sources, and for methods that
+/// Returns corrections for the frames in which the target was found elsewhere, about two per
+/// second, with `trackedFrom` set. A run that applies them follows the target from the first of
+/// these frames on. Returns none if no estimate was wrong, for live sources, and for methods that
 /// cannot apply corrections. Returns the errors of the source and of TrackingRun::create(), and
 /// Canceled if `progress` canceled the work.
 Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
                                                        const BackwardRequest& order, int threads,
                                                        const BackwardProgress& progress);
 
-/// Returns the project with the results of trackBackwards() for each correction made by the user,
-/// in frame order. These results replace all earlier corrections that came from tracking backward.
-/// The estimates before each correction are computed by tracking the recording up to it.
-/// `backgroundImages` are as for RunDefinition::of().
+/// Returns the project with the corrections found by trackBackwards() from each correction made by
+/// the user. They replace all earlier corrections that came from tracking backward. The recording
+/// is tracked up to each correction to get the estimates before it. `backgroundImages` has one
+/// image per camera, as returned by loadBackgroundImages(), or is empty.
 Result<Project> withBackwardCorrections(const Project& project, FrameSetSource& source,
                                         const std::vector<cv::Mat>& backgroundImages, int threads,
                                         const BackwardProgress& progress);

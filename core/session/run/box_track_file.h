@@ -26,19 +26,20 @@ struct BoxTrack {
   std::vector<BoxSample> samples;
 };
 
-/// Whether a CSV file begins with notes: lines about the run that begin with `#`.
+/// Whether a CSV file begins with notes: lines about the run, each starting with `#`.
 enum class CsvNotes { Written, LeftOut };
 
-/// Returns CSV text: notes, column names, one row per target and frame. The box and its center are
-/// in pixels from the upper left corner of the image.
+/// Returns the bounding boxes as CSV text: notes, column names, and one row per target and frame.
+/// The box and its center are in pixels from the upper left corner of the image.
 std::string boxCsv(const BoxTrack& track, CsvNotes notes = CsvNotes::Written);
 
-/// Returns the boxes in the text format of the MOT challenge (Leal-Taixé et al. 2015): frame,
-/// identity, left, top, width, height, confidence, -1, -1, -1. Frames, identities and pixel
-/// coordinates are counted from 1. The confidence is the similarity. Hidden targets have no row.
+/// Returns the bounding boxes in the text format of the MOT challenge (Leal-Taixé et al. 2015):
+/// frame, identity, left, top, width, height, confidence, -1, -1, -1. Frames, identities and pixel
+/// coordinates are counted from 1. The confidence is the similarity to the target's reference
+/// histogram. Hidden targets have no row.
 std::string boxMotText(const BoxTrack& track);
 
-/// Writes boxes.csv and boxes_mot.txt to an existing folder.
+/// Writes the bounding boxes to boxes.csv and boxes_mot.txt in an existing folder.
 Status writeBoxTrack(const BoxTrack& track, const std::filesystem::path& folder,
                      CsvNotes notes = CsvNotes::Written);
 

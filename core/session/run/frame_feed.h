@@ -11,25 +11,25 @@
 
 namespace dewpoint::session {
 
-/// Tracks images supplied by a program that reads its cameras itself, one frame at a time. The
-/// results are bit-identical to those of a recording with the same images at the same times. Used
-/// by one thread at a time.
+/// Tracks images that the calling program supplies, one frame at a time. The results are
+/// bit-identical to those of a recording with the same images and times. Used by one thread at a
+/// time.
 class FrameFeed {
 public:
-  /// Creates a feed for the cameras of a project, without opening the project's own sources.
-  /// Returns the errors of checkProject(), checkMethodTargets(), loadBackgroundImages() and
-  /// TrackingRun::create().
+  /// Creates a feed for the cameras of a project, without opening the project's own videos or
+  /// cameras. Returns the errors of checkProject(), checkMethodTargets(), loadBackgroundImages()
+  /// and TrackingRun::create().
   static Result<FrameFeed> create(const Project& project, int threads);
 
-  /// Tracks one frame, captured at `time` (seconds), which must increase. `images` has one image
-  /// per camera in project order: CV_8UC3 (blue, green, red), of the size in the calibration, or
-  /// empty for a camera without an image. The images are kept for a while without a copy, so their
-  /// pixels must not be changed afterward. On an error, BadValue names "images" or "time", and
-  /// nothing has changed.
+  /// Tracks one frame, captured at `time` (seconds), which must be later than that of the frame
+  /// before. `images` has one image per camera in project order: CV_8UC3 (blue, green, red), of the
+  /// size in the calibration, or empty for a camera without an image. The images are not copied, so
+  /// their pixels must not be changed afterward. Returns BadValue, which names "images" or "time",
+  /// if an argument is wrong; nothing has changed then.
   Status step(const std::vector<cv::Mat>& images, double time);
 
-  /// Return the current estimates of all targets: positions in the room or, for methods that track
-  /// boxes, boxes in the images. Empty before the first step.
+  /// Return the current estimates of all targets: samples() positions in the room or, for methods
+  /// that track boxes, boxes() bounding boxes in the images. Empty before the first step.
   std::vector<TrajectorySample> samples() const { return run_.samples(); }
   std::vector<BoxSample> boxes() const { return run_.boxSamples(); }
   const TrackingRun& run() const { return run_; }

@@ -12,7 +12,7 @@
 
 namespace dewpoint::session {
 
-/// Receives the frames of a run as they are tracked.
+/// Interface that receives the frames of a run as they are tracked.
 class FrameObserver {
 public:
   virtual ~FrameObserver() = default;
@@ -28,26 +28,30 @@ using FrameObservers = std::span<FrameObserver* const>;
 /// How much of a frame is tracked in one step.
 enum class FrameStep { WholeFrame, OneIteration };
 
-/// Runs the remaining iterations of the run's current frame, or only the next one, and calls the
-/// observers in order. Returns whether the frame is finished, or the first error of an observer.
+/// Runs the remaining iterations of the run's current frame, or only the next iteration, and calls
+/// the observers in order. Returns whether the frame is finished, or the first error of an
+/// observer.
 Result<bool> trackFrame(TrackingRun& run, FrameObservers observers,
                         FrameStep step = FrameStep::WholeFrame);
-/// Runs all iterations of the run's current frame.
+/// Runs all iterations of the run's current frame and calls the observers. Returns the first error
+/// of an observer.
 Status trackOneFrame(TrackingRun& run, FrameObservers observers);
-/// Begins a frame set and runs all its iterations.
+/// Begins a frame set, runs all its iterations and calls the observers. Returns the first error of
+/// an observer.
 Status trackOneFrame(TrackingRun& run, FrameSetPtr frames, FrameObservers observers);
 
-/// Returns whether at least one camera delivered an image; a live source returns sets without
-/// images if none arrived.
+/// Returns whether the frame set contains an image from at least one camera. A live source returns
+/// a set without images if none arrived.
 bool hasImages(const FrameSet& frames);
 
-/// Frames `first` to `end` - 1 of a source, or to its last frame if `end` is not set.
+/// Range of frames of a source: from `first` to `end` - 1, or to the last frame if `end` is not
+/// set.
 struct FrameRange {
   std::int64_t first = 0;
   std::optional<std::int64_t> end;
 
-  /// Returns how many frame sets of the range a source has; nothing if this is not known
-  /// beforehand.
+  /// Returns how many frames of this range a source has; nothing if the length of the source is not
+  /// known.
   std::optional<std::int64_t> count(const FrameSetSource& source) const;
 };
 

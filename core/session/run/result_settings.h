@@ -26,20 +26,21 @@ struct OldResults {
   double secondsPerFrame = 0.0;
 };
 
-/// Returns whether results obtained with `a` remain valid with `b`. Ignores the names of targets
-/// and their color samples. Also ignores corrections, and boxes of methods that track again
-/// automatically, because the run goes back immediately when these change.
+/// Returns whether results obtained with the settings `a` remain valid with the settings `b`. Names
+/// of targets and their color samples are ignored. So are corrections, and boxes of methods that
+/// track again automatically: when the user changes them, the run goes back immediately.
 bool giveSameResults(const RunDefinition& a, const RunDefinition& b);
 
 /// Settings with which each frame of a run was tracked.
 class ResultSettings {
 public:
   void clear() { sections_.clear(); }
-  /// Removes this frame and later ones.
+  /// Removes the settings of this frame and of later ones.
   void goBack(std::int64_t frame);
-  /// Adds a tracked frame; earlier data of this frame and later ones are replaced.
+  /// Stores that a frame was tracked with these settings. Earlier data of this frame and of later
+  /// ones are removed.
   void track(std::int64_t frame, const RunDefinitionPtr& definition);
-  /// Returns the frames whose results came from settings other than these.
+  /// Returns the frames whose results came from settings other than `now`.
   std::vector<ResultRange> differentFrom(const RunDefinition& now) const;
   /// Returns the last frame with results; -1 if there is none.
   std::int64_t newestFrame() const { return sections_.empty() ? -1 : sections_.back().frames.last; }

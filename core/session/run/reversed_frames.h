@@ -12,8 +12,8 @@ namespace dewpoint::session {
 
 /// Source that delivers the frames of a recording from frame `last` back to the first, as if time
 /// ran backward. Frame `last` is delivered with its own number and time; the numbers and times of
-/// the following frames increase from there. Frames are read in blocks, since videos are made to be
-/// read forward.
+/// the frames delivered after it increase. Frames are read in blocks because videos are slow to
+/// read backward.
 class ReversedFrames final : public FrameSetSource {
 public:
   ReversedFrames(FrameSetSource& source, std::int64_t last);
@@ -22,7 +22,8 @@ public:
   double framesPerSecond() const override { return source_.framesPerSecond(); }
   Result<FrameSetPtr> next() override;
   Status seek(std::int64_t frame) override;
-  /// Returns the number, in the recording, of the next frame; -1 if none is left.
+  /// Returns the frame number, in the recording, of the frame that next() delivers next; -1 if none
+  /// is left.
   std::int64_t nextFrame() const { return next_; }
 
 private:

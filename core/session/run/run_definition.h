@@ -17,13 +17,14 @@
 
 namespace dewpoint::session {
 
-/// Everything that determines the results of a run from its frames. A definition is immutable after
-/// it is made, so the tracking thread, its history and its snapshots can share it. A change creates
-/// a new definition.
+/// Settings of a run: together with its frames, they determine the results. A definition is not
+/// changed after it has been shared between the tracking thread, its history and its snapshots.
+/// Every change creates a new definition.
 struct RunDefinition {
   std::string method;
-  ParameterValues parameters;            ///< parameters in use; see useCameras()
-  std::vector<Target> targets;           ///< targets in the project; methods for people find others
+  ParameterValues parameters; ///< parameters in use; see useCameras()
+  /// Targets in the project; methods for people find their targets themselves.
+  std::vector<Target> targets;
   std::shared_ptr<const CameraRig> rig;  ///< never null; in project order
   std::vector<cv::Mat> backgroundImages; ///< per camera, from loadBackgroundImages(); may be empty
   std::vector<std::string> backgroundImageFiles; ///< per camera, as named in the project
@@ -32,14 +33,15 @@ struct RunDefinition {
   std::vector<PositionCorrection> corrections; ///< ordered by frame; applied by methods that can
   std::uint64_t seed = 1;
 
-  /// Returns the definition given by a project. `backgroundImages` are those returned by
-  /// loadBackgroundImages(), or none.
+  /// Returns the definition given by a project. `backgroundImages` has one image per camera, as
+  /// returned by loadBackgroundImages(), or is empty.
   static RunDefinition of(const Project& project, std::vector<cv::Mat> backgroundImages = {});
   /// Returns the project with the values of this definition in place of its own.
   Project appliedTo(Project project) const;
 
-  /// Derives from the cameras the parameters that the user has not set (effectiveParameters()).
-  /// Required after a change of cameras, parameters or volume of interest; of() includes it.
+  /// Sets the parameters that the user has not set to values that suit the cameras
+  /// (effectiveParameters()). Call this after a change of cameras, parameters or volume of
+  /// interest; of() has already done so.
   void useCameras();
 
   MethodFamily family() const { return methodFamily(method); }
@@ -55,7 +57,7 @@ std::string volumeText(const WorldBox& volume);
 /// Returns whether the images are equal, pixel by pixel.
 bool areSameImages(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b);
 
-/// Returns how `after` differs from `before`, as text for the header of a trajectory; empty if
+/// Describes how `after` differs from `before`, as text for the header of a trajectory; empty if
 /// there is no difference. Corrections of positions are omitted because they are marked in the rows
 /// of the trajectory.
 std::string differences(const RunDefinition& before, const RunDefinition& after);

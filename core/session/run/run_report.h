@@ -15,22 +15,23 @@
 
 namespace dewpoint::session {
 
-/// Notice of a run, and how long its cause lasted.
+/// Notice of a run, and the period for which its cause lasted.
 struct NoticePeriod {
   std::string text;
-  double from = 0.0;        ///< seconds of the run when it was first noticed
-  std::optional<double> to; ///< seconds of the run when it was over; nothing while it lasts
+  double from = 0.0; ///< time when the cause was first noticed, in seconds of the run
+  /// Time when the cause was over, in seconds of the run; empty while it lasts.
+  std::optional<double> to;
 };
 
-/// Records which notices a run had, and when. A cause that comes back gets another period.
+/// Records which notices a run had, and when. If a cause comes back, another period is added.
 class NoticeLog {
 public:
   /// Maximum number of periods; later ones are not recorded.
   static constexpr std::size_t kMaxPeriods = 1000;
 
-  /// Sets the notices that the run has at a time, in seconds of the run. Times must not decrease.
+  /// Sets all notices that the run has at `time`, in seconds of the run. Times must not decrease.
   void update(const std::vector<Error>& notices, double time);
-  /// Returns the periods in the order of their beginnings.
+  /// Returns the periods of all notices, ordered by their start.
   const std::vector<NoticePeriod>& periods() const { return periods_; }
 
 private:
@@ -43,14 +44,16 @@ struct RunStatistics {
   /// Wall-clock time from the arrival of the first frame to the last estimate.
   double seconds = 0.0;
   std::int64_t droppedFrames = 0;
-  int threads = 1;                   ///< number of filter threads
-  bool finished = false;             ///< the end of the input was reached
-  DurationHistogram iterations;      ///< duration of one filter iteration, per target
-  LatencyStages live;                ///< where the latency of live images comes from
-  DurationHistogram latency;         ///< time from the arrival of a frame set to its estimate
-  std::vector<ClockEstimate> clocks; ///< per camera; empty if the method estimates none
-  std::vector<std::string> notices;  ///< each once, also those whose cause is over
-  NoticeLog noticeLog; ///< when they came and went, except those about cameras that moved
+  int threads = 1;              ///< number of filter threads
+  bool finished = false;        ///< the end of the input was reached
+  DurationHistogram iterations; ///< duration of one filter iteration, per target
+  LatencyStages live;           ///< latency of live images, by stage
+  DurationHistogram latency;    ///< time from the arrival of a frame set to its estimate
+  /// Clock error of each camera; empty if the method estimates none.
+  std::vector<ClockEstimate> clocks;
+  std::vector<std::string>
+      notices;         ///< every notice so far, once, including those whose cause is over
+  NoticeLog noticeLog; ///< periods of the notices, except those about cameras that moved
 };
 
 /// Returns the text of run.json: statistics, method, seed, parameters and corrections of a run.

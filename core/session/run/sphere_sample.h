@@ -9,8 +9,8 @@
 
 namespace dewpoint::session {
 
-/// Returns the estimate of a colored target as a row of a trajectory; `time` in seconds. Whether it
-/// was corrected is not set here.
+/// Returns the estimate of a colored target as a row of a trajectory; `time` in seconds. The caller
+/// must set whether the estimate was corrected.
 TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& target,
                           std::int64_t frame, double time);
 

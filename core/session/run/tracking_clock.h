@@ -7,8 +7,8 @@
 
 namespace dewpoint::session {
 
-/// Measures the time that a run spends in its tracker, not including the time for reading frames
-/// from the source and the time spent in other observers.
+/// Measures the time that a run spends in its tracker. The time for reading frames and the time
+/// spent in other observers are not included.
 class TrackingClock final : public FrameObserver {
 public:
   void taken(const FrameSet& /*frames*/) override { since_ = Clock::now(); }

@@ -28,7 +28,7 @@ TrajectoryHeader trajectoryHeader(const Project& project);
 /// Returns the header of a box track: method, seed, parameters, and a description of each target.
 std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& project);
 
-/// Replacement of the definition `before` by `after`.
+/// Replacement of the settings of a run, `before`, by others, `after`.
 struct DefinitionChange {
   RunDefinitionPtr before;
   RunDefinitionPtr after;
@@ -44,25 +44,24 @@ public:
   /// Creates a run with `threadCount` threads; the result does not depend on their number. Returns
   /// NotFound for an unknown method.
   static Result<TrackingRun> create(RunDefinitionPtr definition, int threadCount);
-  /// Creates the run of a project. `backgroundImages` are those returned by loadBackgroundImages(),
-  /// or none.
+  /// Creates the run of a project. `backgroundImages` has one image per camera, as returned by
+  /// loadBackgroundImages(), or is empty. Returns NotFound for an unknown method.
   static Result<TrackingRun> create(const Project& project, int threadCount,
                                     std::vector<cv::Mat> backgroundImages = {});
-  /// Returns a run of a tracker that need not belong to a method in the catalog.
+  /// Creates a run with a given tracker, which need not belong to a method in the catalog.
   static TrackingRun of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
                         int threadCount);
 
-  /// Returns the current definition; never null.
+  /// Returns the current definition (all settings of the run); never null.
   const RunDefinitionPtr& definition() const { return definition_; }
-  /// Returns whether this run can continue with a definition: it must have the same method and
-  /// image sizes, and the same number of targets unless the method can change it. Otherwise, a new
-  /// run is needed.
+  /// Returns whether this run can continue with another definition. The other definition must have
+  /// the same method and image sizes, and the same number of targets unless the method can change
+  /// this number. Otherwise, a new run is needed.
   bool accepts(const RunDefinition& definition) const;
   /// Discards all tracks; they start from scratch with this seed.
   void restart(std::uint64_t seed);
-  /// Applies another definition from the next iteration on; accepts() must be true for it. Tracks
-  /// continue. Only the differences are passed to the tracker. Another seed takes effect at the
-  /// next restart().
+  /// Applies another definition from the next iteration on; tracks continue. accepts() must return
+  /// true for this definition. A new seed takes effect at the next restart().
   void apply(const RunDefinitionPtr& definition);
   void apply(const RunChange& change);
 
@@ -74,13 +73,14 @@ public:
     std::int64_t iterations = 0;
     std::size_t bytes = 0;
   };
-  /// Returns the current state; it has no tracker if the method cannot be copied.
+  /// Returns the current state, from which restore() continues. The state has no tracker if the
+  /// method cannot be copied.
   State save() const;
-  /// Restores a state, which must have a tracker.
+  /// Restores a saved state, which must have a tracker.
   void restore(const State& state);
-  /// Returns whether save() includes a tracker.
+  /// Returns whether the method can be copied, so that states returned by save() contain a tracker.
   bool canBeCopied() const;
-  /// Returns whether the user may correct positions.
+  /// Returns whether the method can apply corrections of positions by the user.
   bool supportsCorrections() const { return capability<PositionCorrecting>() != nullptr; }
   /// Sets the iteration count.
   void setIterationCount(std::int64_t iterations) { iterations_ = iterations; }
@@ -88,7 +88,7 @@ public:
   void setThreadCount(int threadCount) { team_ = std::make_unique<ThreadTeam>(threadCount); }
   int threadCount() const { return team_->threadCount(); }
 
-  /// Begins a frame set; its iterations follow.
+  /// Begins a frame set, on which the next calls of iterate() work.
   void beginFrame(FrameSetPtr frames);
   int iterationsPerFrame() const;
   /// Runs one filter iteration for every target and returns its duration in microseconds, averaged
@@ -96,17 +96,18 @@ public:
   /// applied.
   double iterate();
 
-  /// Returns what a correction changes in the current frame; nothing if the method does not find
-  /// people.
+  /// Returns what a correction of people changes in the current frame: a person to add or to
+  /// remove. Empty if the method does not find people.
   PeopleChange effectOf(const PersonCorrection& correction);
-  /// Returns errors for the corrections for people that could not be applied since the last call.
+  /// Returns an error for each correction of people that could not be applied since the last call
+  /// of this function.
   std::vector<Error> takeCorrectionErrors() { return std::exchange(correctionErrors_, {}); }
 
   std::int64_t iterations() const { return iterations_; }
   /// Returns the tracked targets: those of the project, or the persons found so far.
   const std::vector<Target>& targets() const;
-  /// Returns an additional capability of the method, see capability(); null if the method does not
-  /// have it.
+  /// Returns the method's implementation of an optional interface, such as ClockEstimating; null if
+  /// the method does not implement it.
   template <class Capability> const Capability* capability() const {
     return tracking::capability<Capability>(std::as_const(*tracker_));
   }
@@ -122,19 +123,20 @@ public:
   /// Returns the estimates as trajectory samples of the current frame; for people, only those who
   /// are present.
   std::vector<TrajectorySample> samples() const;
-  /// Returns the boxes of the current frame, for methods that track boxes.
+  /// Returns the bounding boxes of the current frame, for methods that track boxes; empty for
+  /// others.
   std::vector<BoxSample> boxSamples() const;
-  /// Returns up to `limit` particles of a target: rows of x, y, z in meters, and their linear
-  /// weights.
+  /// Copies up to `limit` particles of a target: their positions, as rows of x, y, z in meters, and
+  /// their linear weights.
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                  Eigen::ArrayXd& weights) const;
-  /// Creates a record of the current estimates, without 3D particles but with up to
+  /// Returns a record of the current estimates, without 3D particles but with up to
   /// `boxParticleLimit` particles per box. Status and reasons are copied from `recorded`, the
-  /// TrackedFrame stored for this frame; null if the frame was not tracked.
+  /// record already stored for this frame; `recorded` is null if there is none.
   TrackedFrame currentFrame(const TrackedFrame* recorded, int boxParticleLimit) const;
-  /// Creates the record of the current frame, with up to `particleLimit` particles per target.
-  /// `previous` is the record of the previous frame, from which the time each target was last held
-  /// is continued; null for the first frame.
+  /// Returns a record of the current frame, with up to `particleLimit` particles per target.
+  /// `previous` is the record of the previous frame, null for the first frame; it tells when each
+  /// target was last held (confirmed by the cameras).
   TrackedFrame trackedFrame(int particleLimit, const TrackedFrame* previous) const;
   /// Returns the number of iterations on the current frame.
   int frameIterations() const { return frameIterations_; }
@@ -161,7 +163,7 @@ private:
   std::vector<Error> correctionErrors_;
 };
 
-/// Ground truth by target and frame, for fast access during tracking.
+/// Table of the true positions of targets, for fast access by target and frame during tracking.
 class TruthTable {
 public:
   explicit TruthTable(const Trajectory& truth);

@@ -12,21 +12,20 @@
 
 namespace dewpoint::session {
 
-/// One line of a self-test: the subject of the test and its result. The texts are always in
-/// English, for those who read reports.
+/// One line of a self-test: the subject of the test and its result, as English text.
 struct SelfTestLine {
   FindingLevel level = FindingLevel::Ok;
-  std::string subject; ///< "codec FFV1"
+  std::string subject; ///< for example "codec FFV1"
   std::string text;
 };
 
 /// Inputs of the self-test.
 struct SelfTestInputs {
-  /// Opens a simulated scene with known ground truth, of which the first kSelfTestSeconds are
-  /// tracked. If empty, this test is omitted.
+  /// Opens a simulated scene with known ground truth. The self-test tracks its first
+  /// kSelfTestSeconds. If empty, this test is omitted.
   std::function<Result<SessionInputs>()> openScene = {};
   std::vector<std::string> cameras = {}; ///< camera devices of this computer
-  /// Folder for files that are written and read back. It is created, and removed with all its
+  /// Folder for test files. The self-test creates the folder and removes it afterward with all its
   /// contents.
   std::filesystem::path scratch = {};
   /// Called between the tests; returning false ends the self-test.
@@ -41,10 +40,10 @@ inline constexpr double kSelfTestSeconds = 5.0;
 /// several seconds.
 std::vector<SelfTestLine> runSelfTest(const SelfTestInputs& parts);
 
-/// Returns a line as text: "ok       codec FFV1: ..."
+/// Returns a line of the self-test as text, for example "ok       codec FFV1: ..."
 std::string selfTestText(const SelfTestLine& line);
 
-/// Returns the worst level; Ok for no lines.
+/// Returns the worst level of all lines; Ok if there are no lines.
 FindingLevel worstOf(const std::vector<SelfTestLine>& lines);
 
 } // namespace dewpoint::session

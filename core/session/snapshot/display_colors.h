@@ -18,7 +18,7 @@ using DisplayColor = Eigen::Vector3d;
 enum class DisplayGround {
   Light, ///< light window
   Dark,  ///< dark window
-  Image, ///< image of a camera, which may show the target itself: lighter than its learned color
+  Image, ///< camera image; colors are lighter than learned, because the target itself may be in it
 };
 
 /// Inputs that determine the display color of a target.
@@ -29,15 +29,15 @@ struct DisplayColorSource {
   bool operator==(const DisplayColorSource&) const = default;
 };
 
-/// Returns the central color of a learned range; nothing if this color is gray, or if the range
-/// contains many different colors.
+/// Returns the color at the center of a learned range; nothing if this color is gray, or if the
+/// range contains many different colors.
 std::optional<DisplayColor> centralColor(const ColorRange& range);
 
 /// Returns a color of the same hue, darkened or lightened until it is legible on this ground.
 DisplayColor legibleOn(const DisplayColor& color, DisplayGround ground);
 
-/// Returns whether two colors are hard to distinguish. They are compared in OKLab (Ottosson 2020),
-/// with half weight for lightness.
+/// Returns whether two colors are hard to distinguish. The colors are compared in the color space
+/// OKLab (Ottosson 2020), with half weight for lightness.
 bool areSimilar(const DisplayColor& one, const DisplayColor& other);
 
 /// Returns the colors for targets whose own colors are too similar or unclear: the color-blind-safe
@@ -45,14 +45,15 @@ bool areSimilar(const DisplayColor& one, const DisplayColor& other);
 /// hue on every ground.
 const std::vector<DisplayColor>& displayPalette(DisplayGround ground);
 
-/// Returns one color per target: the center of its first learned range, made legible on the ground.
-/// Targets whose colors are too similar, and those without a clear color, get the color at their
-/// index in `displayPalette()` (used cyclically), or the next one that no other target has. So do
-/// all targets after the first `kMostOwnColors`. A target has the same hue on every ground.
+/// Returns one display color per target: the center of its first learned range, made legible on the
+/// ground. Some targets get the color at their index in `displayPalette()` (used cyclically)
+/// instead, or the next one that no other target has: targets with similar colors, targets without
+/// a clear color, and all targets after the first `kMostOwnColors`. A target has the same hue on
+/// every ground.
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
                                         DisplayGround ground);
-/// Number of targets that can have the color they were learned with. More could not be
-/// distinguished, and comparing all of them takes too long.
+/// Number of targets that can be displayed in their learned color. More could not be distinguished,
+/// and comparing all of them would take too long.
 inline constexpr std::size_t kMostOwnColors = 100;
 
 } // namespace dewpoint::session

@@ -8,8 +8,8 @@
 namespace dewpoint::session {
 
 /// Fills in missing images of live cameras for display. Cameras that are not synchronized do not
-/// deliver an image in every frame set. To avoid flickering, and so that users can click in every
-/// view, a view then shows the camera's last image for a while. The tracker does not process this
+/// deliver an image in every frame set. A view then shows the last image of its camera for a while,
+/// so that the view does not flicker and users can click in it. The tracker does not process this
 /// image twice.
 class LiveFrameFiller {
 public:

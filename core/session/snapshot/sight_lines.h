@@ -11,30 +11,29 @@
 
 namespace dewpoint::session {
 
-/// Line from a camera to the estimate of a target, in meters, world frame.
+/// Line of sight from a camera to the estimated position of a target, in meters, world frame.
 struct SightLine {
   int camera = 0; ///< index in the rig
   Eigen::Vector3d from = Eigen::Vector3d::Zero();
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
   /// True if the camera confirms at least a part of the target. Otherwise, the target is hidden
-  /// there.
+  /// from this camera.
   bool sees = true;
 };
 
-/// Returns one line for each camera in whose image the estimate lies. There is no line for a camera
-/// without an image or a target with an unknown position.
+/// Returns one line of sight for each camera in whose image the estimate lies. Cameras without an
+/// image have no line, and there is none if the target's position is unknown.
 std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSnapshot& target);
 
-/// Returns the line of sight through a clicked pixel as it appears in the image of another camera,
-/// as connected lines in pixels. Returns none if `camera` is the one that was clicked in, or is not
-/// in the snapshot.
+/// Returns the line of sight through a clicked pixel as it appears in the image of another camera
+/// `camera`, as connected lines in pixels. Empty if the click was made in `camera` itself, or if
+/// `camera` is not in the snapshot.
 std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClick& click,
                                   int camera);
 
-/// Returns the two ends of the line of sight through a clicked pixel, for display. One end is the
-/// camera center. The other is 25 % farther away than `position`, the position computed from the
-/// click, so that the line visibly passes through this position. Empty if the camera does not
-/// exist.
+/// Returns the two ends of the line of sight through a clicked pixel, for display, in meters, world
+/// frame. The line begins at the camera center and extends 25 % beyond `position`, the position
+/// computed from the click. Empty if the camera does not exist.
 std::vector<Eigen::Vector3d> clickedRayEnds(const TrackSnapshot& snapshot, const PointClick& click,
                                             const Eigen::Vector3d& position);
 

@@ -31,14 +31,14 @@ struct TargetSnapshot {
   TrackEstimate estimate;
   Eigen::ArrayXXd particles; ///< up to 10,000 rows of x, y, z; meters
   Eigen::ArrayXd weights;    ///< one per row, linear
-  /// Positions in the last frames, which are drawn as a tail, oldest first; NaN where the target
-  /// was not held.
+  /// Positions in the last frames, which are drawn as a tail, in meters, oldest first; NaN where
+  /// the target was not held (confirmed by the cameras).
   std::vector<Eigen::Vector3d> tail;
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
   HoldState stateWhileAbsent = HoldState::Gone; ///< state shown while the target is absent
   BoxParticles boxParticles;                    ///< particles of a BoxEstimate
-  /// Histograms of a BoxEstimate; null if there is no image.
+  /// Color histograms of a BoxEstimate; null if there is no image.
   std::shared_ptr<const ColorHistograms> histograms;
   /// Per camera: whether it confirms the target, and the reason if it does not (describeReasons());
   /// may be empty.
@@ -48,9 +48,9 @@ struct TargetSnapshot {
   std::vector<LikelihoodMap> maps;          ///< per camera; empty unless requested
   std::shared_ptr<const PersonShape> shape; ///< shape of a person; null unless requested
 
-  /// Return the estimate as a box or as a person; null if it is of another kind or absent. Use
-  /// these functions only if the kind of target is known; otherwise, visit the estimate or call
-  /// peopleIn().
+  /// Return the estimate as a box or as a person; null if the estimate is of another kind or
+  /// absent. Use these functions only where the kind of target is known; otherwise, visit the
+  /// variant or call peopleIn().
   const BoxEstimate* box() const { return std::get_if<BoxEstimate>(&estimate); }
   const PersonEstimate* person() const { return std::get_if<PersonEstimate>(&estimate); }
 };
@@ -89,10 +89,10 @@ struct TrackSnapshot {
   /// Per camera: the background image, which shows the scene without targets; empty if it is not
   /// known.
   std::vector<cv::Mat> backgroundImages;
-  /// Per camera, CV_8UC1: the value 255 - k marks pixels that have the color of target k. Empty
-  /// unless requested.
+  /// Per camera, CV_8UC1: pixels with the value 255 - k have the color of target k. Empty unless
+  /// requested.
   std::vector<cv::Mat> masks;
-  bool masksShowMotion = false; ///< masks show motion instead of color; 255: moving
+  bool masksShowMotion = false; ///< masks mark moving pixels (255) instead of colors
   /// Likelihood of motion at each pixel, per camera, for methods that compute it; empty unless
   /// requested.
   std::vector<LikelihoodMap> motionMaps;
@@ -121,10 +121,9 @@ struct TrackSnapshot {
   /// When the newest estimate of the run was finished; zero before the first.
   std::chrono::steady_clock::time_point estimated{};
   std::vector<Error> notices;
-  /// Cameras that have moved since the run began. Each also has a notice; these are the last ones
-  /// in `notices`.
+  /// Cameras that have moved since the run began. Each also has a notice, at the end of `notices`.
   std::vector<CameraMotionReport> cameraMotions;
-  /// Reasons why the cameras contradict each other, the most basic first. They are not part of
+  /// Reasons why the cameras contradict each other, the most basic first. These are not in
   /// `notices`.
   std::vector<CameraDisagreement> disagreements;
   /// Estimated clock errors of the cameras after the current frame; empty if the method estimates
@@ -133,14 +132,13 @@ struct TrackSnapshot {
 };
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Record of one filter iteration for one target, for plots. `time` is the x coordinate of plots
-/// over time, `iteration` that of plots over iterations.
+/// Values of one filter iteration for one target, for plots over time or over iterations.
 struct IterationRecord {
   /// Number of the iteration since the start or restart, counted from 1.
   std::int64_t iteration = 0;
   std::int64_t frame = 0;
   int target = 0;
-  double spread = 0.0; ///< root mean square over all axes, meters
+  double spread = 0.0; ///< spread of the particles: root mean square over all axes, meters
   double effectiveSampleSize = 0.0;
   double error = -1.0;       ///< distance from the truth in meters; negative if unknown
   double time = 0.0;         ///< time of the frame, seconds
@@ -153,7 +151,8 @@ struct IterationRecord {
   /// Likelihood, existence probability and visible fraction per camera, in the order of the cameras
   /// in the rig; empty if the method does not compute them.
   std::vector<CameraEvidence> cameras = {};
-  /// Similarity of a box (BoxEstimate::similarity); the spread is then in pixels.
+  /// Similarity of a box (BoxEstimate::similarity), only for methods that track boxes; `spread` is
+  /// then in pixels.
   std::optional<double> similarity = std::nullopt;
   /// Mean x, y and z in the world frame, meters. For a box, the center in its image in pixels,
   /// without z. NaN if unknown.

@@ -17,22 +17,23 @@ const Camera* cameraOf(const TrackSnapshot& snapshot, int camera);
 
 /// Returns the state that views show for a target's status.
 HoldState holdState(TargetStatus status);
-/// Returns the state of a target; for a box, also whether it is hidden or does not exist yet.
+/// Returns the state that views show for a target. A box can also be hidden or not exist yet.
 HoldState holdState(const TargetSnapshot& target);
 /// Returns the worst state of all targets. From worst to best, the states are: lost, searching,
-/// ambiguous, hidden, held. Returns NoImages or NoTarget if there are no images or no targets, and
-/// NotTracked for a past frame that was not tracked.
+/// ambiguous, hidden, held. Returns NoImages if there are no images, NoTarget if there are no
+/// targets, and NotTracked for a frame that was not tracked.
 HoldState holdState(const TrackSnapshot& snapshot);
-/// Returns the worst state of the targets that one camera shows; a box counts only in the camera in
-/// which it is tracked.
+/// Returns the worst state of the targets in the view of one camera. A box counts only for the
+/// camera in which it is tracked.
 HoldState holdState(const TrackSnapshot& snapshot, int camera);
 
-/// Returns the target whose reasons are shown: `preferred` if it exists, otherwise the first that
-/// is not held, otherwise the first. Persons who have left come last. Null if there is no target.
+/// Returns the target whose state is explained to the user: the one with index `preferred` if it
+/// exists, otherwise the first that is not held (confirmed by the cameras), otherwise the first.
+/// Persons who have left come last. Null if there is no target.
 const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferred);
 
-/// Returns the first target that is held and visible in the image of a camera: its estimate, or its
-/// box in that camera, lies within the image. Null if there is none.
+/// Returns the first target that is held (confirmed by the cameras) and whose estimate, or whose
+/// box in this camera, lies within the camera's image. Null if there is none.
 const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera);
 
 /// Returns the pixel of a camera at which a target's position appears, even if it lies outside the
@@ -43,12 +44,13 @@ std::optional<Eigen::Vector2d> pixelOf(const TrackSnapshot& snapshot, int camera
 /// Returns the estimate of a target's position; nothing for a frame that was not tracked.
 std::optional<Gaussian3> positionEstimate(const TrackSnapshot& snapshot, int target);
 
-/// Of the first `count` targets, considers those that the views show. Returns the index of the one
-/// whose estimate is closest to the pixel, if at most `reach` pixels away; otherwise -1.
+/// Returns the index of the target whose estimate is closest to a pixel of a camera, among those of
+/// the first `count` targets that the views show. Returns -1 if none is at most `reach` pixels
+/// away.
 int targetNear(const TrackSnapshot& snapshot, int count, int camera, const Eigen::Vector2d& pixel,
                double reach);
 
-/// Returns the notice about a camera's current problem; null if no problem is known.
+/// Returns the notice about the current problem of a camera; null if no problem is known.
 const Error* noticeOf(const TrackSnapshot& snapshot, int camera);
 
 /// One person of a snapshot; valid as long as the snapshot exists.
@@ -61,8 +63,8 @@ struct PersonInSnapshot {
 /// Returns all persons of a snapshot that are not absent, in the order of its targets.
 std::vector<PersonInSnapshot> peopleIn(const TrackSnapshot& snapshot);
 
-/// Returns the index of the person whose hull is visible at a pixel of a camera, the one closest to
-/// the camera if there are several; -1 if there is none.
+/// Returns the index of the person whose hull covers a pixel of a camera; -1 if there is none. Of
+/// several, returns the one closest to the camera.
 int personSeenAt(const TrackSnapshot& snapshot, int camera, const Eigen::Vector2d& pixel);
 
 } // namespace dewpoint::session

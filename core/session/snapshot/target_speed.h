@@ -13,11 +13,12 @@ namespace dewpoint::session {
 struct TargetSnapshot;
 struct TrackSnapshot;
 
-/// Computes the speed of the displayed target from the estimates in the frames around the displayed
-/// one, as for the trajectory (`trajectory::velocityAt`).
+/// Computes the speed of the displayed target from its estimates in the frames around the displayed
+/// frame, in the same way as in trajectories (`trajectory::velocityAt`).
 class TargetSpeed {
 public:
-  /// Adds the estimate of a target. Starts over when the target or the run changes.
+  /// Adds the estimate of a target in the displayed frame. Starts over when the target or the run
+  /// changes.
   void add(const TrackSnapshot& snapshot, const TargetSnapshot& target);
   void clear() { track_.clear(); }
   /// Returns the speed at the frame shown last, in meters per second; nothing if unknown.

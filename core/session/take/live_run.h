@@ -16,48 +16,50 @@
 
 namespace dewpoint::session {
 
-/// Results of a live run while a take was recorded.
+/// Results of a live run that tracked targets while a take (a recording of all cameras) was made.
 struct LiveRun {
-  Project project;           ///< as the run was at its end
-  Trajectory trajectory;     ///< since its start or restart
+  Project project;           ///< the project with the settings at the end of the run
+  Trajectory trajectory;     ///< trajectory since the run's last start or restart
   std::string report;        ///< text of run.json
-  std::vector<LiveSet> sets; ///< the images of its frames
+  std::vector<LiveSet> sets; ///< the images of each frame of the run
   /// Frames that were tracked with other settings than those at the end.
   std::vector<ResultRange> otherSettings;
 };
 
-/// An image that a live run tracked, in the videos of a take.
+/// Location, in the videos of a take, of an image that a live run tracked.
 struct StoredImage {
-  std::int64_t number = -1; ///< of the image in its video, from 0; -1: the take does not have it
-  TimeStamp captureTime{};  ///< in the live run
+  /// Number of the image in its video, from 0; -1: the image is not in the take.
+  std::int64_t number = -1;
+  TimeStamp captureTime{}; ///< capture time in the live run
 };
 
-/// The images of one frame of a live run, in the videos of a take.
+/// Locations, in the videos of a take, of the images of one frame of a live run.
 struct StoredSet {
   std::int64_t index = 0;
   TimeStamp time{};
-  std::vector<std::optional<StoredImage>> images; ///< per camera; nothing: it had no image
+  std::vector<std::optional<StoredImage>> images; ///< per camera; empty: the camera had no image
 };
 
-/// Finds the images of a live run in the videos of a take. `stamps` has for each camera the stamps
-/// of the images in its video. Frames after the last one of which the take has an image are left
-/// out.
+/// Finds the images of a live run in the videos of a take, and returns their locations, frame by
+/// frame. `stamps` has, for each camera, the stamps (CaptureInstant::stamp) of the images in its
+/// video. Frames at the end of the run that have no image in the take are left out.
 std::vector<StoredSet> storedSets(const std::vector<LiveSet>& sets,
                                   const std::vector<std::vector<std::int64_t>>& stamps);
 
 /// Folder in a take for the results of the live run.
 inline constexpr const char* kLiveFolder = "live";
-/// Project in a take with the settings at the end of the live run. It is beside the videos, so that
-/// it names them by relative paths.
+/// Project file in a take, beside the videos, with the settings at the end of the live run.
 inline constexpr const char* kLiveProject = "live.toml";
 
-/// Returns the table of the images of a live run, one line per frame: frame, time_ns, and for each
-/// camera image_K and time_K_ns. The image is the number in the video, `lost`, or empty.
+/// Returns a CSV table of the images of a live run, one line per frame: frame, time_ns, and for
+/// each camera K image_K and time_K_ns. image_K is the number of the image in the video, `lost` if
+/// the image is not in the take, or empty if the camera had none.
 std::string storedSetsText(const std::vector<StoredSet>& sets);
-/// Writes this table to a file.
+/// Writes the table of storedSetsText() to a file. Returns an error if the file cannot be written.
 Status writeStoredSets(const std::vector<StoredSet>& sets, const std::filesystem::path& file);
-/// Reads this table. Errors: those of readTextFile(), and NotParsed with the line of
-/// a row that is not one of this table, or whose numbers are not those of a run.
+/// Reads the table of storedSetsText() for a number of cameras. Returns the errors of
+/// readTextFile(), and NotParsed with the line number of a row that is invalid or has numbers out
+/// of range.
 Result<std::vector<StoredSet>> readStoredSets(const std::filesystem::path& file,
                                               std::size_t cameras);
 

@@ -8,18 +8,19 @@
 
 namespace dewpoint::session {
 
-/// Highest number of a take.
+/// Highest number that a take (a recording of all cameras) can have.
 inline constexpr int kHighestTakeNumber = 99999;
 
-/// New folder of a take.
+/// New folder of a take (a recording of all cameras).
 struct TakeFolder {
   std::filesystem::path path;
   int number = 0; ///< from 1
 };
 
-/// Creates the folder of a take, take-001, take-002, ..., in `parent`. Without a number, it gets
-/// the next one after all takes in `parent`. Errors: FileUnwritable; BadValue if there is a take
-/// with this number, or if it is not from 1 to kHighestTakeNumber.
+/// Creates the folder of a new take (take-001, take-002, ...) in `parent`. If `number` is not set,
+/// the take gets the next number after all takes in `parent`. Returns FileUnwritable if the folder
+/// cannot be created, and BadValue if a take with this number exists or the number is not from 1 to
+/// kHighestTakeNumber.
 Result<TakeFolder> makeTakeFolder(const std::filesystem::path& parent,
                                   std::optional<int> number = std::nullopt);
 

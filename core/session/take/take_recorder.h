@@ -19,31 +19,31 @@
 
 namespace dewpoint::session {
 
-/// Choices for a take.
+/// Options for recording a take.
 struct TakeOptions {
   RawStorage raw = RawStorage::Jpeg;
   std::string notes = {}; ///< free text, kept in take.json
-  /// Number of the take; nothing: the next one after all takes in the folder.
+  /// Number of the take; if not set, the next one after all takes in the folder.
   std::optional<int> number = std::nullopt;
 };
 
-/// A take so far.
+/// State of a take that is being recorded or has ended.
 struct TakeStatus {
   struct CameraStatus {
     std::string name;
-    std::string video; ///< file name in the folder
+    std::string video; ///< file name of the video in the folder
     RecordedCounts counts;
-    PreRollStatus preRoll; ///< images of its feed at the start of the take
+    PreRollStatus preRoll; ///< images kept from before the start of the take
   };
 
   int number = 0; ///< from 1
   std::filesystem::path folder;
   std::string notes;
-  double seconds = 0.0;              ///< since its start, or its whole duration
-  double preRoll = 0.0;              ///< seconds recorded before its start
+  double seconds = 0.0; ///< time since the start, or the duration of a take that has ended
+  double preRoll = 0.0; ///< recorded time before the start, in seconds
   std::vector<CameraStatus> cameras; ///< in the order of the project
-  std::uint64_t freeBytes = 0;       ///< left on the disk
-  /// Why take.json or project.toml could not be written.
+  std::uint64_t freeBytes = 0;       ///< free space on the disk
+  /// Error that prevented take.json or project.toml from being written; empty if there was none.
   std::optional<Error> problem;
 };
 
@@ -51,46 +51,46 @@ struct TakeStatus {
 ///
 /// - for each camera a video, NAME.mkv, and its capture times, NAME.csv (StreamRecording);
 /// - project.toml, a project of these recordings with the calibration, targets, colors and
-/// parameters
-///   of the live project. It names the cameras that have sent images so far, so that it can be
-///   opened during the take, and after the program was killed;
+///   parameters of the live project. It contains the cameras that have sent images so far, so users
+///   can open it during the take or after a crash;
 /// - take.json: number, notes, date, and how many images of each camera were recorded and dropped.
 class TakeRecorder {
 public:
-  /// Longest time before the start of a take that can be kept, in seconds.
+  /// Longest pre-roll, in seconds: the time before the start of a take whose images are kept.
   static constexpr double kLongestPreRoll = 60.0;
-  /// Most memory for the images before the start, of all cameras together: 512 MiB.
+  /// Memory limit for the images kept from before the start, for all cameras together: 512 MiB.
   static constexpr std::size_t kPreRollBytes = std::size_t{512} << 20;
 
-  /// Makes feeds keep their last images, `seconds` long, for a take that starts later. The cameras
-  /// share kPreRollBytes equally. 0 keeps nothing.
+  /// Makes feeds keep their images of the last `seconds` seconds for a take that starts later; 0
+  /// keeps none. The cameras share kPreRollBytes of memory equally.
   static void setPreRoll(const std::vector<EncodedFeedPtr>& feeds, double seconds);
 
-  /// Creates the folder in `parent` and starts to record, beginning with what the feeds have kept
-  /// (EncodedFeed::setPreRoll()). `feeds`: those of the project's cameras,
-  /// in their order. Errors: FileUnwritable, Mismatch if the project is not live, and those of
-  /// makeTakeFolder().
+  /// Creates the folder of the take in `parent` and starts to record, beginning with the images
+  /// that the feeds have kept (EncodedFeed::setPreRoll()). `feeds` has one feed per camera, in
+  /// project order. Returns FileUnwritable, Mismatch if not all cameras of the project are live,
+  /// and the errors of makeTakeFolder().
   static Result<std::unique_ptr<TakeRecorder>> start(const Project& project,
                                                      const std::vector<EncodedFeedPtr>& feeds,
                                                      const std::filesystem::path& parent,
                                                      const TakeOptions& options);
   TakeRecorder(const TakeRecorder&) = delete;
   TakeRecorder& operator=(const TakeRecorder&) = delete;
-  /// Stops if that was not done.
+  /// Calls stop() if the take has not ended.
   ~TakeRecorder();
 
-  /// May be called from any thread.
+  /// Returns the current state of the take. May be called from any thread.
   TakeStatus status() const;
-  /// Replaces the notes, also after the take has ended. May be called from any thread. Error:
-  /// FileUnwritable.
+  /// Replaces the notes of the take, even after it has ended. May be called from any thread.
+  /// Returns FileUnwritable if take.json cannot be written.
   Status setNotes(const std::string& notes);
-  /// Adds the results of the live run to a take that has ended: trajectory.csv, run.json and which
-  /// images made up each frame in its folder `live`, and live.toml, the project with the settings
-  /// at the end of the run (compareReplay()). Does nothing if nothing was tracked, or if the
-  /// take has no image of it. Error: FileUnwritable.
+  /// Adds the results of the live run to a take that has ended, so that compareReplay() can compare
+  /// them. Writes trajectory.csv, run.json and a list of the images in each frame to the folder
+  /// `live` of the take, and the project with the settings at the end of the run to live.toml. Does
+  /// nothing if nothing was tracked, or if the take has none of the run's images. Returns
+  /// FileUnwritable if a file cannot be written.
   Status addLiveRun(const LiveRun& live) const;
-  /// Ends the take in less than about 1 s and completes its files. Returns the first problem of a
-  /// file.
+  /// Ends the take and completes its files, which takes up to about 1 s. Returns the first error of
+  /// writing a file.
   Status stop();
 
 private:

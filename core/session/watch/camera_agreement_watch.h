@@ -13,20 +13,21 @@ namespace dewpoint::session {
 /// for methods that track boxes, whose cameras need no calibration.
 class CameraAgreementWatch final : public FrameObserver {
 public:
-  /// `motion` must outlive this object. A fault that may be explained by a camera that `motion`
-  /// reports as moved is not reported here.
+  /// Creates a watch for the cameras of `rig`. A fault is not reported if a camera that `motion`
+  /// reports as moved may explain it. `motion` must outlive this object.
   CameraAgreementWatch(const CameraRig& rig, const CameraMotionWatch& motion)
       : agreement_(rig), motion_(motion) {}
 
   Status tracked(const TrackingRun& run) override;
 
-  /// Returns the faults known so far (CameraAgreement::found()); none for a method that needs no
-  /// calibration.
+  /// Returns the faults of the cameras found so far (CameraAgreement::found()); none for a method
+  /// that needs no calibration.
   std::vector<CameraDisagreement> found(const MethodFamily& family) const;
 
-  /// Sets other calibrations of the same cameras and starts the assessment from scratch.
+  /// Replaces the calibrations of the cameras and starts the assessment from scratch.
   void setCameras(const CameraRig& rig) { agreement_ = CameraAgreement(rig); }
-  /// Pauses the check while a calibration board is shown to live cameras.
+  /// Pauses or resumes the check. The check is paused while a calibration board is shown to live
+  /// cameras.
   void setPaused(bool paused) { paused_ = paused; }
   /// Discards all measurements.
   void restart() { agreement_.restart(); }

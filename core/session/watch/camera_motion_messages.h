@@ -12,24 +12,24 @@ namespace dewpoint::session {
 
 /// Stage of handling a moved camera.
 enum class CameraMotionStage {
-  Waiting, ///< its new pose is being computed
-  Solved,  ///< its new pose is known
-  /// Its new pose is still unknown after kPoseSearchTimeout, because its images do not determine
-  /// the pose.
+  Waiting, ///< the camera's new pose is being computed
+  Solved,  ///< the camera's new pose is known
+  /// The camera's new pose is still unknown after kPoseSearchTimeout, because its images do not
+  /// determine the pose.
   Unsolvable,
-  Back ///< it is back in its calibrated pose
+  Back ///< the camera is back in its calibrated pose
 };
 
-/// Time in seconds of the run after which a pose that is still unknown is unlikely to be found. The
-/// search repeats about once a second.
+/// Time after a camera motion, in seconds of the run, after which a new pose that is still unknown
+/// is unlikely to be found.
 inline constexpr double kPoseSearchTimeout = 3.0;
 
-/// Returns the stage of a report; `now` is in seconds of the run.
+/// Returns the stage of handling a moved camera; `now` is in seconds of the run.
 CameraMotionStage stageOf(const CameraMotionReport& report, double now);
 
-/// Selects the messages about moved cameras: each stage of a motion is reported once. After a pose
-/// is known, no worse stage of that motion is reported. When a report disappears, the earlier
-/// messages are withdrawn and the remaining motions are reported again.
+/// Selects the messages about moved cameras, so that each stage of a motion is reported once. After
+/// the new pose is known, no worse stage of the same motion is reported. When a report disappears,
+/// the earlier messages are withdrawn and the remaining motions are reported again.
 class CameraMotionMessages {
 public:
   struct Item {
@@ -41,8 +41,8 @@ public:
     std::vector<Item> items;
   };
 
-  /// Takes all reports of a frame, in the order of the motions, and returns the new messages; `now`
-  /// is in seconds of the run.
+  /// Returns the new messages for all reports of a frame, which are in the order of the motions;
+  /// `now` is in seconds of the run.
   News take(const std::vector<CameraMotionReport>& reports, double now);
   /// Forgets earlier messages, because another run begins.
   void clear();

@@ -16,12 +16,12 @@ namespace dewpoint::session {
 struct CameraMotionReport {
   CameraMotionEvent event;
   bool back = false; ///< the camera is back in its former pose
-  /// Recent distance in this camera's image, in pixels, between targets and the positions at which
-  /// the other cameras expect them.
+  /// Recent distance, in pixels of this camera's image, between targets and their positions
+  /// according to the other cameras; empty if unknown.
   std::optional<double> targetPixels;
-  /// Current pose of the camera, which can replace the one in the project. It is computed about
-  /// once a second from the measured rotation and from where the camera has seen tracked targets
-  /// since the motion.
+  /// Current pose of the camera, which can replace the pose in the project; empty if unknown. It is
+  /// computed about once a second from the measured rotation and from the tracked targets that the
+  /// camera has seen since the motion.
   std::optional<MovedCameraPose> newPose;
 };
 
@@ -35,20 +35,20 @@ public:
   /// Processes a frame after its iterations.
   void watch(const FrameSet& frames, const std::vector<Target>& targets,
              const std::vector<SphereEstimate>& estimates);
-  /// Pauses detection while a calibration board is shown to live cameras: a moving board that fills
-  /// the view, or was in the reference image, looks like a rotation of the camera. After the board
-  /// has been put down, each camera without a report counts as being in its calibrated pose, and
-  /// its image becomes the reference.
+  /// Pauses or resumes the detection. It must be paused while a calibration board is shown to live
+  /// cameras, because a moving board can look like a rotation of the camera. After the pause, each
+  /// camera without a report is assumed to be in its calibrated pose, and its image becomes the new
+  /// reference.
   void setPaused(bool paused);
   const std::vector<CameraMotionReport>& reports() const { return reports_; }
-  /// Returns one notice for each report: which camera moved, how far, and when.
+  /// Returns one notice for each report: which camera has moved, how far, and when.
   std::vector<Error> notices() const;
-  /// Sets other calibrations of the same cameras. Cameras whose calibration changed are assumed to
-  /// be in the new pose and are no longer reported.
+  /// Replaces the calibrations of the cameras. A camera whose calibration changed is assumed to be
+  /// in the new pose and is no longer reported.
   void setCameras(const CameraRig& rig);
-  /// Assumes that all cameras are in their calibrated poses and discards the measurements, except
-  /// for motions that a new calibration already includes. Playing a recording again therefore gives
-  /// the same reports.
+  /// Starts from scratch for a restarted run: assumes that all cameras are in their calibrated
+  /// poses and discards all measurements. Motions that a new calibration already includes are
+  /// remembered, so that they are not reported again.
   void restart();
 
 private:
@@ -71,8 +71,9 @@ private:
   double resumeTime_ = -1e18; ///< seconds
 };
 
-/// Returns the pose of a camera that moved, computed from its current rotation `turn` and from the
-/// sightings at or after `since` (seconds).
+/// Returns the new pose of a camera that has moved, computed from its measured rotation `turn` and
+/// from the targets that it has seen at or after the time `since` (seconds). Returns an error if
+/// these do not determine the pose.
 Result<MovedCameraPose> estimatePoseAfterMotion(const Camera& camera, const CameraRotation& turn,
                                                 const std::deque<ReprojectionResidual>& sightings,
                                                 double since);

@@ -6,8 +6,7 @@
 
 namespace dewpoint::session {
 
-/// Everything that checks the cameras during a run: whether one was moved, and whether they agree
-/// with each other.
+/// Checks during a run whether a camera has moved, and whether the cameras agree with each other.
 class CameraWatches final : public FrameObserver {
 public:
   /// `rig` is the calibration at the start of the run.
@@ -21,12 +20,13 @@ public:
 
   const CameraMotionWatch& motion() const { return motion_; }
   const CameraAgreementWatch& agreement() const { return agreement_; }
-  /// Sets other calibrations of the same cameras.
+  /// Replaces the calibrations of the cameras.
   void setCameras(const CameraRig& rig) {
     motion_.setCameras(rig);
     agreement_.setCameras(rig);
   }
-  /// Pauses the checks while a calibration board is shown to live cameras.
+  /// Pauses or resumes the checks. They are paused while a calibration board is shown to live
+  /// cameras.
   void setPaused(bool paused) {
     motion_.setPaused(paused);
     agreement_.setPaused(paused);

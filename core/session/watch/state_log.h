@@ -9,13 +9,13 @@
 
 namespace dewpoint::session {
 
-/// CSV table of the states of a run's targets, with the reason for each state except `held`; it
-/// complements the trajectory. It has a row for every change of a target's state or of the reason.
+/// CSV table of the states of a run's targets over time, with the reason for each state other than
+/// `held`. The table has one row for every change of a target's state or of its reason.
 class StateLog {
 public:
   explicit StateLog(const CameraRig& rig);
 
-  /// Adds a frame; targets are in the order of the record.
+  /// Adds the states of the targets in one frame; `targets` are in the order of the record.
   void append(const FrameRecord& record, const std::vector<Target>& targets);
   /// Returns the table with columns time_s, frame (from 0), target, state (held, searching, lost,
   /// gone) and reason. The reason is the text of describeReasons(), empty while held.
