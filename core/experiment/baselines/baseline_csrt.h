@@ -6,9 +6,10 @@
 
 namespace dewpoint::experiment {
 
-/// OpenCV's CSRT (Lukežič et al. 2017) with default parameters, applied to the camera image. It
-/// does not use the color mask. The reported position is the box center. The follower loses the
-/// target when CSRT reports a failure, or when the box center is outside the image.
+/// Follower that uses OpenCV's CSRT tracker (Lukežič et al. 2017) with default parameters. It works
+/// on the camera image and does not use the color mask. The reported position is the center of the
+/// tracker's box. The follower loses the target when CSRT reports a failure, or when the box center
+/// is outside the image.
 class CsrtFollower final : public CameraFollower {
 public:
   bool start(const CameraImages& images, const cv::Rect& box) override;

@@ -7,7 +7,7 @@
 
 namespace dewpoint::experiment {
 
-/// Parameters of the Kalman filter.
+/// Parameters of PositionKalmanFilter.
 struct KalmanSetup {
   double accelerationSigma =
       6.0; ///< standard deviation of the acceleration between two frames, m/s² per axis
@@ -32,8 +32,8 @@ public:
   void reset() { *this = PositionKalmanFilter(setup_); }
   /// Predicts the state `seconds` later.
   void predict(double seconds);
-  /// Updates the state with a measured position (m) and its covariance (m²), unless the position is
-  /// outside the gate. The first measurement starts the filter.
+  /// Updates the state with a measured position (m) and its covariance (m²). A position outside the
+  /// gate is rejected. The first measurement starts the filter.
   void update(const Eigen::Vector3d& position, const Eigen::Matrix3d& covariance);
 
   bool started() const { return started_; }

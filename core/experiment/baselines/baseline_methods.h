@@ -16,8 +16,8 @@ namespace dewpoint::experiment {
 std::vector<std::string> suiteMethods();
 
 /// Creates the tracker for one of suiteMethods(). The tracker receives only what a method may know
-/// about the run, not the truth. For `dewpoint-smoothed`, it is the tracker of `dewpoint`, whose
-/// estimates are smoothed after the run. Returns NotFound for any other name.
+/// about the run, not the truth. The name `dewpoint-smoothed` gives the tracker of `dewpoint`,
+/// because the estimates are smoothed after the run. Returns NotFound for any other name.
 Result<std::unique_ptr<Tracker>> makeSuiteTracker(const std::string& method,
                                                   const ScenarioRun& run);
 

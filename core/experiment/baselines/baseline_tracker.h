@@ -12,13 +12,14 @@
 
 namespace dewpoint::experiment {
 
-/// Options that select a variant of the baseline.
+/// Options that select one of the baseline methods.
 struct BaselineSetup {
-  /// Creates a follower for a target in a camera. If null, there are no followers, and blobs are
-  /// paired again in every frame.
+  /// Creates a follower, which follows one target through the images of one camera. If null, there
+  /// are no followers, and blobs are paired again in every frame.
   CameraFollowerFactory follower = nullptr;
-  /// True if a Kalman filter smooths the triangulated positions. A pair of blobs with a position
-  /// outside the gate of the filter is then used only if no pair has a position inside it.
+  /// True if a Kalman filter smooths the triangulated positions. A pair of blobs whose position is
+  /// outside the gate of the filter is then used only if no other pair has a position inside the
+  /// gate.
   bool kalman = false;
 };
 

@@ -67,10 +67,10 @@ public:
   std::optional<Bearing> bearing(std::size_t camera, std::size_t blob, const Eigen::Vector2d& pixel,
                                  double radiusPx) const;
 
-  /// Finds every position on which at least two cameras agree. The result contains each pair of
+  /// Returns every position on which at least two cameras agree. The result contains each pair of
   /// blobs that fit together, and the same pair extended by the nearest fitting blob of each
-  /// additional camera. `radius` is the target radius in meters. If it is 0 (unknown), the blob
-  /// sizes must agree with each other instead. Only the largest 16 + `targetCount` blobs of each
+  /// additional camera. `radius` is the target radius in meters; if it is 0 (unknown), the blob
+  /// sizes only have to agree with each other. Only the largest 16 + `targetCount` blobs of each
   /// camera are considered. `cameras` is in rig order.
   std::vector<PairedBlobs> pair(const std::vector<CameraBlobs>& cameras, double radius,
                                 std::size_t targetCount) const;
@@ -99,15 +99,15 @@ private:
   std::vector<SphereProjector> projectors_;
 };
 
-/// Returns the largest residual of the bearings at a position (world, meters), where each residual
-/// is divided by its limit. The limit is kMaxResidualPx, or kMaxResidualRadii for large blobs.
-/// Bearings agree if the result is at most 1.
+/// Returns the largest distance between a bearing's ray and a position (world, meters), relative to
+/// the allowed distance: kMaxResidualPx, or kMaxResidualRadii for large blobs. The bearings agree
+/// on the position if the result is at most 1.
 double relativeResidual(const std::vector<Bearing>& bearings, const Eigen::Vector3d& position);
 
-/// Assigns pairs to targets, and returns the position for each target. The cost of an assignment is
-/// the cost of the pair plus the squared Mahalanobis distance between the pair's position and the
-/// target's expected position. The assignment with the lowest cost is made first, and each blob is
-/// used once. The entry of a target is empty if no pair is left for the target.
+/// Assigns pairs of blobs to targets, and returns the position of each target; empty for a target
+/// that gets no pair. The cost of an assignment is the cost of the pair plus the squared
+/// Mahalanobis distance between the pair's position and the target's expected position. The
+/// assignment with the lowest cost is made first, and each blob is used once.
 std::vector<std::optional<TriangulatedPoint>>
 assignPairs(const std::vector<PairedBlobs>& pairs, const std::vector<ExpectedPosition>& expected);
 

@@ -11,15 +11,16 @@ namespace dewpoint::experiment {
 /// Followers of one target, at most one per camera.
 class CameraFollowers {
 public:
-  /// Starts without followers. If `make` is null, no camera ever has a follower.
+  /// Creates an object without followers for this number of cameras. If `make` is null, no camera
+  /// ever gets a follower.
   CameraFollowers(CameraFollowerFactory make, std::size_t cameraCount)
       : make_(make), followers_(cameraCount) {}
 
   /// Removes all followers.
   void clear();
   bool hasFollower(std::size_t camera) const { return followers_[camera] != nullptr; }
-  /// Replaces the follower of this camera with a new one. If the new one cannot start in `box`, the
-  /// camera has no follower.
+  /// Replaces the follower of this camera by a new one that starts in `box`. If it cannot start
+  /// there, the camera has no follower afterward.
   void start(std::size_t camera, const CameraImages& images, const cv::Rect& box);
   /// Returns the target position that each camera's follower finds in the next images, in rig
   /// order. The entry of a camera is empty if it has no follower or no image, or if the follower

@@ -8,15 +8,15 @@
 
 namespace dewpoint::experiment {
 
-/// Returns the volume that all cameras of a rig see (geometry::commonVolume). If there is none,
-/// returns a volume that at least two cameras see. Returns nothing if there are fewer than two
-/// cameras, or if no two cameras see a common volume.
+/// Returns the volume that all cameras of a rig see (geometry::commonVolume) or, if there is none,
+/// a volume that at least two cameras see. Returns nothing if no two cameras see a common volume.
 std::optional<StartVolume> commonViewVolume(const CameraRig& rig);
 
-/// Returns the start volume for a method that would otherwise start on the desk described in its
-/// paper. It is the part of the run's start volume that lies in the volume seen by the cameras
-/// (commonViewVolume()). If the run starts at a point, it is the whole commonViewVolume(). If the
-/// two volumes do not intersect, or if there is no common volume, it is the run's start volume.
+/// Returns the volume in which a method starts to search. This is the part of the run's start
+/// volume that the cameras see (commonViewVolume()); if the run starts at a point, the whole
+/// commonViewVolume(). If there is no common volume, or if the two volumes do not intersect, it is
+/// the run's start volume. Use it for methods that would otherwise start on the desk described in
+/// their paper.
 StartVolume startVolumeFromRig(const ScenarioRun& run);
 
 } // namespace dewpoint::experiment

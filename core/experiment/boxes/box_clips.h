@@ -27,7 +27,7 @@ struct BoxClip {
       image; ///< returns the image (CV_8UC3) of a frame; frames are counted from 0
 };
 
-/// Reads all images of a clip.
+/// Returns all images of a clip, or the first error of reading one.
 Result<std::vector<cv::Mat>> imagesOf(const BoxClip& clip);
 
 /// Creates a clip of the first ball of a scene as seen by one camera. The clip is named after the

@@ -33,16 +33,18 @@ public:
   virtual std::optional<BoxConfidence> confidence() const { return std::nullopt; }
 };
 
-/// Creates one of Dewpoint's own methods that follow boxes, by name. It uses one thread.
+/// Creates a follower with one of Dewpoint's own methods that track boxes, by the name of the
+/// method. The follower uses one thread.
 Result<std::unique_ptr<BoxFollower>> makeBoxFollower(const std::string& method, int particles,
                                                      std::uint64_t seed);
 
 /// Returns the names of OpenCV's trackers: "camshift", "meanshift", "csrt", "kcf".
 const std::vector<std::string>& openCvFollowers();
 
-/// Creates an OpenCV tracker with default parameters. CamShift and meanShift get the
-/// back-projection of the box's hue histogram, as in OpenCV's samples (16 hues, pixels without
-/// color excluded). The trackers use no random numbers.
+/// Creates a follower with an OpenCV tracker and its default parameters, by a name from
+/// openCvFollowers(). CamShift and meanShift work on the back-projection of the box's hue
+/// histogram, as in OpenCV's samples (16 hues, pixels without color excluded). The trackers use no
+/// random numbers.
 std::unique_ptr<BoxFollower> makeOpenCvFollower(const std::string& name);
 
 /// Returns the names of all methods that follow a box in one camera. OpenCV's methods have the

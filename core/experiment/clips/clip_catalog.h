@@ -11,7 +11,7 @@ namespace dewpoint::experiment {
 /// and names of clips from a single camera begin with R2.
 std::span<const ClipDeclaration> clipCatalog();
 
-/// Returns the known recordings from which no clip is made.
+/// Returns the known recordings from which no clip is made, each with the reason.
 std::span<const OmittedRecording> omittedRecordings();
 
 } // namespace dewpoint::experiment

@@ -27,11 +27,12 @@ Result<ClipTable> readClipTable(const std::filesystem::path& file,
                                 const std::vector<std::string>& columns,
                                 const std::string& wordColumn = {});
 
-/// Maximum frame number in the table of a clip; a list of all frames up to it takes 0.2 GB.
+/// Largest frame number allowed in the table of a clip. It limits a list of all frames to 0.2 GB.
 inline constexpr std::int64_t kMaxClipFrame = 1'000'000;
 
-/// Checks that all numbers of the first columns are whole numbers from 0 to kMaxClipFrame.
-/// `names`: of these columns. Error: NotParsed with the file and the name of the column.
+/// Checks that the first columns of a table, whose names are `names`, contain only whole numbers
+/// from 0 to kMaxClipFrame. Returns NotParsed, with the file and the name of the column, if they do
+/// not.
 Status checkFrameColumns(const ClipTable& table, const std::vector<std::string>& names,
                          const std::filesystem::path& file);
 

@@ -10,7 +10,8 @@
 
 namespace dewpoint::experiment {
 
-/// Statistic of a sample. The argument has at least one value, in ascending order.
+/// Function that computes a statistic, such as a median, of values in ascending order. There is at
+/// least one value.
 using Statistic = std::function<double(const std::vector<double>& sorted)>;
 
 double meanOf(const std::vector<double>& sorted);
@@ -25,12 +26,11 @@ struct BootstrapSetup {
   std::uint64_t seed = 1;
 };
 
-/// Computes a statistic of the values of all runs taken together, and its percentile bootstrap
-/// interval (Efron & Tibshirani 1993, chapter 13). Whole runs are drawn with replacement, because
-/// values within a run depend on each other (cluster bootstrap; Davison & Hinkley 1997, section
-/// 3.8). If the values are independent, pass each one as a separate run. Values must be finite;
-/// runs may be empty. Returns NaN if there are no values. The result depends only on the arguments,
-/// which include the seed.
+/// Returns a statistic of the values of all runs together, with its percentile bootstrap interval
+/// (Efron & Tibshirani 1993, chapter 13). Whole runs are drawn with replacement, because values
+/// within a run depend on each other (cluster bootstrap; Davison & Hinkley 1997, section 3.8). If
+/// the values are independent, pass each value as a separate run. Values must be finite; runs may
+/// be empty. Returns NaN if there are no values. The result is deterministic for a given seed.
 Interval bootstrapInterval(std::span<const std::vector<double>> runs, const Statistic& statistic,
                            const BootstrapSetup& setup = {});
 

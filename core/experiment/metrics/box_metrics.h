@@ -19,11 +19,11 @@ struct BoxMetrics {
   double precision = 0.0;
 };
 
-/// Compares the boxes found by a box tracker with the true boxes. Both have one entry per frame,
-/// beginning with the first frame. Entries of `found` are empty in frames in which the tracker has
-/// given up; their overlap counts as 0. The precision is the fraction of frames in which the found
-/// center is within `radius` pixels of the true center. The success curve is the fraction of frames
-/// whose overlap is above a threshold, for the thresholds 0, 0.05, ..., 1.
+/// Compares the boxes found by a tracker with the true boxes. Both lists have one entry per frame,
+/// beginning with the first frame. An entry of `found` is empty if the tracker has given up; its
+/// overlap counts as 0. The precision is the fraction of frames in which the found center is within
+/// `radius` pixels of the true center. The success curve is the fraction of frames whose overlap is
+/// above a threshold, for the thresholds 0, 0.05, ..., 1.
 BoxMetrics measureBoxes(std::span<const std::optional<ImageBox>> found,
                         std::span<const ImageBox> truth, double radius);
 

@@ -22,7 +22,7 @@ struct ClearMot {
   /// Number of times that a true target was matched again after frames in which it was present but
   /// not matched.
   std::int64_t fragmentations = 0;
-  double distanceSum = 0.0; ///< sum over the matches, meters
+  double distanceSum = 0.0; ///< sum of the distances of all matches, meters
 
   /// Returns the multiple object tracking accuracy (equation 2). It is at most 1 and may be
   /// negative. Returns NaN if there are no true targets.
@@ -32,11 +32,12 @@ struct ClearMot {
   double motp() const;
 };
 
-/// Computes the counts. Frames must be in order. A match is kept in the next frame while both
-/// points are present and no farther apart than `gate` (meters), even if another estimate is
-/// nearer. The remaining points are matched again. Among the matchings with the largest number of
-/// pairs, the one with the smallest total distance is used. While a true target is not matched, the
-/// identity of its last match is remembered.
+/// Computes the CLEAR MOT counts of a sequence. Frames must be in order. A match between a true
+/// target and an estimate is kept in the next frame while both are present and no farther apart
+/// than `gate` (meters), even if another estimate is nearer. The remaining points are matched
+/// again. Among the matchings with the largest number of pairs, the one with the smallest total
+/// distance is used. While a true target is not matched, the identity of its last match is
+/// remembered.
 ClearMot clearMot(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

@@ -18,9 +18,8 @@ struct StateError {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
 };
 
-/// 50 % quantile of the chi-square distribution with three degrees of freedom, like
-/// kChiSquared95ThreeDof for 95 %. The NEES of a consistent estimate is within this bound in half
-/// of the cases.
+/// 50 % quantile of the chi-square distribution with three degrees of freedom. The NEES (normalized
+/// estimation error squared) of a consistent 3D estimate is below this bound in half of the cases.
 inline constexpr double kChiSquared50ThreeDof = 2.365973884375;
 
 /// Agreement of the reported covariances with the errors. NEES is the normalized estimation error
@@ -39,10 +38,10 @@ struct Consistency {
   Proportion inside50; ///< truths in the 50 % ellipsoid
 };
 
-/// Computes the consistency. The bounds are the two-sided chi-square bounds of the mean at
-/// confidence `level`. They are valid for independent errors only. Pass one sample per run, or
-/// treat the bounds as a rough guide. Without usable samples, means are NaN and bounds are
-/// infinite.
+/// Computes how well the reported covariances agree with the errors. The bounds are the two-sided
+/// chi-square bounds of the mean at confidence `level`. They are valid for independent errors only:
+/// pass one sample per run, or treat the bounds as a rough guide. Without usable samples, means are
+/// NaN and bounds are infinite.
 Consistency consistency(std::span<const StateError> errors, double level = 0.95);
 
 /// Returns the NEES of a sample, error^T covariance^-1 error. Returns NaN if the sample is

@@ -11,8 +11,9 @@
 
 namespace dewpoint::experiment {
 
-/// Components of position errors. World frame, meters. rmse² = |bias|² + spread², and in `meanView`
-/// and each entry of `cameras`, rmse² = alongRms² + acrossRms².
+/// Components of position errors. World frame, meters. The errors split in two ways: rmse² =
+/// |bias|² + spread², and for each viewing direction in `meanView` and `cameras`, rmse² = alongRms²
+/// + acrossRms².
 struct ErrorSplit {
   /// Number of finite errors; other errors are ignored. If 0, all values are NaN.
   std::int64_t count = 0;
@@ -24,7 +25,7 @@ struct ErrorSplit {
   std::vector<CameraBias> cameras; ///< error along and across the optical axis of each camera
 };
 
-/// Computes the components of errors (estimate minus truth).
+/// Splits position errors (estimate minus truth, world frame, meters) into their components.
 ErrorSplit splitErrors(const std::vector<Eigen::Vector3d>& errors,
                        const std::vector<TrajectoryCamera>& cameras);
 

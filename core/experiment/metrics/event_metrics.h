@@ -28,25 +28,26 @@ struct TargetFrame {
   bool isFollowed(double gate) const;
 };
 
-/// Pairs, frame by frame, the true positions with identity `truthIdentity` and the estimates with
-/// identity `estimateIdentity`. All frames are marked as visible.
+/// Returns the input of the event metrics for one target, frame by frame: the true position with
+/// identity `truthIdentity` and the estimate with identity `estimateIdentity`. All frames are
+/// marked as visible.
 std::vector<TargetFrame> targetFrames(std::span<const TrackFrame> frames, int truthIdentity,
                                       int estimateIdentity);
 
-/// Returns the number of frames before the first kConvergedFrames successive frames in which the
-/// target is followed. 0 means that the target is followed from the start. Returns nothing if there
-/// are no such successive frames.
+/// Returns the number of frames until convergence: until the target is followed
+/// (TargetFrame::isFollowed()) in kConvergedFrames successive frames. 0 means that the target is
+/// followed from the start. Returns nothing if this never happens.
 std::optional<std::int64_t> framesToConverge(std::span<const TargetFrame> frames, double gate);
 
-/// Returns the same number as framesToConverge(), but counted from frame `event` (a jump, or the
-/// first frame after a blackout).
+/// Returns the number of frames from frame `event` (a jump, or the first frame after a blackout)
+/// until the target is followed again, in the same way as framesToConverge().
 std::optional<std::int64_t> framesToReacquire(std::span<const TargetFrame> frames,
                                               std::int64_t event, double gate);
 
-/// Returns the number of frames in which the method still declares the target present after it has
-/// vanished. They are counted from frame `vanished`, the first frame without the target. 0 means
-/// that the method declares the loss immediately. Returns nothing if the method does not declare
-/// the loss before the target returns or the frames end.
+/// Returns the number of frames, from frame `vanished` on, in which the method still declares a
+/// vanished target present. `vanished` is the first frame without the target. 0 means that the
+/// method declares the loss immediately. Returns nothing if the method does not declare the loss
+/// before the target returns or the frames end.
 std::optional<std::int64_t> framesToDeclareLoss(std::span<const TargetFrame> frames,
                                                 std::int64_t vanished);
 

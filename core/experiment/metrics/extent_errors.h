@@ -9,8 +9,8 @@
 namespace dewpoint::experiment {
 
 /// Largest distance between an estimate and the target's centroid at which the estimate counts as
-/// near, as a fraction of the half extent. Chosen by judgment from the range above 0 up to 1. A
-/// quarter is 9 mm for the suite's usual ball and about 5 cm for a stick of 30 cm.
+/// near, as a fraction of the target's half extent (its longest semi-axis). Chosen by judgment: 9
+/// mm for the suite's usual ball, and about 5 cm for a stick of 30 cm.
 inline constexpr double kNearFraction = 0.25;
 
 /// Position error, true size and estimated size of a target in one frame in which the target can be
@@ -34,8 +34,8 @@ struct ExtentErrors {
   double size = 0.0;     ///< median of |estimatedRadius - radius| / radius; NaN without values
 };
 
-/// Computes the errors. A sample whose true size is not positive does not count as near, and is
-/// left out of the two medians.
+/// Computes the errors relative to the target size. A sample whose true size is not positive does
+/// not count as near, and is left out of the two medians.
 ExtentErrors extentErrors(std::span<const ExtentSample> samples);
 
 } // namespace dewpoint::experiment

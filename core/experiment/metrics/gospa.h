@@ -28,8 +28,8 @@ struct Gospa {
   int falseCount = 0;
 };
 
-/// Averages over frames. As in a single frame, the three contributions (localization, missed and
-/// falseTargets) add up to rootMean^p.
+/// GOSPA averaged over frames. The three contributions (localization, missed and falseTargets) add
+/// up to rootMean^p.
 struct GospaAverage {
   double mean = 0.0;     ///< mean distance, meters
   double rootMean = 0.0; ///< p-th root of the mean of distance^p, meters
@@ -40,10 +40,11 @@ struct GospaAverage {
   double falsePerFrame = 0.0;
 };
 
-/// Returns the GOSPA between the truth and the estimates of one frame. Identities are ignored.
+/// Returns the GOSPA metric between the true targets and the estimates of one frame. Identities are
+/// ignored.
 Gospa gospa(const TrackFrame& frame, const GospaSetup& setup);
 
-/// Returns averages over frames. They are all zero if there are no frames.
+/// Returns the GOSPA metric averaged over frames; all values are zero if there are no frames.
 GospaAverage averageGospa(std::span<const TrackFrame> frames, const GospaSetup& setup);
 
 } // namespace dewpoint::experiment

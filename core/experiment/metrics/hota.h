@@ -27,8 +27,8 @@ struct HotaAtThreshold {
   double hota = 0.0;         ///< sqrt(DetA * AssA)
 };
 
-/// Values at each threshold and their means. LocA is averaged over the thresholds that have
-/// matches.
+/// HOTA scores at each similarity threshold, and their means over the thresholds. LocA is averaged
+/// over the thresholds that have matches.
 struct Hota {
   std::array<HotaAtThreshold, kHotaThresholdCount> thresholds;
   double detection = 0.0;
@@ -37,10 +37,11 @@ struct Hota {
   double hota = 0.0;
 };
 
-/// Computes HOTA. The similarity of a pair is max(0, 1 - distance / gate); `gate` is in meters.
-/// Frames are matched as in the authors' TrackEval, once for all thresholds. The matching of a
-/// frame maximizes a sum over its pairs. The term of a pair is its similarity times the alignment
-/// of its two identities, which measures how well they agree over the whole sequence.
+/// Computes HOTA (higher order tracking accuracy). The similarity of a pair of true target and
+/// estimate is max(0, 1 - distance / gate); `gate` is in meters. Each frame is matched once for all
+/// thresholds, as in the authors' TrackEval. The matching maximizes the sum of each pair's
+/// similarity times the alignment of its two identities. The alignment measures how well two
+/// identities agree over the whole sequence.
 Hota hota(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

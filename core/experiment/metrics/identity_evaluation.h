@@ -22,10 +22,11 @@ struct IdentityComparison {
   bool ground = false; ///< true: positions are compared on the floor, without z
 };
 
-/// Converts an estimated trajectory and the truth to frames. Only valid samples with a finite
-/// position are used. Each target name gets an identity number, in order of appearance. Frames are
-/// matched by frame number; frames that only one of the trajectories contains are included. Returns
-/// Mismatch if a trajectory has no frame numbers, or if there is no common frame.
+/// Converts an estimated trajectory and the truth to frames for the multi-target metrics. Only
+/// valid samples with a finite position are used. Each target name gets an identity number, in
+/// order of appearance. Frames are matched by number; a frame that only one of the trajectories
+/// contains is included. Returns Mismatch if a trajectory has no frame numbers, or if there is no
+/// common frame.
 Result<std::vector<TrackFrame>> trackFrames(const Trajectory& estimate, const Trajectory& truth,
                                             const IdentityComparison& comparison);
 
@@ -38,14 +39,15 @@ struct IdentityEvaluation {
   GospaAverage gospa; ///< GOSPA of order 2
 };
 
-/// Evaluates a trajectory with several targets. Errors are as in trackFrames().
+/// Compares an estimated trajectory of several targets with the truth. Returns the errors of
+/// trackFrames().
 Result<IdentityEvaluation> evaluateIdentities(const Trajectory& estimate, const Trajectory& truth,
                                               const IdentityComparison& comparison);
 
 /// Returns the text that `dewpoint-cli evaluate --identities` prints, with lengths in meters and
 /// millimeters.
 std::string identityText(const IdentityEvaluation& evaluation);
-/// Returns the same evaluation as JSON.
+/// Returns the evaluation as JSON.
 nlohmann::json identityJson(const IdentityEvaluation& evaluation);
 
 } // namespace dewpoint::experiment

@@ -41,8 +41,8 @@ bool isWrong(const ReportedBelief& belief, double gate);
 /// position. A position or covariance that is not finite also counts as wrong.
 bool isConfidentlyWrong(const ReportedBelief& belief);
 
-/// Numbers of cases in which a method is wrong. Each total counts all beliefs, including those in
-/// which the method reports nothing.
+/// Numbers of cases in which a method is wrong, out of all beliefs, including those in which the
+/// method reports nothing.
 struct Overconfidence {
   Proportion wrong; ///< cases in which isWrong() is true
   /// Cases in which isWrong() is true and P(exists) is above kConfidentProbability.
@@ -50,7 +50,8 @@ struct Overconfidence {
   Proportion confidentlyWrong; ///< cases in which isConfidentlyWrong() is true
 };
 
-/// Counts the wrong beliefs; `gate` is in meters.
+/// Counts the beliefs in which a method is wrong (isWrong()) or confidently wrong; `gate` is in
+/// meters.
 Overconfidence overconfidence(std::span<const ReportedBelief> beliefs, double gate);
 
 } // namespace dewpoint::experiment

@@ -22,8 +22,8 @@ struct Proportion {
   double value() const; ///< returns count / total, in [0, 1]; NaN if `total` is 0
 };
 
-/// Returns the score interval for a proportion of independent trials (Wilson 1927). The interval is
-/// [0, 1] if there are no trials.
+/// Returns the proportion with its confidence interval at confidence `level`, for independent
+/// trials (score interval; Wilson 1927). The interval is [0, 1] if there are no trials.
 Interval wilsonInterval(const Proportion& proportion, double level = 0.95);
 
 } // namespace dewpoint::experiment

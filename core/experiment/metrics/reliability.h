@@ -15,7 +15,8 @@ struct Forecast {
   bool happened = false;    ///< outcome, for example that the target was present
 };
 
-/// Row of the reliability table, for forecasts in [low, high). The last row includes high.
+/// Row of the reliability table, for forecasts whose probability is in [low, high). The last row
+/// includes `high`.
 struct ReliabilityBin {
   double low = 0.0;
   double high = 0.0;
@@ -32,11 +33,12 @@ struct Reliability {
   double expectedError = 0.0;
   double maxError = 0.0;     ///< largest difference |frequency - meanProbability|
   double brier = 0.0;        ///< mean of (probability - outcome)² (Brier 1950)
-  std::int64_t count = 0;    ///< usable forecasts
-  std::int64_t unusable = 0; ///< forecasts whose probability is not in [0, 1]
+  std::int64_t count = 0;    ///< number of usable forecasts
+  std::int64_t unusable = 0; ///< number of forecasts whose probability is not in [0, 1]
 };
 
-/// Computes the table with bins of equal width; `binCount` is at least 1.
+/// Computes how well reported probabilities agree with outcomes, in `binCount` bins of equal width.
+/// `binCount` must be at least 1.
 Reliability reliability(std::span<const Forecast> forecasts, int binCount = 10);
 
 } // namespace dewpoint::experiment

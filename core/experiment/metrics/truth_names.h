@@ -9,16 +9,15 @@
 
 namespace dewpoint::experiment {
 
-/// Assigns true targets to tracked targets that look the same, such as balls of one color. The
-/// names of such tracked targets are a matter of chance, so the true targets are assigned to them
-/// by position. Each group in `alike` lists the names of targets that look the same. Within a
-/// group, the assignment with the smallest sum of median distances is chosen. It applies to the
-/// whole trajectory, so two targets that are exchanged during the run still count as an error.
-/// Frames are matched by number.
+/// Assigns true targets, by position, to tracked targets that look the same, such as balls of one
+/// color. Which of these gets which name is a matter of chance, so names cannot be compared. Each
+/// group in `alike` lists the names of targets that look the same. Within a group, the assignment
+/// with the smallest sum of median distances is chosen for the whole trajectory; two targets that
+/// are exchanged during the run therefore still count as an error. Frames are matched by number.
 ///
-/// The result maps the name of a tracked target to the name of its true target, where the two names
-/// differ. It is empty if all names agree. If not all targets of a group can be assigned, because
-/// one of them was never tracked or has no truth, the names of this group are kept.
+/// Returns a map from the name of a tracked target to the name of its true target, for targets
+/// whose two names differ. The map is empty if all names agree. If a target of a group was never
+/// tracked or has no truth, the names of this group are kept.
 std::map<std::string, std::string>
 truthNamesByPosition(const Trajectory& estimate, const Trajectory& truth,
                      const std::vector<std::vector<std::string>>& alike);

@@ -14,7 +14,7 @@ enum class StudyClothes { Both, Different, Similar };
 
 /// Options of an experiment.
 struct ExperimentOptions {
-  /// Output folder for report.html, images and numbers. It is created.
+  /// Output folder for report.html, images and numbers. It is created if it does not exist.
   std::filesystem::path folder;
   int runs = 0; ///< number of seeds per case, from firstSeed on; 0: the experiment's default
   /// Callback that receives the progress `part` (0 to 1). It returns false to stop the experiment.

@@ -13,20 +13,20 @@
 
 namespace dewpoint::experiment {
 
-/// Result of checking a claim of a paper. InPart: the claim holds under some of the conditions that
-/// the paper leaves open.
+/// Result of checking a claim of a paper. InPart means that the claim holds only under some of the
+/// conditions that the paper leaves open.
 enum class ClaimOutcome { Reproduced, InPart, NotReproduced };
 
-/// Returns the outcome for the claim that no run converges. `shares` contains, for each initial
-/// position of the particles, the fraction of runs that converged. The claim is reproduced if every
-/// fraction is below one tenth, and reproduced in part if only some fractions are.
+/// Returns the outcome for the claim of a paper that no run converges. `shares` contains, for each
+/// initial position of the particles, the fraction of runs that converged. The claim is reproduced
+/// if every fraction is below one tenth, and reproduced in part if some fractions are.
 ClaimOutcome noConvergenceOutcome(const std::vector<double>& shares);
 
 /// Report of one experiment: a page with inline plots and separate image files, for light and dark
 /// mode. Text arguments are plain text; the page escapes them.
 class FigurePage {
 public:
-  /// Starts a page with a title and an introductory sentence.
+  /// Creates a page with a title and an introductory sentence.
   FigurePage(const std::string& title, const std::string& sentence);
 
   /// Adds a section heading.

@@ -14,7 +14,7 @@
 
 namespace dewpoint::experiment {
 
-/// Legend entries: style and name of each curve.
+/// Legend entries of a plot: the style (CSS class) and the name of each curve.
 using PlotLegend = std::vector<std::pair<std::string, std::string>>;
 
 /// Returns the error for an experiment that was stopped.
@@ -25,12 +25,12 @@ bool reportProgress(const ExperimentOptions& options, double part);
 /// Creates a line through the values, at the x positions `first` + i * `step`.
 SvgSeries lineSeries(const std::string& style, const std::vector<double>& values,
                      double first = 0.0, double step = 1.0);
-/// Creates points without a line, one per row of `rows`. Column `across` of `rows` contains x, and
-/// column `up` contains y. `area` is the area of a point in square pixels.
+/// Creates a series of points without a line, one point per row of `rows`. Column `across` of
+/// `rows` contains x, and column `up` contains y. `area` is the area of a point in square pixels.
 SvgSeries pointSeries(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
                       Eigen::Index up, double area = 7.0);
 
-/// Sets the same axes on all plots, so that every point is visible. The horizontal and the vertical
+/// Sets the same axis ranges on all plots, so that every point is visible. Horizontal and vertical
 /// axis have the same scale. The vertical axis covers at least `least` meters.
 void setCommonAxes(std::initializer_list<Plot*> plots, double least = 0.5);
 

@@ -9,8 +9,8 @@
 namespace dewpoint::experiment {
 
 /// Creates a report folder and tries to write into it, so that a failure is detected before minutes
-/// of computation. If this fails, returns FileUnwritable with the name of the folder. If there is a
-/// folder with the name of the report file, returns FileUnwritable with this name.
+/// of computation. Returns FileUnwritable with the name of the folder if this fails, or with the
+/// name of the report file if a folder has this name.
 Status prepareReportFolder(const std::filesystem::path& folder,
                            const std::string& report = "report.html");
 

@@ -56,7 +56,7 @@ bool areReportingSeeds(const std::vector<std::uint64_t>& seeds);
 /// Describes the seeds (ascending, without duplicates) and their block, with a warning unless all
 /// are in the reporting block: "1006001 to 1006020, 20 in all: reporting seeds, ...".
 std::string describeSeeds(const std::vector<std::uint64_t>& seeds);
-/// Describes `count` seeds from `first` on in the same way.
+/// Describes `count` seeds from `first` on, in the same way as describeSeeds() for a list.
 std::string describeSeeds(std::uint64_t first, int count);
 
 } // namespace dewpoint::experiment

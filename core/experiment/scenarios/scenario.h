@@ -20,8 +20,8 @@
 
 namespace dewpoint::experiment {
 
-/// Event in a run at a certain frame. Metrics use it, for example to measure how fast a target is
-/// found again.
+/// Event in a run at a certain frame. Metrics use events, for example to measure how fast a target
+/// is found again after a jump.
 struct ScenarioEvent {
   enum class Kind {
     Jump,
@@ -41,7 +41,7 @@ struct ScenarioEvent {
   int camera = -1; ///< index of the affected camera; -1: all cameras, or no particular camera
 };
 
-/// Mark: the true center of a target in one image of a real clip.
+/// True center of a target in one image of a real clip, called a mark.
 struct MarkedCenter {
   std::int64_t frame = 0; ///< frame number in the run
   std::size_t target = 0; ///< index among the run's targets
@@ -84,8 +84,8 @@ struct ScenarioRun {
   /// estimates take this uncertainty into account.
   double truthSigma = 0.0;
   std::vector<ScenarioEvent> events;
-  /// How late the time stamps of each camera are at the end of the run, without their jitter,
-  /// seconds. Methods do not know this. Empty for real recordings.
+  /// Delay of the time stamps of each camera at the end of the run, without jitter, in seconds.
+  /// Methods do not know this delay. Empty for real recordings.
   std::vector<double> delaysAtEnd = {};
   /// Frames with a known truth, ascending. Only these frames are evaluated. If empty, all frames
   /// are evaluated.
@@ -98,9 +98,8 @@ struct ScenarioRun {
   /// limit.
   double markGate = 0.0;
   /// Number of objects in the images that fit the first target equally well in start position,
-  /// color and size. If it is 1, the start position determines which object is the target. If it is
-  /// larger, no image ever shows which of them is the target. The probability that a correct method
-  /// reports for an estimate is then at most 1 / equalCandidates.
+  /// color and size. If there are several, no image ever shows which object is the target, so a
+  /// correct method reports a probability of at most 1 / equalCandidates for an estimate.
   int equalCandidates = 1;
   /// Returns the images of frame k. This is a pure function, so all methods see identical images.
   std::function<FrameSetPtr(std::int64_t)> frames;
@@ -108,9 +107,9 @@ struct ScenarioRun {
 
 /// Declaration of a scenario of the suite.
 struct ScenarioDeclaration {
-  std::string name;     ///< "S4-desk-cloud"
-  std::string family;   ///< "S4"
-  std::string sentence; ///< what happens in it
+  std::string name;     ///< for example "S4-desk-cloud"
+  std::string family;   ///< for example "S4"
+  std::string sentence; ///< what happens in the scenario
   int seeds = 20;       ///< default number of runs in a report
   /// Creates the run for a seed and grade. Returns Undetermined if the random draws allow no run,
   /// for example if they find no position at which everything that must be visible is visible. The

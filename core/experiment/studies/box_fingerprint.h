@@ -9,8 +9,8 @@
 
 namespace dewpoint::experiment {
 
-/// Computes fingerprints like suiteFingerprints(), for methods of boxFollowerNames(). If `methods`
-/// is empty, all of them are used. A fingerprint covers the boxes that a method finds, with 300
+/// Returns a checksum (fingerprint) of the results of each of the methods, by name; `methods` are
+/// from boxFollowerNames(), or empty for all. It covers the boxes that a method finds, with 300
 /// particles, in the first images of the rendered clip (first tuning seed), starting from the true
 /// first box.
 ///

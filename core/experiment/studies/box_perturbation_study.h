@@ -52,9 +52,9 @@ struct BoxPerturbationRow {
 /// Returns the methods that studyPerturbedBoxes() compares by default.
 std::vector<std::string> perturbationMethods();
 
-/// Follows every clip from inexact first boxes with `sugandi` and `histogram` (300 particles,
-/// `seeds` runs each, from `firstSeed` on), CSRT and CamShift. `report` receives each row when it
-/// is finished, and returns false to stop.
+/// Follows every clip from inexact first boxes (boxPerturbations()) with each of `methods`.
+/// Dewpoint's own methods use 300 particles and `seeds` runs, with seeds from `firstSeed` on.
+/// `report` receives each row when it is finished, and returns false to stop.
 Result<std::vector<BoxPerturbationRow>>
 studyPerturbedBoxes(const std::vector<BoxClip>& clips, int seeds,
                     const std::function<bool(const BoxPerturbationRow&)>& report,

@@ -9,11 +9,11 @@
 
 namespace dewpoint::experiment {
 
-/// Returns CSV with one row per case: name, ball position, start position and half size of the
-/// start box (m), first seed, number of runs, number of converged runs, and number of converged
-/// runs with an RMSE below 3 cm. For the converged runs, the row also contains the median number of
-/// iterations, the RMSE (mm), and the bias along the optical axis (mm). These cells are empty if no
-/// run converged.
+/// Returns the results of the convergence study as CSV, one row per case: name, ball position,
+/// start position and half size of the start box (m), first seed, number of runs, number of
+/// converged runs, and number of converged runs with an RMSE below 3 cm. Three more cells, empty if
+/// no run converged, are for the converged runs: median number of iterations, RMSE (mm), and bias
+/// along the optical axis (mm).
 std::string convergenceCsv(const std::vector<ConvergenceResult>& results);
 
 /// Drift of the particle cloud with one camera, see measureDrift().
@@ -23,7 +23,7 @@ struct DriftResult {
   int iterations = 0;
   double meters = 0.0; ///< drift per iteration, meters
 };
-/// Returns CSV with one row per result, in millimeters per iteration.
+/// Returns the drift results as CSV, one row per result; the drift is in millimeters per iteration.
 std::string driftCsv(const std::vector<DriftResult>& results);
 
 } // namespace dewpoint::experiment

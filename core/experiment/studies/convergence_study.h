@@ -35,8 +35,9 @@ struct ConvergenceCase {
 };
 
 /// Results of the `barrera` method for a case, with one run per seed and one iteration per frame.
-/// Convergence is determined from the cloud alone, see convergenceIteration(). From convergence on,
-/// the distance between the cloud's mean and the ball is measured.
+/// Convergence is determined from the spread of the particle cloud alone, see
+/// convergenceIteration(). Errors are distances between the cloud's mean and the ball after
+/// convergence.
 struct ConvergenceResult {
   ConvergenceCase setup;
   int converged = 0; ///< number of runs whose cloud has converged at the end
@@ -47,16 +48,15 @@ struct ConvergenceResult {
   double depthBias = 0.0; ///< bias along camera 1's optical axis in the same iterations, meters
 };
 
-/// Returns the iteration (counted from 1) from which on a cloud has converged. `spreads` contains
-/// the spread of the cloud after each iteration: the root mean square distance of the weighted
-/// particles from their mean, meters. The cloud has converged if the spread stays below sqrt(3) *
-/// motionSigma. This is the spread that one motion step gives to a single point, so a smaller
-/// spread means that the images add more information than the motion removes. Returns nothing if
-/// the last spread is not below this limit.
+/// Returns the iteration (counted from 1) from which on a particle cloud has converged. `spreads`
+/// contains the spread of the cloud after each iteration: the root mean square distance of the
+/// weighted particles from their mean, meters. The cloud has converged when the spread stays below
+/// sqrt(3) * motionSigma, the spread that one motion step gives to a single point. Returns nothing
+/// if the last spread is not below this limit.
 std::optional<int> convergenceIteration(std::span<const double> spreads, double motionSigma);
 
-/// Returns the cases of Barrera et al. 2005, section III. Values that the paper does not give are
-/// chosen here: ball positions, start volumes and camera directions.
+/// Returns the cases of Barrera et al. 2005, section III. Ball positions, start volumes and camera
+/// directions are chosen here, because the paper does not give them.
 std::vector<ConvergenceCase> barreraConvergenceCases(int runs = 100,
                                                      std::uint64_t firstSeed = kFirstTuningSeed);
 
@@ -66,7 +66,7 @@ std::vector<ConvergenceCase> barreraConvergenceCases(int runs = 100,
 /// ball and the start, which are 35 degrees apart in its view.
 ConvergenceCase figure3Case(int runs = 100, std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Runs one case, in which the ball does not move.
+/// Runs one case with all its seeds and returns its results. The ball does not move.
 Result<ConvergenceResult> studyConvergence(const ConvergenceCase& setup);
 
 /// Callback after each iteration (counted from 1) of a run, with the run and its estimate.
@@ -76,14 +76,14 @@ using ConvergenceCallback =
 Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
                         const ConvergenceCallback& watch);
 
-/// Returns, for each iteration, the distance in meters by which the cloud's mean has moved away
-/// from camera 1 since the start. The distances are averaged over runs; see measureDrift().
+/// Returns, for each iteration, how far (meters) the mean of the particle cloud has moved away from
+/// camera 1 since the start, averaged over runs; see measureDrift().
 Result<std::vector<double>> driftCurve(int runs, int iterations,
                                        std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Measures the systematic drift (section III, figures 4 and 5), averaged over runs. The drift is
-/// the distance, in meters per iteration, by which the cloud's mean moves away from camera 1 along
-/// the optical axis of this camera. No other camera is used.
+/// Returns the systematic drift of the particle cloud with a single camera (Barrera et al. 2005,
+/// section III, figures 4 and 5), averaged over runs: how far the cloud's mean moves away from
+/// camera 1 along its optical axis, in meters per iteration.
 Result<double> measureDrift(int runs = 50, int iterations = 40,
                             std::uint64_t firstSeed = kFirstTuningSeed);
 

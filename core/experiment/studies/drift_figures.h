@@ -9,11 +9,10 @@
 namespace dewpoint::experiment {
 
 /// Returns the fraction of particles that stay in a cone after one step, as sketched in figure 5 of
-/// Barrera et al. 2005. The particles are spread evenly over the cross-section of the cone at
-/// `depth` meters from its apex (radius `slope` times the depth). A step moves a particle away from
-/// the apex along the axis, and by N(0, motionSigma) meters sideways. `steps` contains the lengths
-/// along the axis (meters). The result has one value per entry in `steps`. Random numbers use a
-/// fixed seed.
+/// Barrera et al. 2005; one value per step length. The particles start spread evenly over the
+/// cross-section of the cone at `depth` meters from its apex (radius `slope` times the depth). A
+/// step moves a particle along the axis, away from the apex, by one of the lengths `steps`
+/// (meters), and sideways by N(0, motionSigma) meters. Random numbers use a fixed seed.
 std::vector<double> fractionStayingInCone(double slope, double depth, double motionSigma,
                                           const std::vector<double>& steps);
 

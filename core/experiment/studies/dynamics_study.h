@@ -54,15 +54,15 @@ std::vector<double> meanErrors(const DynamicsSetup& setup, int runs,
 /// stays there at least up to `end`. Returns -1 if this does not happen.
 int iterationsUntilBelow(const std::vector<double>& errors, int from, int end, double bound);
 
-/// Returns the largest speed of a steadily moving object that a cloud can follow with an error
-/// below a quarter of a meter, in meters per iteration. It is found by bisection; each speed is
+/// Returns the largest speed, in meters per iteration, at which the cloud follows a steadily moving
+/// object with an error below a quarter of a meter. The speed is found by bisection; each speed is
 /// tested in runs of 60 iterations with `runs` seeds.
 double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed = kFirstTuningSeed);
 
-/// Returns the distance per iteration (meters) by which the cloud's mean moves toward a distant
-/// object, averaged over `runs` seeds. It is about motionSigma times the expected maximum of N
-/// standard normal numbers, where N is the number of particles (2.75 * motionSigma for N = 200).
-/// The reason is that only the particle nearest to the object survives.
+/// Returns how far the cloud's mean moves toward a distant object per iteration, in meters,
+/// averaged over `runs` seeds. Only the particle nearest to the object survives, so this is about
+/// motionSigma times the expected maximum of N standard normal numbers, where N is the number of
+/// particles (2.75 * motionSigma for N = 200).
 double advanceTowardFarObject(DynamicsSetup setup, int runs,
                               std::uint64_t firstSeed = kFirstTuningSeed);
 

@@ -22,10 +22,10 @@ std::string_view experimentGroupTitle(ExperimentGroup group);
 struct FigureExperiment {
   std::string_view name;     ///< name on the command line
   std::string_view title;    ///< name in menus and reports
-  std::string_view sentence; ///< what it shows, and its source
+  std::string_view sentence; ///< what the experiment shows, and its source
   int runs;                  ///< default number of seeds per case
-  /// Runs the experiment. Errors: FileUnwritable, which is detected before any computation starts;
-  /// Canceled.
+  /// Runs the experiment and writes its report. Returns FileUnwritable, before any computation
+  /// starts, if the output folder cannot be written, and Canceled if the user stops it.
   Status (*run)(const ExperimentOptions& options);
   std::string_view report = "report.html"; ///< report file in the output folder
   bool takesRecordings = false;

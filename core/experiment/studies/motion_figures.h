@@ -18,11 +18,12 @@ struct MaskQuality {
 /// Minimum region area (pixels). Smaller regions are noise. Chosen by judgment.
 inline constexpr int kMinRegionArea = 20;
 
-/// Compares a mask (CV_8UC1, 0 or 255) with the pixels of people (CV_8UC1, nonzero on a person).
+/// Compares a motion mask (CV_8UC1, 0 or 255) with the pixels of people (CV_8UC1, nonzero on a
+/// person).
 MaskQuality maskQuality(const cv::Mat& mask, const cv::Mat& people);
 
 /// Reproduces figures 1 (image, motion mask and motion likelihood image D) and 3 (motion masks over
-/// some frames) of Mohedano et al. 2009 in the simulated office. It is used as
+/// some frames) of Mohedano et al. 2009 in the simulated office. This is a function for
 /// FigureExperiment::run.
 Status mohedanoMotionFigures(const ExperimentOptions& options);
 

@@ -9,9 +9,9 @@
 
 namespace dewpoint::experiment {
 
-/// Computes fingerprints like suiteFingerprints(), for methods that find people. If `methods` is
-/// empty, all of them are used. A fingerprint covers the results for two people in similar clothes
-/// whose paths cross (first tuning seed).
+/// Returns a checksum (fingerprint) of the results of each of the methods, by name; `methods` are
+/// methods that find people, or empty for all. It covers the results for two people in similar
+/// clothes whose paths cross (first tuning seed).
 ///
 /// CLEAR MOT, HOTA, times, and the fractions of found people and of silhouettes are rounded to
 /// 0.001, lengths to 0.1 mm, and volumes to 0.0001 m³. Returns NotFound for an unknown method.

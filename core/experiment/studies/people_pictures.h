@@ -22,9 +22,9 @@ struct PeopleInstant {
 };
 
 /// Returns the frames to show as images: one before people meet, the one in which most people are
-/// present and they are closest to each other, and the one after which identities are assessed. If
-/// a scenario does not compare identities before and after a meeting, only the second of these
-/// frames is returned.
+/// present and they are closest to each other, and the one after the meeting at which identities
+/// are compared. If a scenario does not compare identities, only the second of these frames is
+/// returned.
 std::vector<PeopleInstant> instantsToShow(const PeopleScenario& scenario);
 
 /// Draws an image (CV_8UC3) like figure 2 of Mohedano et al. 2009. It contains the images of all

@@ -12,15 +12,15 @@
 
 namespace dewpoint::experiment {
 
-/// Runs studyPeople() for `seeds` seeds, from setup.seed on, with each kind of clothes in turn.
-/// `progress` receives the number of finished scenes and the total number of scenes. If it returns
-/// false, the function returns the results so far.
+/// Runs studyPeople() for `seeds` seeds, from setup.seed on, with each kind of clothes in turn, and
+/// returns all trials. `progress` receives the number of finished scenes and the total number of
+/// scenes; if it returns false, the study stops and the trials so far are returned.
 Result<std::vector<PeopleTrial>>
 studyPeopleSeries(PeopleStudySetup setup, const std::vector<PeopleClothes>& clothes, int seeds,
                   const std::function<bool(std::int64_t done, std::int64_t all)>& progress);
 
-/// Writes runs.csv, report.html and its images into a folder, which is created. Error:
-/// FileUnwritable.
+/// Writes runs.csv, report.html and its images into a folder, which is created. Returns
+/// FileUnwritable if this fails.
 Status writePeopleStudy(const std::string& scenario, const std::vector<PeopleTrial>& trials,
                         const std::filesystem::path& folder);
 

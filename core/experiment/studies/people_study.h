@@ -31,7 +31,8 @@ struct PeopleTrial {
   PeopleClothes clothes = PeopleClothes::Different;
   std::string method;
   std::uint64_t seed = 0;
-  /// True if every person had an identity before the meeting, and the same identity after it.
+  /// True if every person had an identity before the meeting, and the same identity after the
+  /// meeting.
   bool kept = false;
   double mota = 0.0;
   double motp = 0.0; ///< mean distance of matches (ClearMot::motp()), meters
@@ -72,14 +73,15 @@ struct PeopleStudySetup {
 Status checkPeopleParameters(const PeopleStudySetup& setup);
 
 /// Renders one scene in a grade, runs all methods of `setup` on it, and returns one trial per
-/// method. The methods receive a calibration with errors, PeopleRecording::rig. Their positions and
-/// silhouettes are compared with the truth. Silhouettes are compared in the images of the true
-/// cameras. Unknown scene, method or parameter names are errors.
+/// method. The methods receive a calibration with errors (PeopleRecording::rig). Their positions
+/// are compared with the true ones, and their silhouettes with those in the images of the true
+/// cameras. Returns an error for an unknown scene, method or parameter.
 Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
                                              simulation::ViewCache& views);
 
-/// Returns whether every true target has the same estimate in the frames `before` and `after`, and
-/// no estimate belongs to two targets. Pairs farther apart than `gate` (meters) do not count.
+/// Returns whether all identities were kept: whether every true target is matched to the same
+/// estimate in the frames `before` and `after`, and no estimate to two targets. Pairs farther apart
+/// than `gate` (meters) are not matched.
 bool identitiesKept(const TrackFrame& before, const TrackFrame& after, double gate);
 
 } // namespace dewpoint::experiment

@@ -26,8 +26,8 @@ struct PeopleSummary {
   double longestMissed = 0.0; ///< value of the worst run, seconds
   double hullVolume = 0.0;    ///< mean over runs, m³
   double stepMs = 0.0;        ///< mean over runs, ms
-  /// Means of these two fields in PeopleTrial::everybody, over the runs that have a value; see
-  /// PersonResult.
+  /// Means of the fields `found` and `silhouette` in PeopleTrial::everybody, over the runs that
+  /// have a value; see PersonResult.
   double found = std::numeric_limits<double>::quiet_NaN();
   SilhouetteScores silhouette;
 };
@@ -35,11 +35,12 @@ struct PeopleSummary {
 /// Returns the name of a kind of clothes in tables and files.
 const char* clothesName(PeopleClothes clothes);
 
-/// Summarizes the trials. Summaries are in order of first occurrence.
+/// Returns one summary for each scenario, grade, kind of clothes and method in the trials, in order
+/// of first occurrence.
 std::vector<PeopleSummary> summarize(const std::vector<PeopleTrial>& trials);
-/// Returns a number for a table; "-" if it is NaN.
+/// Returns a number with `digits` decimals for a table; "-" if it is NaN.
 std::string tableCell(double value, int digits);
-/// Returns the header or one row of a table for a terminal.
+/// Return the header and one row of the summary table that is printed in a terminal.
 std::string peopleTableHead();
 std::string peopleTableRow(const PeopleSummary& summary);
 /// Returns the content of runs.csv, with one row per trial.

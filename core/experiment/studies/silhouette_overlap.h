@@ -28,9 +28,9 @@ struct SilhouetteOverlap {
   double iou() const;       ///< returns both / union of estimate and truth; NaN if both are empty
 };
 
-/// Compares masks of equal size (CV_8UC1, nonzero inside): the estimate, the visible part of the
-/// body, and the whole body, visible or not. Where the body is hidden, an estimate is neither right
-/// nor wrong.
+/// Returns the overlap of an estimated silhouette with the true one. All masks have equal size
+/// (CV_8UC1, nonzero inside): the estimate, the visible part of the body, and the whole body.
+/// Pixels where the body is hidden are ignored.
 SilhouetteOverlap overlapOf(const cv::Mat& estimate, const cv::Mat& visible, const cv::Mat& whole);
 
 /// Mean scores over silhouettes. NaN if there were no silhouettes.

@@ -18,18 +18,19 @@ namespace dewpoint::experiment {
 cv::Mat drawBoxFrames(const std::vector<cv::Mat>& images, const std::vector<ImageBox>& truth,
                       const BoxStudyRow& few, const BoxStudyRow& many);
 
-/// Returns the plots of a clip as HTML: x, y and error of the centers over the frames, and the
-/// image from drawBoxFrames().
+/// Returns the figures of a clip as HTML: plots of x, y and error of the box centers over the
+/// frames, and the image from drawBoxFrames().
 std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip);
 /// Returns the file name of the image from drawBoxFrames() for a clip.
 std::string boxFramesFileName(std::size_t clip);
 /// Returns plots for a clip as HTML, like figure 1 of Sugandi et al. 2009: the color histograms of
 /// the first box, which was given to the method, and of the box found halfway through the clip.
 std::string boxHistogramsHtml(const BoxStudy& study, std::size_t clip);
-/// Returns CSV with one row per clip and bin. Bins that are empty in both histograms are omitted.
+/// Returns the color histograms of all clips as CSV, with one row per clip and bin. Bins that are
+/// empty in both histograms of a clip are omitted.
 std::string boxHistogramsCsv(const BoxStudy& study);
-/// Returns CSV with one row per clip, method and frame of the first run. The truth is listed as a
-/// method.
+/// Returns the found boxes as CSV, with one row per clip, method and frame of the first run. The
+/// truth is listed as a method.
 std::string boxTracksCsv(const BoxStudy& study);
 
 } // namespace dewpoint::experiment

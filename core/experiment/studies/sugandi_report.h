@@ -10,7 +10,7 @@
 
 namespace dewpoint::experiment {
 
-/// Returns the study as text with aligned columns, as CSV, or as an HTML page.
+/// Return the results of the box study: as text with aligned columns, as CSV, and as an HTML page.
 std::string boxStudyText(const BoxStudy& study);
 std::string boxStudyCsv(const BoxStudy& study);
 std::string boxStudyHtml(const BoxStudy& study);

@@ -20,7 +20,7 @@ enum class WandCase {
   OneBall,
 };
 
-/// Properties of the simulated recording.
+/// Properties of the simulated recording of the wand.
 struct WandRecording {
   double framesPerSecond = 15.0;
   int jpegQuality = 0; ///< 1 to 100: images are compressed as JPEG; 0: no compression
@@ -41,10 +41,10 @@ struct WandTrial {
   bool passed = false;       ///< true if the requirement of the case is met
 };
 
-/// Runs all cases of the study for one seed. Each trial calibrates the four VGA cameras of the hall
-/// from rendered images of a wand with two balls (OneBall: one ball). The balls are detected by
-/// color, with the same code that tracking uses. The recording lasts 30 seconds. `report` receives
-/// each trial when it is finished, and returns false to stop.
+/// Runs all cases of the study for one seed and returns one trial per case. Each trial calibrates
+/// the four VGA cameras of the hall from rendered images of a wand with two balls (OneBall: one
+/// ball). The balls are detected by color, with the same code that tracking uses. The recording
+/// lasts 30 seconds. `report` receives each trial when it is finished, and returns false to stop.
 std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& recording,
                                  const std::function<bool(const WandTrial&)>& report);
 

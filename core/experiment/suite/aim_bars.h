@@ -7,10 +7,10 @@
 
 namespace dewpoint::experiment {
 
-/// Returns the requirements that are aims for the next version. They limit the belief metrics in
-/// every grade, both their median over the scenarios and their value in the worst scenario. They
-/// also limit the errors in all grades except `ideal`. Their item numbers continue those of the
-/// current requirements.
+/// Returns the requirements that are aims for the next version. They limit the belief metrics
+/// (quality of the reported confidence) in every grade: their median over the scenarios, and their
+/// value in the worst scenario. They also limit the errors in all grades except `ideal`. Their
+/// numbers continue those of the current requirements.
 std::vector<SuiteRequirement> aimRequirements();
 
 } // namespace dewpoint::experiment

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-// Measures compute the value of a requirement from runs. All measures are NaN if the runs have no
-// such value.
+// Measures compute the value of a requirement from runs. The value is NaN if the runs do not
+// contain what is measured.
 namespace dewpoint::experiment {
 
 /// Runs from which a measure is computed.
@@ -48,20 +48,21 @@ RequirementMeasure failureCount(ResultColumn column);
 
 /// Computes the 95th percentile of all errors after convergence.
 RequirementValue pooledP95(const MeasuredRuns& ours, const MeasuredRuns& others);
-/// Computes the calibration error of P(exists), over all frames of all runs.
+/// Computes the expected calibration error of the reported P(exists), over all frames of all runs.
 RequirementValue pooledEceOfRuns(const MeasuredRuns& ours, const MeasuredRuns& others);
-/// Computes the absolute value of the mean depth bias over runs.
+/// Computes the absolute value of the mean, over runs, of the depth bias (the mean error along the
+/// viewing direction).
 RequirementValue depthBias(const MeasuredRuns& ours, const MeasuredRuns& others);
 /// Computes the ratio of the median RMSE of our runs to the median RMSE of triangulation.
 RequirementValue rmseRatioToTriangulation(const MeasuredRuns& ours, const MeasuredRuns& others);
 
-/// Computes the median of a ratio over all runs: the RMSE of our run divided by the RMSE of the
-/// other run with the same scenario and seed. Each RMSE covers only the frames in which both
-/// methods declare the target present. A method therefore gains nothing by giving up in difficult
+/// Computes the median, over all runs, of the RMSE of our run divided by the RMSE of the
+/// triangulation run with the same scenario and seed. Each RMSE covers only the frames in which
+/// both methods declare the target present, so a method gains nothing by giving up in difficult
 /// frames.
 RequirementValue rmseRatioOnSharedFrames(const MeasuredRuns& ours, const MeasuredRuns& others);
-/// Computes the mean of a difference over all runs: the percentage of lost frames in our run minus
-/// that in the run of triangulation with the same scenario and seed.
+/// Computes the mean, over all runs, of the percentage of lost frames in our run minus the
+/// percentage in the triangulation run with the same scenario and seed.
 RequirementValue lostFramesOverTriangulation(const MeasuredRuns& ours, const MeasuredRuns& others);
 
 /// Returns a measure that computes the median of a belief metric over the scenarios.

@@ -14,15 +14,15 @@
 
 namespace dewpoint::experiment {
 
-/// Returns the methods that follow a box through the images of one camera, in table order. They are
-/// those of boxFollowerNames(). Dewpoint's own methods use 300 particles.
+/// Returns the methods that follow a box through the images of one camera (boxFollowerNames()), in
+/// table order. Dewpoint's own methods use 300 particles.
 const std::vector<std::string>& imageClipMethods();
 
-/// Follows a clip with the given images from its first true box, with the method and seed of `key`.
-/// Returns nothing if `stop` returns true. The result covers all frames after the first. It
-/// contains the RMS distance between found and true centers (pixels), the frames to converge, the
-/// lost frames, and the success (BoxMetrics). A frame counts as lost unless the distance is below
-/// the clip's radius. Returns NotFound for a method that is not in imageClipMethods().
+/// Follows a clip from its first true box, with the method and seed of `key`, and returns the
+/// result for all frames after the first: the RMS distance between found and true centers (pixels),
+/// the frames to converge, the lost frames, and the success (BoxMetrics). A frame counts as lost
+/// unless the distance is below the clip's radius. `images` are the images of the clip. Returns
+/// nothing if `stop` returns true, and NotFound for a method that is not in imageClipMethods().
 Result<std::optional<SuiteResult>> followClip(const BoxClip& clip,
                                               const std::vector<cv::Mat>& images, const RunKey& key,
                                               const std::function<bool()>& stop);

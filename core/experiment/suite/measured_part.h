@@ -15,9 +15,9 @@ bool isMeasured(const ScenarioRun& run, std::int64_t frame);
 /// frame with the next one, such as the jitter, require this.
 bool measuresSuccessiveFrames(const ScenarioRun& run);
 
-/// Returns the part of a run that a SuiteRecorder evaluates. It contains the evaluated frames,
-/// renumbered from 0, with their truth and extents but without events or images. If all frames are
-/// evaluated, it is the run itself. Metrics that are given per frame are then per evaluated frame.
+/// Returns the part of a run that a SuiteRecorder evaluates: the evaluated frames, renumbered from
+/// 0, with their truth and extents but without events or images. If all frames are evaluated,
+/// returns the run itself. Metrics per frame are therefore per evaluated frame.
 ScenarioRun measuredPart(const ScenarioRun& run);
 
 } // namespace dewpoint::experiment

@@ -32,16 +32,17 @@ using SkippedRuns = std::set<SkippedRun>;
 bool isSkipped(const SkippedRuns& skipped, const std::string& scenario, Grade grade,
                std::uint64_t seed);
 
-/// Returns a sentence about the skipped run for the user.
+/// Returns a sentence for the user that names a skipped run and the reason.
 std::string skippedSentence(const SkippedRun& run);
 
-/// Returns the header or one line of skipped.csv, without the line end. The reason is quoted.
+/// Return the header and one line of skipped.csv, without the line end. The reason is in quotation
+/// marks.
 std::string skippedHeader();
 std::string skippedText(const SkippedRun& run);
-/// Parses a line. Returns nothing if it is incomplete.
+/// Parses a line of skipped.csv. Returns nothing if the line is incomplete.
 std::optional<SkippedRun> parseSkipped(const std::string& line);
 
-/// Scenario in one grade.
+/// Scenario in one grade (level of realism).
 struct ScenarioGrade {
   std::string scenario;
   Grade grade = Grade::Ideal;

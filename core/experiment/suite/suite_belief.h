@@ -12,7 +12,7 @@ namespace dewpoint::experiment {
 
 /// Metric for the quality of a method's reported confidence.
 struct BeliefMetric {
-  const char* name;     ///< name in files: "coverage95_percent"
+  const char* name;     ///< name in files, for example "coverage95_percent"
   const char* head;     ///< column header in a table, as HTML
   const char* sentence; ///< description of the metric, in one sentence
   /// Computes the value for the runs of one method in one scenario. Returns NaN if the runs have no
@@ -40,7 +40,7 @@ struct ScenarioValue {
   std::string scenario;
   double value = 0.0; ///< NaN: ignored
 };
-/// Computes the median and the worst value.
+/// Computes the median and the worst of values per scenario. NaN values are ignored.
 ScenarioSummary summarizeScenarios(std::span<const ScenarioValue> values, bool lessIsBetter);
 
 /// Belief metrics of a method over all scenarios of one grade.

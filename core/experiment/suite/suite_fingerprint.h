@@ -9,10 +9,10 @@
 
 namespace dewpoint::experiment {
 
-/// Computes a fingerprint of each method's results: errors, NEES and P(exists) in a few short,
-/// fixed runs of the suite with tuning seeds. A refactoring that keeps the results does not change
-/// the fingerprint. It changes if the method, the scenarios or the computation of errors give other
-/// results. It does not cover effects that only appear in longer runs.
+/// Returns a checksum (fingerprint) of each method's results, by method name. It covers errors,
+/// NEES and P(exists) in a few short, fixed runs of the suite with tuning seeds. A refactoring that
+/// keeps the results does not change the fingerprint; a change of the method, the scenarios or the
+/// computation of errors does. Effects that only appear in longer runs are not covered.
 ///
 /// Errors are rounded to 0.01 mm, NEES to three digits, sums of P(exists) to 0.001. Only targets
 /// that a method declares present count. Returns NotFound for an unknown method or scenario.

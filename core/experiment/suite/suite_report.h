@@ -21,18 +21,18 @@ struct SuiteReport {
   std::span<const ScenarioDeclaration> catalog;
   std::vector<std::uint64_t> seeds; ///< ascending, without duplicates
   std::vector<std::string> notes;   ///< sentences about missing data
-  SkippedRuns skipped;              ///< runs that their scenarios could not create
+  SkippedRuns skipped;              ///< runs that could not be created
 };
 
-/// Returns CSV with one line per cell (scenario, grade and method).
+/// Returns the results as CSV, with one line per cell (scenario, grade and method).
 std::string summaryCsv(const SuiteReport& report);
-/// Returns CSV with one line per grade, method and belief metric. Each line has the median over the
-/// scenarios, and the value and name of the worst scenario.
+/// Returns the belief metrics as CSV, with one line per grade, method and metric: the median over
+/// the scenarios, and the value and name of the worst scenario.
 std::string beliefCsv(const SuiteReport& report);
 /// Returns the report as JSON.
 std::string reportJson(const SuiteReport& report);
 /// Writes report.html, summary.csv, belief.csv and report.json into the folder. `order` contains
-/// the keys of all runs in report order. For `notes`, see SuiteReport.
+/// the keys of all runs in report order, `notes` sentences about missing data.
 Status writeSuiteReport(const std::filesystem::path& folder, const SuiteResults& results,
                         const std::vector<RunKey>& order,
                         std::span<const ScenarioDeclaration> catalog,

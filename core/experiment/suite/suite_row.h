@@ -18,13 +18,13 @@ namespace dewpoint::experiment {
 inline constexpr double kFollowGate = 0.03;
 /// Gate of CLEAR MOT and HOTA, and cutoff of GOSPA, meters.
 inline constexpr double kMatchGate = 0.1;
-/// Largest number of frames until convergence that counts as quick.
+/// Largest number of frames until convergence at which a run counts as quick.
 inline constexpr double kQuickFrames = 5.0;
 /// Number of bins in the reliability diagram.
 inline constexpr int kReliabilityBins = 10;
 
-/// Returns the grades for a list of names, without duplicates, easiest first. "both" means ideal
-/// and room. Returns nothing if a name is unknown or the list is empty.
+/// Returns the grades with these names, without duplicates, easiest first. The name "both" stands
+/// for ideal and room. Returns nothing if a name is unknown or the list is empty.
 std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names);
 
 /// Identifies a run of the suite.
@@ -107,15 +107,15 @@ struct SuiteTrace {
   std::vector<ReliabilityCount> reliability; ///< kReliabilityBins entries
 };
 
-/// Returns the header or one line of runs.csv or traces.csv, without the line end. Numbers have six
-/// significant digits; errors in traces.csv have four. If a line is parsed and written again, the
-/// result is identical.
+/// Return the header and one line of runs.csv and of traces.csv, without the line end. Numbers have
+/// six significant digits; errors in traces.csv have four. If a line is parsed and written again,
+/// the result is identical.
 std::string rowHeader();
 std::string rowText(const SuiteRow& row);
 std::string traceHeader();
 std::string traceText(const SuiteTrace& trace);
 
-/// Parses a line. Returns nothing if it is incomplete.
+/// Parse a line of runs.csv and of traces.csv. Return nothing if the line is incomplete.
 std::optional<SuiteRow> parseRow(const std::string& line);
 std::optional<SuiteTrace> parseTrace(const std::string& line);
 

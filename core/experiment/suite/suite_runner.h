@@ -48,10 +48,10 @@ Result<std::vector<std::string>>
 selectMethods(const std::vector<std::string>& names,
               const std::vector<std::string>& known = suiteMethods());
 
-/// Returns the remaining jobs in order. They contain the requested runs that are neither finished
-/// nor known to be skipped. A scenario runs only in its own grades and only with suitable methods.
-/// Real clips run in grade `Real`, and all other scenarios run in the other grades. Clips of one
-/// camera run with imageClipMethods().
+/// Returns the remaining jobs in order: the requested runs that are neither finished nor known to
+/// be skipped. A scenario runs only in its own grades and only with suitable methods. Real clips
+/// run in grade `Real`, all other scenarios in the other grades. Clips of one camera run with
+/// imageClipMethods().
 std::vector<SuiteJob> planSuite(const SuiteRequest& request, const SuiteResults& done,
                                 const SkippedRuns& skipped = {});
 /// Returns the total number of runs in all jobs.
@@ -64,13 +64,14 @@ std::vector<RunKey> reportOrder(const SuiteResults& results,
 
 /// Callback for each result. Calls are made one at a time, in the order in which the runs finish.
 using SuiteSink = std::function<Status(const SuiteResult&)>;
-/// Callback for each skipped job, with the run that could not be created. Calls are made in the
-/// same way as for SuiteSink.
+/// Callback for each skipped job, with the run that could not be created. Calls are made one at a
+/// time.
 using SkipSink = std::function<Status(const SuiteJob&, const SkippedRun&)>;
 
-/// Runs the jobs on `threads` threads, each job on one thread. The number of threads does not
-/// affect the results, except their order and the measured processor time. The function ends early
-/// and drops unfinished jobs when `stop` returns true or when the first error occurs.
+/// Runs the jobs on `threads` threads, each job on one thread, and passes each result to `sink`.
+/// The number of threads affects only the order of the results and the measured processor time.
+/// When `stop` returns true or the first error occurs, the function returns early and drops
+/// unfinished jobs.
 ///
 /// If a rendered scenario cannot create a run (ScenarioDeclaration::make returns Undetermined), the
 /// suite continues and `skip` receives the job. Without `skip`, this is an error like any other.

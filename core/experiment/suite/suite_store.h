@@ -21,12 +21,12 @@ using SuiteResults = std::map<RunKey, SuiteResult>;
 /// incomplete last line is dropped.
 class SuiteStore {
 public:
-  /// Opens or creates the folder. Errors: FileUnwritable; Mismatch if its files have different
-  /// columns (from another version); NotParsed if any line except the last is broken.
+  /// Opens or creates the folder. Returns FileUnwritable if this fails, Mismatch if its files have
+  /// different columns (from another version), and NotParsed if any line except the last is broken.
   static Result<SuiteStore> open(const std::filesystem::path& folder);
 
-  /// Reads the results of a folder without changing it. Returns FileMissing if it has no runs.csv.
-  /// Returns Mismatch and NotParsed as open() does.
+  /// Reads the results in a folder without changing the folder. Returns FileMissing if there is no
+  /// runs.csv. Returns Mismatch and NotParsed as open() does.
   static Result<SuiteResults> read(const std::filesystem::path& folder);
 
   /// Reads the skipped runs of a folder. The result is empty if there is no skipped.csv. Returns

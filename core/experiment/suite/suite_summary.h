@@ -30,25 +30,27 @@ struct SuiteCell {
   Proportion converged; ///< runs that converged
 };
 
-/// Groups the results into cells, in key order. `results` must outlive the cells.
+/// Groups the runs with the keys `order` into cells (scenario, grade and method), in this order.
+/// `results` must outlive the cells.
 std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
                                       const std::vector<RunKey>& order);
 
-/// Returns the values of a column over the runs, in ascending order. Empty values are left out, and
-/// infinite values come last.
+/// Returns the values of a column of runs.csv over the runs, in ascending order. Empty values are
+/// left out, and infinite values come last.
 std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
                                  SuiteRow::Value SuiteRow::*column);
-/// Returns a quantile (`fraction` is in [0, 1]) or the mean of columnValues(). Returns NaN if there
-/// are no values. A quantile that lies between a finite and an infinite value is infinite.
+/// Return a quantile (`fraction` in [0, 1]) and the mean of columnValues(); NaN if there are no
+/// values. A quantile that lies between a finite and an infinite value is infinite.
 double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column,
                   double fraction);
 double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column);
 
-/// Returns the errors of each target in each run, in millimeters. They begin with the target's
-/// convergence, or with the start of the run if the target never converged.
+/// Returns the errors of each target in each run from convergence on, in millimeters. If a target
+/// never converged, its errors begin with the start of the run.
 std::vector<std::vector<double>> errorsAfterConvergence(std::span<const SuiteResult* const> runs);
 
-/// Returns the reliability over all estimates of all runs.
+/// Returns how well the reported P(exists) agrees with the outcomes, over all estimates of all
+/// runs.
 Reliability pooledReliability(std::span<const SuiteResult* const> runs);
 
 } // namespace dewpoint::experiment

@@ -22,11 +22,11 @@ std::string beliefTable(std::span<const BeliefSummary> methods);
 /// Returns an HTML table of median RMSE and lost frames, with one row per scenario and one column
 /// per method.
 std::string overviewTable(std::span<const SuiteCell> cells);
-/// Returns an HTML table like overviewTable(), but with errors relative to the target size. It
-/// contains the fraction of frames with an estimate near the centroid, and the radius error if the
-/// methods do not know the radius.
+/// Returns an HTML table of errors relative to the target size, with one row per scenario and one
+/// column per method: the fraction of frames with an estimate near the centroid, and the radius
+/// error if the methods do not know the radius.
 std::string extentTable(std::span<const SuiteCell> cells);
-/// Returns an HTML table of one scenario in one grade, with one row per method.
+/// Returns an HTML table of the metrics of one scenario in one grade, with one row per method.
 std::string scenarioTable(std::span<const SuiteCell> cells);
 
 } // namespace dewpoint::experiment

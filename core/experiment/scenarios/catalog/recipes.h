@@ -7,8 +7,8 @@
 
 namespace dewpoint::experiment::scenarios {
 
-// Each function returns the scenarios of one family in report order. The comments give the names of
-// the families.
+// Each of the following functions returns the scenarios of one family in report order. The comment
+// behind each function is the name of the family.
 std::vector<ScenarioRecipe> cleanScenarios();       ///< S0
 std::vector<ScenarioRecipe> distractorScenarios();  ///< S1
 std::vector<ScenarioRecipe> occlusionScenarios();   ///< S2

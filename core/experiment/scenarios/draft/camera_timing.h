@@ -8,9 +8,8 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Timing faults of a camera. Methods know a part of its delay: the time stamp of a frame is its
-/// arrival time minus this known delay. The delays in this struct come in addition and are unknown
-/// to methods.
+/// Timing faults of a camera, which methods do not know. The time stamp of a frame is its arrival
+/// time minus the known part of the camera's delay; the delays in this struct come in addition.
 struct CameraTiming {
   double delay = 0.0;       ///< unknown delay: time from mid-exposure to the time stamp, seconds
   double clockDrift = 0.0;  ///< seconds by which the unknown delay grows per second

@@ -15,8 +15,8 @@ struct Range {
   double high = 0.0;
 };
 
-/// Severity of the faults in a grade. Values are drawn for each camera in each run unless a comment
-/// says otherwise.
+/// Severity of the faults in a grade (level of realism). Values are drawn for each camera in each
+/// run unless a comment says otherwise.
 struct GradeModel {
   const char* name = "";
 
@@ -73,10 +73,10 @@ struct GradeModel {
 /// and behind the cameras.
 inline constexpr double kLampDistance = 1.5;
 
-/// Returns the values of a grade. `Ideal` has no faults: all zeros.
+/// Returns the severity of the faults in a grade. All values of grade `Ideal` are zero.
 const GradeModel& gradeModel(Grade grade);
 
-/// Properties of a run that determine its faults.
+/// Properties of a run on which its random faults depend.
 struct FaultContext {
   std::size_t cameras = 0;
   double seconds = 6.0; ///< duration of the run
@@ -88,7 +88,7 @@ struct FaultContext {
       kLampDistance; ///< horizontal distance of additional lamps from targetStart, meters
 };
 
-/// Draws the faults of a run.
+/// Draws all faults of a run at random: those of its cameras, and those of its light.
 SensingFaults randomFaults(const GradeModel& model, const FaultContext& context,
                            RandomDraws& draws);
 

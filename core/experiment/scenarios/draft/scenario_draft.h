@@ -51,7 +51,7 @@ struct ScenarioDraft {
   /// known and all frames arrive.
   std::vector<CameraTiming> timings = {};
 
-  /// Room shown in the stage's views. Used to make views for additional cameras.
+  /// Room in which the stage is. It is used to make views for additional cameras.
   std::shared_ptr<const simulation::Room> room = nullptr;
   /// Scale factor for the extent of smooth paths. It is below 1 if the cameras see a smaller volume
   /// than usual.
@@ -61,8 +61,8 @@ struct ScenarioDraft {
   int equalCandidates = 1; ///< see ScenarioRun::equalCandidates
   /// True if calibration and time stamps are exact in grade `ideal`, and methods know this.
   bool exactWhenIdeal = true;
-  /// Sets what methods know about the targets (ScenarioRun::targets), using the images of the
-  /// finished run. If null, methods know the color range of the pink ball.
+  /// Function that sets what methods know about the targets (ScenarioRun::targets), using the
+  /// images of the finished run. If null, methods know the color range of the pink ball.
   std::function<void(const ScenarioDraft&, ScenarioRun&)> teach = nullptr;
 
   /// Returns the radius of a ball of default size in the complete scenario, meters.
@@ -71,9 +71,9 @@ struct ScenarioDraft {
   double timeOf(std::int64_t frame) const { return static_cast<double>(frame) / framesPerSecond; }
 };
 
-/// Recipe for a scenario: its name, and the function `complete` that completes its draft. This
-/// function returns false if it finds no position at which everything that must be visible is
-/// visible.
+/// Recipe for a scenario: its name, its rig and room, and the function `complete`, which adds
+/// targets and other objects to the draft of a run. `complete` returns false if it finds no
+/// position at which everything that must be visible is visible.
 struct ScenarioRecipe {
   std::string name;
   std::string sentence;
@@ -84,8 +84,8 @@ struct ScenarioRecipe {
   Eigen::Vector3d targetColor = simulation::kDefaultBallColor;
 };
 
-/// Converts a recipe to a scenario declaration. All runs of the scenario share the cached views of
-/// the room at rest.
+/// Converts a recipe to a scenario declaration. All runs of the scenario share `cache`, which holds
+/// the rendered views of the room at rest.
 ScenarioDeclaration declareScenario(ScenarioRecipe recipe,
                                     std::shared_ptr<simulation::ViewCache> cache);
 

@@ -5,7 +5,7 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Maximum number of attempts to draw a position before a scenario gives up. Chosen so that they
+/// Maximum number of attempts to draw a position before a scenario gives up. This many attempts
 /// take about a second.
 inline constexpr int kMaxDrawAttempts = 4000;
 /// Maximum number of attempts to draw a whole layout before a scenario gives up. It is small
@@ -16,8 +16,8 @@ inline constexpr int kMaxLayoutAttempts = 50;
 /// smooth path.
 inline constexpr std::int64_t kDefaultFrameCount = 180;
 
-/// Bounds for the center of a ball's path on the desk, world, meters. They are chosen so that both
-/// cameras of the demo rig see most paths completely.
+/// Bounds for the center of a ball's path on the desk (world, meters), chosen so that both cameras
+/// of the demo rig see most paths completely.
 inline const Eigen::Vector3d kPathLow{0.46, 0.46, 0.12};
 inline const Eigen::Vector3d kPathHigh{0.56, 0.58, 0.18};
 
@@ -54,8 +54,9 @@ bool staysVisible(const ScenarioDraft& draft, const simulation::Path& path, doub
 bool areSeparated(const simulation::RoomView& view, const Eigen::Vector3d& one, double oneRadius,
                   const Eigen::Vector3d& other, double otherRadius, double gap = 0.0);
 
-/// Draws a path above the desk that stays inside all images. If `fast` is set, a round takes
-/// kFastPathPeriod. Returns nothing if no such path was found.
+/// Draws a random closed path above the desk that stays inside all images. A round takes
+/// kSlowPathPeriod, or kFastPathPeriod if `fast` is true. Returns nothing if no such path was
+/// found.
 std::optional<LissajousPath> randomDeskPath(ScenarioDraft& draft, bool fast,
                                             double radius = kBallRadius);
 

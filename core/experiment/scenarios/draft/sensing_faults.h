@@ -22,7 +22,8 @@ struct CalibrationError {
   bool operator==(const CalibrationError&) const = default;
 };
 
-/// Returns the camera calibration that methods receive: the true one with random errors.
+/// Returns the calibration of a camera that methods receive: the true calibration with random
+/// errors.
 Camera miscalibrated(Camera camera, const CalibrationError& error, RandomDraws& draws);
 
 /// Uneven light over an image, as fractions of the light in the center.

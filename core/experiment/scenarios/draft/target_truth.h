@@ -12,9 +12,9 @@ struct TargetTruth {
   TargetExtent extent;
 };
 
-/// Returns the truth for a body at a time (seconds). If some parts of the body are marked as
-/// target, the truth is the centroid and extent of the space that these parts fill together,
-/// whether they are hidden or not. Otherwise it is given by the path and radius of the body.
+/// Returns the true position and size of a body at a time (seconds). If parts of the body are
+/// marked as target, these are the centroid and extent of the space that these parts fill together,
+/// whether they are hidden or not. Otherwise, they follow from the path and radius of the body.
 TargetTruth targetTruth(const simulation::StageBody& body, double time);
 
 } // namespace dewpoint::experiment::scenarios

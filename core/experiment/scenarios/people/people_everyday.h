@@ -11,7 +11,7 @@ namespace dewpoint::experiment {
 // Functions named is...Possible report whether people could walk these paths. Functions with a
 // parameter `clothes` change a scene whose people are already dressed.
 
-/// Adds three people who walk around without coming near each other.
+/// Adds three people who walk around and stay away from each other.
 void addStrollingPeople(PeopleScenario& scenario, RandomDraws& draws);
 bool isStrollPossible(const PeopleScenario& scenario);
 /// Sets the heights of the strolling people: a child of 0.9 to 1.3 m, a person of 1.3 to 1.6 m, and
@@ -22,8 +22,8 @@ void setVariedHeights(PeopleScenario& scenario, PeopleClothes clothes, RandomDra
 /// past.
 void addSittingPeople(PeopleScenario& scenario, RandomDraws& draws);
 bool isSittingPossible(const PeopleScenario& scenario);
-/// Adds the stool for the person who sits down, with a height that suits this person. It is present
-/// from the beginning.
+/// Adds a stool for the person who sits down, with a height that suits this person. The stool is
+/// present from the beginning.
 void addStool(PeopleScenario& scenario, PeopleClothes clothes, RandomDraws& draws);
 
 /// Gives the first person a box to carry, and the second person a bag.

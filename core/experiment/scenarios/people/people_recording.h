@@ -15,8 +15,8 @@
 
 namespace dewpoint::experiment {
 
-/// Scene with people, as recorded by cameras with the faults of a grade. Methods may know only
-/// `rig` and the images; everything else is the truth.
+/// Scene with people, as recorded by cameras with the faults of a grade (level of realism). Methods
+/// may know only `rig` and the images; everything else is ground truth.
 struct PeopleRecording {
   Grade grade = Grade::Ideal;
   OfficeScene scene; ///< scene, with the true calibration of the cameras
@@ -28,11 +28,11 @@ struct PeopleRecording {
   std::function<FrameSetPtr(std::int64_t)> frames;
 };
 
-/// Records a scene in a grade. Grade `Ideal` leaves the scene unchanged. `Room` and `Wild` draw the
-/// faults of images, time stamps and calibration (see GradeModel) from the scene's seed and the
-/// scenario's `name`. `Wild` also mounts the cameras elsewhere and changes the room (see
-/// wildOffice()). The background images from which methods learn come from the same cameras as all
-/// other images. `Real` is not allowed.
+/// Records a scene with people in a grade (level of realism). Grade `Ideal` leaves the scene
+/// unchanged. `Room` and `Wild` add faults of images, time stamps and calibration (see GradeModel),
+/// drawn from the scene's seed and the scenario's `name`. `Wild` also mounts the cameras elsewhere
+/// and changes the room (see wildOffice()). The background images have the same faults as all other
+/// images. `Real` is not allowed.
 PeopleRecording recordPeople(const std::string& name, OfficeScene scene, Grade grade,
                              simulation::ViewCache& views);
 

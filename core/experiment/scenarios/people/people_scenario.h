@@ -16,23 +16,23 @@ enum class PeopleClothes { Different, Similar };
 /// People in the simulated office, drawn from a seed.
 struct PeopleScenario {
   OfficeScene scene;
-  /// An instant before the people meet, in seconds from the start; 0 if identities are not compared
-  /// in this scenario. The identities at `after` must be the same as at this instant.
+  /// Instant before the people meet, in seconds from the start; 0 if identities are not compared in
+  /// this scenario. The identities at the instant `after` must be the same as at this instant.
   double before = 0.0;
-  double after = 0.0; ///< an instant after they have met, in seconds from the start
+  double after = 0.0; ///< instant after the people have met, in seconds from the start
 };
 
-/// Returns the names of all scenarios. The scenarios of Mohedano et al. 2009 come first:
-/// "crossing", "meet-and-turn", "side-by-side", "enter-leave", and the easy case "apart". Then come
-/// everyday scenes: "heights", "sitting", "carrying", "crowd", "two-cameras", "contact",
+/// Returns the names of all scenarios with people. The scenarios of Mohedano et al. 2009 come
+/// first: "crossing", "meet-and-turn", "side-by-side", "enter-leave", and the easy case "apart".
+/// Then come everyday scenes: "heights", "sitting", "carrying", "crowd", "two-cameras", "contact",
 /// "furniture-moved", "room-clothes" and "patterned-clothes".
 const std::vector<std::string>& peopleScenarioNames();
 /// Describes what happens in a scenario, in one sentence.
 std::string peopleScenarioDescription(const std::string& name);
 /// Returns whether a scenario is from Mohedano et al. 2009.
 bool isPeopleScenarioOfPaper(const std::string& name);
-/// Creates a scenario. Returns NotFound for an unknown name; Undetermined if the seed yields no
-/// possible paths.
+/// Creates a scenario with people from a seed. Returns NotFound for an unknown name, and
+/// Undetermined if the seed yields no possible paths.
 Result<PeopleScenario> makePeopleScenario(const std::string& name, PeopleClothes clothes,
                                           std::uint64_t seed);
 

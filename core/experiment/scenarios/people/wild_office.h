@@ -14,7 +14,7 @@ struct WildOffice {
   simulation::RoomDesign design;
 };
 
-/// Creates an office of grade `Wild`, with these changes:
+/// Returns the office of a scene, changed for grade `Wild`:
 /// - The cameras are moved along the walls, mounted lower or higher, aimed elsewhere, and have
 ///   other lenses.
 /// - The walls have another color, and the lamp is at another position.

@@ -18,13 +18,13 @@ struct CrowdStart {
   std::vector<Eigen::Vector3d> velocities; ///< one per position
 };
 
-/// Motion of equal, weightless balls that fly in a box. The balls bounce elastically off the walls
-/// and off each other. Two balls touch when their centers are two radii apart. The motion is
-/// computed once, in 240 steps per second. Between steps, the balls move in straight lines.
+/// Motion of equal, weightless balls in a box. The balls bounce elastically off the walls and off
+/// each other. The motion is computed once, in 240 steps per second; between steps, the balls move
+/// in straight lines.
 class CrowdMotion {
 public:
-  /// Computes the motion for `seconds`. `region` bounds the ball centers. In `start`, the centers
-  /// must be inside it and at least two radii apart.
+  /// Computes the motion for `seconds`. The ball centers stay inside `region`. At the start, they
+  /// must be inside `region` and at least two radii apart. Lengths are in meters.
   CrowdMotion(const CrowdStart& start, const Eigen::AlignedBox3d& region, double radius,
               double seconds);
 

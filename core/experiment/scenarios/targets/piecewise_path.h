@@ -23,7 +23,7 @@ public:
   /// Sets the velocity (m/s) at the current end of the path, as after a push or a bounce.
   void setVelocity(const Eigen::Vector3d& velocity) { velocity_ = velocity; }
 
-  /// Returns the position, velocity or time at the current end of the path.
+  /// Return the position, the velocity and the time at the current end of the path.
   const Eigen::Vector3d& position() const { return position_; }
   const Eigen::Vector3d& velocity() const { return velocity_; }
   double end() const { return end_; }

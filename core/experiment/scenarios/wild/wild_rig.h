@@ -19,12 +19,12 @@ struct WildRig {
 /// rendering a room.
 inline constexpr int kMaxRigAttempts = 6;
 
-/// Draws a rig that differs from the scenario's rig. Each camera is moved by up to 0.3 radians
-/// around the center of the volume and by up to 15 % in distance, and is tilted. Then a target
-/// width is drawn, from 4 pixels to half of the image's smaller side; its logarithm is uniformly
-/// distributed. Focal length, resolution and ball size are chosen so that a target in the center of
-/// the volume has about this width in the image. A target that would appear larger than usual comes
-/// closer to its usual size with each `attempt` (0 to kMaxRigAttempts - 1).
+/// Draws a random rig of grade `wild` from the scenario's rig. Each camera is moved by up to 0.3
+/// radians around the center of the volume and by up to 15 % in distance, and is tilted. The width
+/// of a target in the images is drawn from 4 pixels to half of the image's smaller side
+/// (log-uniform), and focal length, resolution and ball size are chosen accordingly. With each
+/// `attempt` (0 to kMaxRigAttempts - 1), a target that would appear larger than usual comes closer
+/// to its usual size.
 WildRig randomRig(const CameraRig& rig, simulation::Furnishing furnishing, int attempt,
                   RandomDraws& draws);
 

@@ -19,9 +19,9 @@ simulation::RoomDesign
 randomRoom(simulation::Furnishing furnishing, const CameraRig& rig, RandomDraws& draws,
            const Eigen::Vector3d& targetColor = simulation::kDefaultBallColor);
 
-/// Draws up to three people who walk along two walls of a room with a desk, behind the cameras'
-/// volume, for a run of `seconds`. Some of them wear the target color. Returns no people for the
-/// hall, because the volume of the targets extends to its walls.
+/// Draws up to three people who walk along two walls of a room with a desk during a run of
+/// `seconds`, beyond the desk and the cameras. Some wear the target color. Returns no people for
+/// the hall, because the volume of the targets extends to its walls.
 std::vector<simulation::Walker>
 randomPeople(simulation::Furnishing furnishing, double seconds, RandomDraws& draws,
              const Eigen::Vector3d& targetColor = simulation::kDefaultBallColor);
