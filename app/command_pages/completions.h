@@ -7,17 +7,18 @@
 
 namespace dewpoint::app {
 
-// Shell scripts that complete the command line of a program: commands, options, the choices of an
-// option, and file names where there are no choices. None of the scripts starts the program.
+// Shell scripts that complete the command line of a program: its commands, options, the choices of
+// an option, and otherwise file names. The scripts never start the program.
 
-/// Returns the script for bash. The script calls no functions of the bash-completion package; that
-/// package is only needed to find and load the script automatically.
+/// Returns the completion script for bash. The script works without the bash-completion package,
+/// which is only needed to find and load the script automatically.
 std::string bashCompletion(const DeclaredCommand& program);
 
-/// Returns the script for zsh: the content of a file named _PROGRAM in a folder on the fpath.
+/// Returns the completion script for zsh: the content of a file named _PROGRAM in a folder on the
+/// fpath.
 std::string zshCompletion(const DeclaredCommand& program);
 
-/// Returns the script for fish.
+/// Returns the completion script for fish.
 std::string fishCompletion(const DeclaredCommand& program);
 
 } // namespace dewpoint::app

@@ -10,7 +10,7 @@
 
 namespace dewpoint::app {
 
-/// An option or a positional argument, as declared.
+/// Option or positional argument of a command, as declared for the command line.
 struct DeclaredArgument {
   std::vector<std::string> names; ///< "-h", "--help"; a positional argument has only its name
   std::string value;              ///< kind of value, such as TEXT; empty for a flag
@@ -22,7 +22,8 @@ struct DeclaredArgument {
   bool isRepeatable = false;
 };
 
-/// A command with all its subcommands. Parts hidden from --help are omitted.
+/// Command of a program with all its subcommands, as declared for the command line. Parts hidden
+/// from --help are omitted.
 struct DeclaredCommand {
   /// Names from the program to this command, for example {"dewpoint-cli", "calibration",
   /// "convert"}.
@@ -34,7 +35,7 @@ struct DeclaredCommand {
   std::vector<DeclaredCommand> commands;
 };
 
-/// Returns the declaration of a command line.
+/// Returns the commands, options and arguments declared in `app`.
 DeclaredCommand declaredCommand(const CLI::App& app);
 
 /// Returns the command and all its subcommands; each command comes before its own subcommands.

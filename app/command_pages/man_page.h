@@ -7,8 +7,8 @@
 
 namespace dewpoint::app {
 
-/// Returns a manual page of section 1 for man(1), as roff in UTF-8. It lists the commands of the
-/// program one after the other. `seeAlso` is the name of another manual page to refer to.
+/// Returns the manual page of a program for man(1), section 1, as roff in UTF-8. The page lists the
+/// commands one after the other. `seeAlso` is the name of another manual page to refer to.
 std::string manPage(const DeclaredCommand& program, const std::string& version,
                     const std::string& seeAlso);
 

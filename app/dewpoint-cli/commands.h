@@ -7,18 +7,17 @@
 
 namespace dewpoint::app {
 
-// Functions that add the commands, one per line, grouped by the folder of their sources. Each adds
-// its subcommand to `app`. When that subcommand runs, it stores the exit code of the process
-// (ExitCode) in `exitCode`.
+// Functions that add the commands of the program to `app`, grouped by the folder of their sources.
+// When a command runs, it stores the exit code of the process (ExitCode) in `exitCode`.
 
 // project/: a project and its targets.
 void addNewCommand(CLI::App& app, int& exitCode);
 void addLearnColorCommand(CLI::App& app, int& exitCode);
 void addDoctorCommand(CLI::App& app, int& exitCode);
-/// Adds the command that tests this computer; it needs no project.
+/// Adds the command that tests whether this computer is suitable for tracking. It needs no project.
 void addSelfTestCommand(CLI::App& app, int& exitCode);
 
-// calibrate/: camera calibration, and planning where another camera would help.
+// calibrate/: camera calibration, and planning where to place another camera.
 void addCalibrateCommand(CLI::App& app, int& exitCode);
 void addCalibrationCommand(CLI::App& app, int& exitCode);
 /// Adds the command that writes a calibration board for printing, as a subcommand of `calibration`,
@@ -35,10 +34,11 @@ void addTrackBoxCommand(CLI::App& app, int& exitCode);
 void addPeopleCommand(CLI::App& app, int& exitCode);
 
 // live/: live cameras.
-/// Adds the command that lists devices, and locks their colors.
+/// Adds the command that lists camera devices and locks their colors.
 void addCamerasCommand(CLI::App& app, int& exitCode);
 void addRecordCommand(CLI::App& app, int& exitCode);
-/// Adds the command that compares a take with what was tracked live.
+/// Adds the command that compares a take (a recording of all cameras) with the results that were
+/// tracked live.
 void addTakeCommand(CLI::App& app, int& exitCode);
 
 // trajectory/: commands for the results of a run.
@@ -55,8 +55,8 @@ void addExperimentCommand(CLI::App& app, int& exitCode);
 void addSuiteCommand(CLI::App& app, int& exitCode);
 
 // reference/: pages of the manual.
-/// Adds the command that writes the reference pages. They show all commands that `app` has when the
-/// command runs.
+/// Adds the command that writes the reference pages. These describe all commands that `app` has
+/// when the command runs.
 void addReferenceCommand(CLI::App& app, int& exitCode);
 
 } // namespace dewpoint::app

@@ -19,8 +19,8 @@ namespace dewpoint::app {
 class RunOutput {
 public:
   RunOutput(MainWindow& window, std::filesystem::path folder);
-  /// Waits until all files are written, however slow the disk is. Runs at the end of the program,
-  /// after the window is closed.
+  /// Waits until all files are written, no matter how long this takes. Destroy this object at the
+  /// end of the program, after the window is closed.
   ~RunOutput();
   RunOutput(const RunOutput&) = delete;
   RunOutput& operator=(const RunOutput&) = delete;

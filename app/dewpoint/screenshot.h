@@ -11,8 +11,9 @@ class MainWindow;
 
 namespace dewpoint::app {
 
-/// Saves the whole window as a PNG once `frames` frames are tracked, prints its path and ends the
-/// application. The exit code is 0 on success; on failure it is 1, with a sentence on stderr.
+/// Saves an image of the whole window as a PNG file once `frames` frames are tracked, prints the
+/// path of the file, and ends the application. The exit code is 0 on success, and 1 on failure,
+/// with a sentence on stderr.
 void takeScreenshot(MainWindow& window, const QString& file, int frames);
 
 } // namespace dewpoint::app

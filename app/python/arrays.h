@@ -14,8 +14,8 @@
 
 namespace dewpoint::app {
 
-/// Returns a Python object that keeps `owner` alive. It is used as the base of arrays that refer to
-/// its memory.
+/// Returns a Python object that keeps `owner` alive, for use as the base of arrays that refer to
+/// the memory of `owner`.
 pybind11::capsule keepAliveCapsule(std::shared_ptr<const void> owner);
 
 /// Returns a read-only array, without a copy, over memory that `base` keeps alive.
@@ -27,7 +27,7 @@ pybind11::array_t<T> viewOf(const T* data, std::vector<pybind11::ssize_t> shape,
   return array;
 }
 
-/// Returns an array with a copy of the values.
+/// Returns a NumPy array with a copy of the values.
 pybind11::array_t<double> arrayOf(const Eigen::Vector3d& vector);
 pybind11::array_t<double> arrayOf(const Eigen::Matrix3d& matrix);
 /// Returns particles as (positions, weights), with shapes N x 3 (meters) and N.

@@ -7,8 +7,8 @@
 
 namespace dewpoint::app {
 
-// Parts of the Python module, in the order in which they are bound: a class must be bound before a
-// signature uses it.
+// Functions that bind the parts of the Python module. Call them in this order, because a class must
+// be bound before a signature uses it.
 void bindErrors(pybind11::module_& module);
 void bindCatalog(pybind11::module_& module);
 void bindTargets(pybind11::module_& module);

@@ -9,8 +9,8 @@
 
 namespace dewpoint::app {
 
-/// Returns the value of the argument `fit`, which has the values of the option --fit. Raises
-/// dewpoint.Error for any other text.
+/// Returns the value of the Python argument `fit`, which has the same values as the command-line
+/// option --fit; nothing if the argument is missing. Raises dewpoint.Error for any other text.
 inline std::optional<SizeFit> sizeFitNamed(const std::optional<std::string>& fit) {
   if (!fit) {
     return std::nullopt;

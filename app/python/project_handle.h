@@ -13,12 +13,13 @@ namespace dewpoint::app {
 /// A project as a Python object.
 struct ProjectHandle {
   Project project;
-  std::string origin; ///< file or name that it was opened with, for use in errors; may be empty
+  std::string
+      origin; ///< file or name with which the project was opened, for error messages; may be empty
 };
 using ProjectHandlePtr = std::shared_ptr<ProjectHandle>;
 using ProjectClass = pybind11::class_<ProjectHandle, ProjectHandlePtr>;
 
-// Functions that bind the methods of a project, grouped by purpose.
+// Functions that bind the methods of the Python class of a project, grouped by purpose.
 void bindParameters(pybind11::module_& module, ProjectClass& project);
 void bindLearning(pybind11::module_& module, ProjectClass& project);
 void bindCalibration(pybind11::module_& module, ProjectClass& project);
@@ -27,7 +28,7 @@ void bindTracking(pybind11::module_& module, ProjectClass& project);
 /// Throws the Python exception for an error in a project, with the text that the command line
 /// prints.
 [[noreturn]] void raiseProjectError(const ProjectHandle& handle, Error error);
-/// Opens the sources of a project; releases the GIL meanwhile.
+/// Opens the videos or cameras of a project. Releases the GIL meanwhile.
 SessionInputs openProjectInputs(const ProjectHandle& handle);
 
 } // namespace dewpoint::app

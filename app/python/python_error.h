@@ -10,17 +10,17 @@
 
 namespace dewpoint::app {
 
-/// Creates the exception `dewpoint.Error` for an error; its text is the sentence that the command
-/// line prints.
+/// Creates the Python exception `dewpoint.Error` for an error. The text of the exception is the
+/// sentence that the command line prints.
 pybind11::object pythonError(const Error& error);
-/// Throws the exception for an error; requires the GIL.
+/// Throws the Python exception `dewpoint.Error` for an error. The caller must hold the GIL.
 [[noreturn]] void raise(const Error& error);
-/// Throws an existing exception.
+/// Throws an existing Python exception.
 [[noreturn]] void raise(const pybind11::object& exception);
-/// Throws the exception for a BadValue error about an argument.
+/// Throws the Python exception `dewpoint.Error` for an argument with a wrong value.
 [[noreturn]] void raiseBadValue(const char* argument, std::string detail);
 
-/// Returns the value of a result, or throws its error as an exception.
+/// Returns the value of a result, or throws its error as a Python exception.
 template <class T> T valueOf(Result<T> result) {
   if (!result) {
     raise(result.error());

@@ -9,15 +9,15 @@
 
 namespace dewpoint::app {
 
-/// Calls an optional Python function from work that runs without the GIL, from any thread. The work
-/// ends if the function returns False or raises an exception, and on Ctrl-C. An exception is stored
-/// until `rethrow()` is called, so that it does not propagate through core.
+/// Calls an optional Python function from C++ work that runs without the GIL, in any thread. The
+/// work must end if the function returns False or raises an exception, and on Ctrl-C. An exception
+/// is stored until `rethrow()` is called, so that it does not pass through the core library.
 class PythonProgress {
 public:
   explicit PythonProgress(pybind11::object callback) : callback_(std::move(callback)) {}
 
-  /// Calls the function and returns whether the work should continue. Takes the GIL, which also
-  /// guards the stored exception.
+  /// Calls the function and returns whether the work should continue. Acquires the GIL during the
+  /// call.
   template <class... Arguments> bool call(Arguments&&... arguments) {
     const pybind11::gil_scoped_acquire gil;
     if (failed_) {
@@ -34,8 +34,8 @@ public:
     }
     return false;
   }
-  /// Throws the stored exception, if any. It must be called while holding the GIL, after the work
-  /// has ended.
+  /// Throws the stored exception, if any. Call this after the work has ended, while holding the
+  /// GIL.
   void rethrow() {
     if (failed_) {
       std::rethrow_exception(std::exchange(failed_, nullptr));

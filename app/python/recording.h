@@ -12,7 +12,8 @@
 
 namespace dewpoint::app {
 
-/// Camera images of a project, for use from Python. Calls from several threads are serialized.
+/// Camera images of a project, for use from Python. Calls from several threads are executed one
+/// after another.
 class RecordingHandle {
 public:
   explicit RecordingHandle(SessionInputs inputs) : inputs_(std::move(inputs)) {}
@@ -22,7 +23,7 @@ public:
   /// Returns the next frame set that has images; null at the end. Releases the GIL while it waits
   /// for live cameras.
   FrameSetPtr next();
-  /// Makes `frame` the next frame.
+  /// Makes `frame` the frame that next() returns next.
   void seek(std::int64_t frame);
   FrameSetPtr at(std::int64_t frame);
 

@@ -13,7 +13,8 @@
 
 namespace dewpoint::app {
 
-/// A trajectory for use from Python, stored both as samples and as columns that arrays refer to.
+/// Trajectory for use from Python, stored both as samples and as columns to which NumPy arrays
+/// refer.
 struct TrajectoryHandle {
   explicit TrajectoryHandle(Trajectory from)
       : trajectory(std::move(from)), columns(columnsOf(trajectory)) {}
@@ -28,11 +29,11 @@ struct RunHandle : TrajectoryHandle {
   explicit RunHandle(RecordedRun from)
       : TrajectoryHandle(std::move(from.trajectory)), run(std::move(from)) {}
 
-  RecordedRun run; ///< its trajectory is moved to the base class
+  RecordedRun run; ///< all results except the trajectory, which is in the base class
 };
 
-/// Returns the index of a target given by its name or its number in `names`. Throws KeyError or
-/// IndexError.
+/// Returns the index of a target that `key` gives by its name or by its index in `names`. Throws
+/// KeyError for an unknown name, and IndexError for an index out of range.
 std::size_t findTargetIndex(const pybind11::object& key, const std::vector<std::string>& names);
 
 } // namespace dewpoint::app

@@ -9,10 +9,11 @@ namespace dewpoint::app {
 
 /// Returns the project of the built-in scene with people (`builtInOfficeScene()`).
 Project projectOfOffice();
-/// Opens a source that renders the office, together with the true positions of its people.
+/// Returns the inputs for a session that tracks the simulated office: a source that renders its
+/// images, and the true positions of its people.
 Result<SessionInputs> openOffice(Project project);
-/// Returns the true positions of all people: centers of their bodies (meters), and whether they are
-/// inside the walls.
+/// Returns the true positions of all people in the simulated office: the centers of their bodies
+/// (meters), and whether they are inside the walls.
 Trajectory truthOfOffice(const OfficeRenderer& renderer);
 
 } // namespace dewpoint::app

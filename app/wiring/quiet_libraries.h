@@ -5,9 +5,9 @@
 
 namespace dewpoint::app {
 
-/// Silences warnings from FFmpeg, GStreamer and OpenCV about an input, which would otherwise appear
-/// in addition to Dewpoint's own error message. Environment variables of these libraries take
-/// precedence if they are set. Call it first in main.
+/// Silences warnings from FFmpeg, GStreamer and OpenCV about an input, because Dewpoint prints its
+/// own error message. Environment variables of these libraries take precedence if they are set.
+/// Call this function first in main.
 void silenceLibraries();
 
 } // namespace dewpoint::app

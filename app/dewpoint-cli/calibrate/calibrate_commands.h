@@ -7,7 +7,8 @@
 
 namespace dewpoint::app {
 
-// Functions that add the subcommands of `calibrate`, one per line, as in commands.h.
+// Functions that add the subcommands of `calibrate` to `group`. When a subcommand runs, it stores
+// the exit code of the process (ExitCode) in `exitCode`.
 void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode);
 void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode);
 void addCalibrateWandCommand(CLI::App& group, int& exitCode);

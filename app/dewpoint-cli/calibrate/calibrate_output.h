@@ -21,29 +21,29 @@ struct CalibrateOutput {
   bool apply = false; ///< also write the calibration into the project file
 };
 
-/// Returns whether the inputs of a command are one project, not image files.
+/// Returns whether the inputs of a command are a single project rather than image files.
 bool isProject(const std::vector<std::string>& inputs);
 
-/// Adds the options to a command. `ofProject` is true if the command calibrates a project, so that
-/// the calibration can be written into the project file.
+/// Adds the options that fill `output` to a command. `ofProject` is true if the command calibrates
+/// a project; only then can the calibration be written into the project file.
 void addOutputOptions(CLI::App& command, CalibrateOutput& output, bool ofProject);
 
-/// Writes all requested files. It is called at the end, so that an interrupted calibration changes
-/// no file.
+/// Writes all requested files, and returns the first error. Call this only at the end, so that an
+/// interrupted calibration changes no file.
 Status writeCalibrated(const CalibrateOutput& output, const Project& calibrated,
                        const std::string& reportHtml);
 
-/// Returns a function that shows the stages of a computation as progress bars and ends it on
-/// Ctrl-C.
+/// Returns a progress function that shows the stages of a computation as progress bars, and ends
+/// the computation on Ctrl-C.
 CalibrationProgress interruptibleProgress();
 
-/// Prints `sentence`, which gives the accuracy or the reason why there is none. Then prints the
-/// factor by which the accuracy was widened, if any, and the faults.
+/// Prints `sentence`, which states the calibration accuracy or why it is unknown. Then prints the
+/// factor by which the accuracy was widened, if any, and the faults that were detected.
 void printAccuracy(const std::optional<CalibrationAccuracy>& accuracy, const std::string& sentence,
                    const std::vector<DetectedFault>& faults);
 
-/// Reports an error and returns the exit code. For Ctrl-C it returns kExitInterrupted and prints
-/// only that nothing was changed.
+/// Prints an error of a calibration and returns the exit code. After Ctrl-C, prints only that
+/// nothing was changed, and returns kExitInterrupted.
 int reportCalibrationError(const Error& error);
 
 } // namespace dewpoint::app

@@ -8,7 +8,8 @@
 
 namespace dewpoint::app {
 
-/// Parses "A:B", where A or B may be empty; an empty string means all frames. Errors name --frames.
+/// Parses the range of frames "A:B", where A or B may be empty; an empty string means all frames.
+/// Returns an error that names the option --frames if the text is invalid.
 Result<FrameRange> parseFrames(const std::string& text);
 
 } // namespace dewpoint::app

@@ -5,10 +5,11 @@
 
 namespace dewpoint::app {
 
-/// Changes the effect of Ctrl-C and of a termination request: from now on, they only request a
-/// stop.
+/// Makes Ctrl-C and termination signals only request a stop from now on, instead of ending the
+/// program.
 void catchInterruption();
-/// Returns whether a stop was requested since catchInterruption() was called.
+/// Returns whether Ctrl-C was pressed, or a termination signal received, since catchInterruption()
+/// was called.
 bool interruptionRequested();
 
 } // namespace dewpoint::app

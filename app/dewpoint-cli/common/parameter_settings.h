@@ -8,7 +8,8 @@
 
 namespace dewpoint::app {
 
-/// Sets the parameters given as "key=value" strings with the option --set. Errors name that option.
+/// Sets the parameters given as "key=value" strings with the option --set. Returns an error that
+/// names this option if a string is invalid.
 Status applySettings(const std::vector<std::string>& settings, ParameterValues& parameters);
 
 } // namespace dewpoint::app

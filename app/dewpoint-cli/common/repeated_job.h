@@ -15,18 +15,18 @@ namespace dewpoint::app {
 
 /// Options of a tracking command that is run as one of many jobs.
 struct JobOptions {
-  /// Label of the recording; if empty, the project as named on the command line is the label.
+  /// Label of the recording in combined tables; if empty, the project as named on the command line.
   std::string label;
   bool force = false; ///< track again even if the result exists
 };
 
-/// Adds the options for JobOptions to a command.
+/// Adds the command-line options that fill `options` to a command.
 void addJobOptions(CLI::App& command, JobOptions& options);
 
-/// Returns the name of a job in combined tables, and a key computed from everything its result
-/// depends on. `command` is the command of dewpoint-cli, `project` the project with all options
-/// applied, and `more` a description of the other options. The key is empty if the files of the
-/// project cannot be read; the error is then reported when they are opened for tracking.
+/// Returns the record that identifies a job: its name in combined tables, and a key computed from
+/// everything that its result depends on. `command` is the command of dewpoint-cli, `project` the
+/// project with all options applied, and `more` a description of the other options. The key is
+/// empty if the files of the project cannot be read; tracking then reports the error.
 JobRecord makeJobRecord(const std::string& command, const Project& project,
                         const std::string& label, const std::string& frames,
                         const std::string& more);

@@ -7,8 +7,8 @@
 
 namespace dewpoint::app {
 
-/// Returns the first line of a file, the token of remote commands. Errors: those of readTextFile(),
-/// and BadValue if the line is empty.
+/// Returns the token that remote commands must contain: the first line of a file. Returns the
+/// errors of readTextFile(), and BadValue if the line is empty.
 Result<std::string> readTokenFile(const std::string& file);
 
 } // namespace dewpoint::app

@@ -12,9 +12,9 @@ class ParseError;
 
 namespace dewpoint::app {
 
-/// Returns one sentence that describes the error in a command line: the option, its allowed values,
-/// and where to find help. Unknown words are reported before missing ones, because a misspelled
-/// word causes both errors.
+/// Returns one sentence that describes an error in the command line: the option, its allowed
+/// values, and where to find help. An unknown word is reported rather than a missing one, because a
+/// misspelled word causes both errors.
 std::string describeUsageError(const CLI::App& app, const CLI::ParseError& error);
 
 } // namespace dewpoint::app

@@ -9,22 +9,23 @@
 
 namespace dewpoint::app {
 
-/// Starts and stops a take: by lines of standard input, whatever is in them, and by the remote
-/// commands `record` and `stop-recording`. receive() may be called by any thread, the other
-/// functions by one thread.
+/// Determines when a take (a recording of all cameras) starts and stops: at any line on standard
+/// input, or at the remote commands `record` and `stop-recording`. receive() may be called by any
+/// thread, the other functions by one thread only.
 class TakeTrigger {
 public:
-  /// Executes a remote command. BadValue if it does not fit: another command, a take that is in
-  /// progress, or none.
+  /// Handles a remote command. Returns BadValue for a command other than `record` and
+  /// `stop-recording`, if `record` arrives after the take has started, and if `stop-recording`
+  /// arrives while no take is in progress.
   Status receive(const broadcast::RemoteCommand& command);
 
-  /// Returns whether the take is to start now. Does not wait.
+  /// Returns whether the take must start now, without waiting.
   bool takeStart();
-  /// Returns whether the take, which has started, is to stop now. Does not wait.
+  /// Returns whether the take, which must have started, must stop now, without waiting.
   bool takeStop();
-  /// Returns whether standard input has ended, so that no line can come any more.
+  /// Returns whether standard input has ended, so that no further line can arrive.
   bool hasInputEnded() const { return hasInputEnded_; }
-  /// Returns the name in the remote command that started the take; empty if it had none.
+  /// Returns the name that the remote command gave the take; empty if it gave none.
   std::string name() const;
 
 private:

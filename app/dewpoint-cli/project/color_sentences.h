@@ -9,7 +9,8 @@
 
 namespace dewpoint::app {
 
-/// Returns "Hue 321 to 353 degrees, saturation 0.20 to 1.00, intensity 0.10 to 0.93."
+/// Returns a color range as text: "Hue 321 to 353 degrees, saturation 0.20 to 1.00, intensity 0.10
+/// to 0.93."
 std::string describeRange(const ColorRange& range);
 
 /// Returns sentences that describe how well the color stands out, what else matches it and where,
@@ -17,9 +18,9 @@ std::string describeRange(const ColorRange& range);
 std::vector<std::string> describeAssessment(const ColorAssessment& assessment,
                                             const std::vector<std::string>& cameras);
 
-/// Returns a sentence about the radius of the target, `shown` (meters), which was found at the
-/// click, if it differs from `given` (meters; 0: unknown). Returns an empty string if they agree or
-/// if no radius was found.
+/// Returns a sentence about the target radius found at the click, `shown` (meters), if it differs
+/// from the radius in the project, `given` (meters; 0: unknown). Returns an empty string if they
+/// agree or if no radius was found.
 std::string describeRadius(double given, const std::optional<double>& shown);
 
 } // namespace dewpoint::app

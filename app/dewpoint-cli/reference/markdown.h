@@ -13,11 +13,11 @@ namespace dewpoint::app {
 /// HTML are shown literally.
 std::string markdownText(std::string_view text);
 
-/// Returns a string between backticks.
+/// Returns a string as Markdown code, between backticks.
 std::string markdownCode(std::string_view text);
 
-/// Returns a table. Every row must have as many cells as the header; cells must already be
-/// Markdown.
+/// Returns a Markdown table. Every row must have as many cells as the header, and cells must
+/// already be Markdown.
 std::string markdownTable(const std::vector<std::string>& head,
                           const std::vector<std::vector<std::string>>& rows);
 

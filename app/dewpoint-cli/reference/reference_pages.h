@@ -11,13 +11,13 @@ namespace dewpoint::app {
 
 // Pages of the manual in Markdown, generated from the declarations that the program itself uses.
 
-/// Describes every command below `app` with its arguments and options.
+/// Returns the page that describes every command below `app` with its arguments and options.
 std::string commandsPage(const CLI::App& app);
 
-/// Lists the methods by their use, each with its parameters.
+/// Returns the page that lists the methods by their use, each with its parameters.
 std::string methodsPage();
 
-/// Lists the formats for trajectories and calibrations.
+/// Returns the page that lists the file formats for trajectories and calibrations.
 std::string formatsPage();
 
 } // namespace dewpoint::app

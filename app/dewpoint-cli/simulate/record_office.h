@@ -12,9 +12,10 @@ struct OfficeScene;
 
 namespace dewpoint::app {
 
-/// Writes a simulated office scene with people, ready to track: a video and a background image per
-/// camera, project.toml, calibration.toml, and truth.csv. `option` is the command-line option that
-/// gives the folder; errors name it. Returns the exit code.
+/// Writes a recording of a simulated office scene with people, ready to track, to a folder, and
+/// returns the exit code. The files are a video and a background image per camera, project.toml,
+/// calibration.toml, and truth.csv. Error messages name `option`, the command-line option that
+/// gives the folder.
 int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
                  const std::string& option);
 

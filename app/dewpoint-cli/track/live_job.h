@@ -12,16 +12,18 @@
 
 namespace dewpoint::app {
 
-/// Implements `dewpoint-cli live`: tracks a project in real time, sends the results to other
-/// programs, and writes them if there is a folder.
+/// Implements `dewpoint-cli live`: tracks a project in real time and sends the results to other
+/// programs. If a folder is set, also writes the results to this folder.
 struct LiveJob {
-  std::optional<std::filesystem::path> folder; ///< not set: nothing is written
-  std::optional<double> seconds;               ///< not set: until the end or an interruption
+  std::optional<std::filesystem::path> folder; ///< output folder; not set: nothing is written
+  std::optional<double>
+      seconds; ///< duration of the run; not set: until the input ends or the user interrupts it
   OutputSettings output;
-  std::filesystem::path projectFile; ///< relative paths in `output` are relative to its folder
+  std::filesystem::path projectFile; ///< paths in `output` are relative to the folder of this file
   std::set<std::string> options;     ///< keys of `output` that the command line has set
 
-  /// Returns an error about `output` with the option or the project file that it comes from.
+  /// Returns an error about `output`, completed with the command-line option or the project file
+  /// that contains the wrong value.
   Error located(Error error) const;
 
   /// Runs the job and returns the exit code of the process.

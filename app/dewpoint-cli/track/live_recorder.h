@@ -14,27 +14,30 @@
 
 namespace dewpoint::app {
 
-/// Writes the trajectory of a running session while it grows, and takes: parts of it that begin and
-/// end on request, each in a file of its own. Thread-safe.
+/// Writes the trajectory of a running session to a file while it grows. Parts of the trajectory,
+/// called takes, begin and end on request and are each also written to a file of their own.
+/// Thread-safe.
 class LiveRecorder {
 public:
-  /// `session` must outlive this object. Nothing is written yet.
+  /// Creates a recorder that writes nothing yet. `session` must outlive this object.
   LiveRecorder(const Session& session, std::filesystem::path folder);
 
-  /// Creates the folder with an empty trajectory.csv and a run.json that says that the run did not
-  /// finish.
+  /// Creates the folder with an empty trajectory.csv, and a run.json that marks the run as not
+  /// finished. Returns an error if a file cannot be written.
   Status begin();
-  /// Writes what was tracked since the last call, except for the newest frame.
+  /// Writes the frames tracked since the last call, except for the newest frame, whose results may
+  /// still change.
   Status update();
   /// Writes the final trajectory.csv and run.json, and ends the take.
   Status finish();
 
-  /// Begins a take, which is written to NAME.csv in the folder; an empty name becomes take-1,
-  /// take-2 and so on. BadValue if a take is in progress or the file exists.
+  /// Begins a take, a part of the trajectory that is also written to NAME.csv in the folder. An
+  /// empty name becomes take-1, take-2 and so on. Returns BadValue if a take is in progress or the
+  /// file exists.
   Status startTake(const std::string& name);
-  /// Ends the take. BadValue if there is none.
+  /// Ends the take in progress. Returns BadValue if there is none.
   Status stopTake();
-  /// Returns the name of the take in progress; empty: none.
+  /// Returns the name of the take in progress; empty if there is none.
   std::string take() const;
 
 private:

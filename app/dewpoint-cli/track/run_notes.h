@@ -18,14 +18,14 @@ namespace dewpoint::app {
 /// moved, and cameras that contradict each other. Each note is printed once.
 class RunNotes final : public FrameObserver {
 public:
-  /// `source` must outlive this object.
+  /// Creates an observer of a run over the frames of `source`, which must outlive this object.
   RunNotes(const FrameSetSource& source, const CameraRig& rig)
       : source_(source), motionWatch_(rig), motionObserver_(motionWatch_),
         agreementWatch_(rig, motionWatch_) {}
   RunNotes(const RunNotes&) = delete;
   RunNotes& operator=(const RunNotes&) = delete;
 
-  /// Prints the notices from the source, even while no frames arrive.
+  /// Prints new notices from the source. Call this while no frames arrive.
   void printNotices();
   void taken(const FrameSet& /*frames*/) override { printNotices(); }
   Status tracked(const TrackingRun& run) override;

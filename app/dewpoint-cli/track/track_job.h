@@ -17,7 +17,7 @@ struct TrackJob {
   int threads = 1;
   bool reasons = false; ///< also writes reasons.csv
   FrameRange frames;
-  JobRecord record; ///< identity of the job, known before it runs
+  JobRecord record; ///< identity of the job, which does not depend on its results
 
   /// Runs the job and returns the exit code of the process.
   int run(SessionInputs inputs) const;
