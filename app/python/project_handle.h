@@ -13,8 +13,8 @@ namespace dewpoint::app {
 /// A project as a Python object.
 struct ProjectHandle {
   Project project;
-  std::string
-      origin; ///< file or name with which the project was opened, for error messages; may be empty
+  /// File or name with which the project was opened, for error messages; may be empty.
+  std::string origin;
 };
 using ProjectHandlePtr = std::shared_ptr<ProjectHandle>;
 using ProjectClass = pybind11::class_<ProjectHandle, ProjectHandlePtr>;

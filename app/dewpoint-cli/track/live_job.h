@@ -16,8 +16,8 @@ namespace dewpoint::app {
 /// programs. If a folder is set, also writes the results to this folder.
 struct LiveJob {
   std::optional<std::filesystem::path> folder; ///< output folder; not set: nothing is written
-  std::optional<double>
-      seconds; ///< duration of the run; not set: until the input ends or the user interrupts it
+  /// Duration of the run; not set: until the input ends or the user interrupts it.
+  std::optional<double> seconds;
   OutputSettings output;
   std::filesystem::path projectFile; ///< paths in `output` are relative to the folder of this file
   std::set<std::string> options;     ///< keys of `output` that the command line has set
