@@ -9,8 +9,8 @@
 
 namespace dewpoint::ui {
 
-/// Names of all actions. Each is the object name of a QAction and the key under which users'
-/// preferences store its shortcut, so an existing name must not change.
+/// Names of all actions of the window. Each name is the object name of a QAction, and the key under
+/// which the preferences store the action's shortcut, so an existing name must not change.
 inline constexpr auto kActionNames = std::to_array<std::string_view>({
     "actionNew",
     "actionOpen",
@@ -125,7 +125,7 @@ class ActionId {
 public:
   // NOLINTNEXTLINE(google-explicit-constructor): a name converts to its id
   consteval ActionId(const char* name) : index_(indexOf(name)) {}
-  /// Separator in a list of actions, for example in a menu.
+  /// Creates a separator for a list of actions, for example in a menu.
   // NOLINTNEXTLINE(google-explicit-constructor)
   consteval ActionId(std::nullptr_t) : index_(kActionNames.size()) {}
 

@@ -18,25 +18,25 @@ class QPalette;
 namespace dewpoint::ui {
 
 /// Name of a widget property. In a widget with this property, and in all widgets inside it, keys
-/// without Ctrl, Alt or Meta trigger no action: a name or a number that is typed while the focus is
-/// on a list or a button must not restart the run. Function keys and Esc still trigger actions.
+/// without Ctrl, Alt or Meta trigger no action, so that typing a name or a number cannot restart
+/// the run by accident. Function keys and Esc still trigger actions.
 inline constexpr auto kKeepsKeys = "keepsKeys";
 
 /// Declaration of one action. Mark its strings for translation with QT_TRANSLATE_NOOP("Actions",
 /// "...").
 struct ActionDeclaration {
-  ActionId id;                ///< also the objectName of the QAction: "actionPlay"
-  const char* group;          ///< group heading in lists of actions: "Run"
-  const char* text;           ///< name in menus: "Play"
+  ActionId id;                ///< also the objectName of the QAction, for example "actionPlay"
+  const char* group;          ///< group heading in lists of actions, for example "Run"
+  const char* text;           ///< name in menus, for example "Play"
   const char* hint;           ///< one sentence for the tooltip
   const char* icon = nullptr; ///< name of an icon in resources/icons; null for no icon
   QKeySequence shortcut = {}; ///< default shortcut; users can change it
   bool checkable = false;
 };
 
-/// All actions in the window. Menus, the toolbar, shortcuts, tooltips and the command palette get
-/// their actions from this registry. Users can change the shortcuts; the preferences store the
-/// changes. The window connects each action to the code that performs it.
+/// Registry of all actions in the window, from which menus, the toolbar, shortcuts, tooltips and
+/// the command palette get their actions. Users can change the shortcuts; the preferences store the
+/// changes. Features connect each action to the code that performs it.
 class ActionRegistry : public QObject {
   Q_OBJECT
 public:
@@ -51,8 +51,8 @@ public:
   /// Returns the translated heading under which an action is listed.
   QString groupOf(const QAction* action) const;
   QString hintOf(const QAction* action) const;
-  /// Returns the translated name of an action as declared. It stays the same when the action is
-  /// renamed, or when its text names what it would do now ("Undo: Rename target").
+  /// Returns the translated name of an action as declared. This name does not change with the
+  /// current text of the action, such as "Undo: Rename target".
   QString labelOf(const QAction* action) const;
   /// Returns the icon of an action as declared, which is null if it has none.
   QIcon iconOf(const QAction* action) const;
@@ -68,9 +68,9 @@ public:
   /// had this shortcut, that action loses it. Saves the change in the preferences.
   void setShortcut(QAction* action, const QKeySequence& shortcut);
   void resetShortcuts();
-  /// Adds a second shortcut to an action. It works only while the action has its default shortcut
-  /// and no other action uses the second shortcut. It is neither listed nor saved in the
-  /// preferences.
+  /// Adds a second shortcut to an action. The second shortcut works only while the action has its
+  /// default shortcut and no other action uses the second one. It is neither listed nor saved in
+  /// the preferences.
   void addAlternative(ActionId id, const QKeySequence& shortcut);
 
   /// Redraws all icons in the colors of `palette`.

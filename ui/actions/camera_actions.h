@@ -7,7 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Returns the actions about the cameras of a project. declareWindowActions() declares them.
+/// Returns the declarations of the actions about the cameras of a project, for
+/// declareWindowActions().
 std::vector<ActionDeclaration> cameraActions();
 
 } // namespace dewpoint::ui

@@ -33,7 +33,8 @@ public:
     QIcon icon = {};
     std::function<void()> run;
   };
-  /// Sets a function that returns additional commands. It is called each time the palette opens.
+  /// Sets a function that returns additional commands. The function is called each time the palette
+  /// opens.
   void setExtraEntries(std::function<std::vector<Entry>()> more) {
     extraEntries_ = std::move(more);
   }
@@ -57,16 +58,18 @@ private:
   std::vector<Entry> entries_; ///< valid while the palette is open
 };
 
-/// Score for no match. Scattered-letter matches score between this value and 0.
+/// Score of a text that does not match. A text that contains only the scattered letters of the
+/// search scores between this value and 0.
 constexpr int kNoMatch = -1'000'000;
 
-/// Returns how well `search` matches `text`, ignoring case. A score of 0 or more means that `text`
-/// contains all words of `search`, in any order; matches at the start of a word score highest. A
-/// negative score above `kNoMatch` means that `text` contains all letters of `search` in order, as
-/// with "sm" for "Show mask".
+/// Returns a score for how well `search` matches `text`, ignoring case. The score is 0 or more if
+/// `text` contains all words of `search`, in any order; matches at the start of a word score
+/// highest. It is negative but above `kNoMatch` if `text` contains only all letters of `search` in
+/// order, as with "sm" for "Show mask".
 int matchScore(const QString& search, const QString& text);
 
-/// Sets all scattered-letter matches to `kNoMatch` if there is at least one word match.
+/// Sets all negative scores (matches of scattered letters) to `kNoMatch` if at least one score is a
+/// word match (0 or more).
 void dropScatteredMatches(std::vector<int>& fits);
 
 } // namespace dewpoint::ui

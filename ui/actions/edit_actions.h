@@ -7,8 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Returns the actions of the menu Edit, except for those about cameras (cameraActions()).
-/// declareWindowActions() declares them.
+/// Returns the declarations of the actions in the menu Edit, except those about cameras
+/// (cameraActions()), for declareWindowActions().
 std::vector<ActionDeclaration> editActions();
 
 } // namespace dewpoint::ui

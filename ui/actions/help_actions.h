@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Returns the actions of the menu Help. declareWindowActions() declares them.
+/// Returns the declarations of the actions in the menu Help, for declareWindowActions().
 std::vector<ActionDeclaration> helpActions();
 
 } // namespace dewpoint::ui

@@ -11,15 +11,14 @@ class QAction;
 
 namespace dewpoint::ui {
 
-/// Asks for confirmation when the user presses the shortcut of a destructive action. A key is
-/// easily pressed by accident, so only shortcuts need confirmation. Buttons and menu entries
-/// trigger the action immediately.
+/// Asks for confirmation when the user presses the shortcut of a destructive action, because a key
+/// is easily pressed by accident. Buttons and menu entries trigger the action immediately.
 class KeyGuard : public QObject {
   Q_OBJECT
 public:
-  /// Calls `ask` when the shortcut is pressed. If `ask` returns false, no confirmation is needed
-  /// and the action is triggered. If it returns true, the key press is ignored. The guard lives as
-  /// long as the action.
+  /// Creates a guard that lives as long as the action. When the shortcut is pressed, `ask` is
+  /// called. `ask` returns true if it asks the user, and the key press is then ignored; it returns
+  /// false if no confirmation is needed, and the action is then triggered.
   KeyGuard(QAction* action, std::function<bool()> ask);
 
 protected:

@@ -7,8 +7,7 @@ namespace dewpoint::ui {
 
 class ActionRegistry;
 
-/// Declares all actions in the window. A new action needs a line here, a menu entry and a
-/// connection.
+/// Adds all actions of the window to the registry.
 void declareWindowActions(ActionRegistry& registry);
 
 } // namespace dewpoint::ui

@@ -7,9 +7,10 @@
 
 namespace dewpoint::ui {
 
-/// Returns where the results of an output go: "JSON lines at 127.0.0.1:9001".
+/// Returns the format and the destination of an output, for example "JSON lines at 127.0.0.1:9001".
 QString outletPlace(const broadcast::OutletReport& report);
-/// Returns why an output sends nothing at the moment, or an empty text if nothing is wrong.
+/// Returns the reason why an output currently sends nothing, or an empty text if there is no
+/// problem.
 QString outletProblem(const broadcast::OutletReport& report);
 
 } // namespace dewpoint::ui

@@ -19,10 +19,10 @@ class QLabel;
 
 namespace dewpoint::ui {
 
-/// Sends the results of the run to other programs (actionSendResults), as the project's outputs
-/// say. Nothing is sent until the user switches it on, also not for a project that has outputs. A
-/// change of the outputs opens them again. Remote commands with the right token play, pause and
-/// record (recordRequested()).
+/// Sends the results of the run to other programs, through the outputs in the project's settings.
+/// Nothing is sent until the user switches sending on (actionSendResults). When the settings
+/// change, the outputs are opened again. Remote commands that contain the right token can play,
+/// pause and record (recordRequested()).
 class OutputController : public QObject {
   Q_OBJECT
 public:
@@ -33,7 +33,7 @@ public:
   explicit OutputController(const Workbench& bench);
 
   bool isSending() const { return broadcaster_ != nullptr; }
-  /// Returns how each output is doing; empty while nothing is sent.
+  /// Returns the current state of each output; empty while sending is off.
   std::vector<broadcast::OutletReport> reports() const;
   /// Replaces the function that opens outputs.
   void setOpener(Opener opener) { opener_ = std::move(opener); }
@@ -41,7 +41,8 @@ public:
 Q_SIGNALS:
   /// Emitted when sending has begun or ended, or when the outputs could not be opened.
   void changed();
-  /// Emitted when another program wants a take to start. `name` describes it; may be empty.
+  /// Emitted when another program requests the start of a take (a recording of all cameras). `name`
+  /// describes the take; may be empty.
   void recordRequested(const QString& name);
 
 private:

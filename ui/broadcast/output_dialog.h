@@ -17,8 +17,8 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Edits where results go while a run lasts (OutputSettings). Pressing OK changes the project in
-/// one step that can be undone.
+/// Dialog for the outputs that send results to other programs during a run (OutputSettings).
+/// Pressing OK changes the project in one undoable step.
 class OutputDialog : public QDialog {
   Q_OBJECT
 public:

@@ -5,7 +5,8 @@
 
 namespace dewpoint::ui {
 
-/// Returns the texts of the page for browsers in the language of the application.
+/// Returns the texts of the web page that shows the results in a browser, in the language of the
+/// application.
 broadcast::PageTexts pageTexts();
 
 } // namespace dewpoint::ui

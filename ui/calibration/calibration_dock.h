@@ -21,10 +21,10 @@ class CalibrationDock : public QWidget {
 public:
   explicit CalibrationDock(QWidget* parent = nullptr);
 
-  /// Adds a page as a tab, in a scroll area. The page is identified by its objectName. `title` is
-  /// called again when the language changes.
+  /// Adds a page as a tab, in a scroll area. The objectName of the page identifies it. `title`
+  /// returns the tab's title, and is called again when the language changes.
   void addPage(QWidget* page, const std::function<QString()>& title);
-  /// Sets the widget above the tabs, which stays visible with every page.
+  /// Sets a widget that is shown above the tabs, whichever page is open.
   void setHeader(QWidget* header);
   /// Shows the page with this objectName.
   void showPage(const QString& name);
@@ -32,7 +32,7 @@ public:
   QString shownPage() const;
 
 Q_SIGNALS:
-  /// Emitted when another page is shown.
+  /// Emitted when another page is shown, with the objectName of the page.
   void pageChanged(const QString& name);
 
 protected:

@@ -23,8 +23,8 @@ public:
   explicit CalibrationMode(const Workbench& bench);
 
   ManualCalibration& manual() const { return *manual_; }
-  /// Adds a page, which is identified by its objectName. `title` is called again when the language
-  /// changes.
+  /// Adds a page to the calibration panel. The objectName of the page identifies it. `title`
+  /// returns the page's title, and is called again when the language changes.
   void addPage(QWidget* page, const std::function<QString()>& title);
   /// Sets the widget above the pages.
   void setHeader(QWidget* header);
@@ -37,7 +37,8 @@ Q_SIGNALS:
   /// Emitted when the mode starts or ends, or another page is shown, with the objectName of the
   /// page; empty if the mode has ended.
   void shown(const QString& page);
-  /// Emitted when another tool begins to use the clicks in the images. Pages then stop using them.
+  /// Emitted when another tool begins to use the clicks in the images. Pages must then stop using
+  /// these clicks.
   void imagesLent();
 
 private:

@@ -28,9 +28,9 @@ enum class KeyMode { Move, Turn };
 /// a wand.
 enum class EarlierCameras { PanelOpened, LastChange, WandRefinement };
 
-/// Adjusts the selected camera by hand. Stores the fixed points (pins) and records every change as
-/// a named step of the document. Views read from this class what to draw, and send it their mouse
-/// and keyboard input.
+/// Lets the user adjust the selected camera by hand. Stores the fixed points (pins), and records
+/// every change as a named, undoable step of the document. Camera views get from this class what to
+/// draw, and send their mouse and keyboard input to it.
 class ManualCalibration : public QObject {
   Q_OBJECT
 public:
@@ -40,8 +40,8 @@ public:
   /// Returns whether a page of the calibration panel that shows the grid is open.
   bool isActive() const { return active_; }
   void setActive(bool active);
-  /// Returns whether the grid lies over the images and takes their clicks: while a page that shows
-  /// it is open and no other tool uses the images.
+  /// Returns whether the grid is drawn over the images and uses their clicks. This is so while a
+  /// page that shows the grid is open and no other tool uses the clicks.
   bool takesClicks() const { return active_ && !lent_; }
   /// Hides the grid while another tool uses the clicks in the images.
   void lendImages(bool lent);
@@ -51,15 +51,15 @@ public:
   void selectCamera(int camera);
   CameraListModel& cameras() const { return cameras_; }
   int cameraCount() const;
-  /// Returns a camera as it is shown: as it is now in the project or, while an earlier state is
-  /// shown, as it was then.
+  /// Returns a camera as the views show it: the current camera of the project or, while an earlier
+  /// state is shown, the earlier camera.
   Camera shownCamera(int camera) const;
   Camera cameraAt(int camera) const;
   QString nameOf(int camera) const;
   /// Returns the project's reference grid, or the standard grid if the project has none.
   ReferenceGrid grid() const;
-  /// Changes the grid as a step of the document. Returns false and changes nothing if the grid
-  /// cannot be drawn.
+  /// Changes the grid in an undoable step of the document. Returns false and changes nothing if the
+  /// grid cannot be drawn.
   bool setGrid(const QString& step, const ReferenceGrid& grid, const std::string& mergeKey);
 
   // Appearance of the views.
@@ -67,26 +67,26 @@ public:
   void setGridOpacity(double opacity);
   bool areEdgesShown() const { return edges_; }
   void setEdgesShown(bool shown);
-  /// Shows the grid as earlier cameras see it, or as the current cameras do if `earlier` is empty.
+  /// Shows the grid as earlier cameras see it, or, if `earlier` is empty, as the current cameras
+  /// see it.
   void showEarlier(std::optional<EarlierCameras> earlier);
   bool isEarlierShown() const { return earlier_.has_value(); }
   /// Returns which cameras the button and the key of the page "By hand" compare with.
   EarlierCameras comparison() const { return comparison_; }
   void setComparison(EarlierCameras comparison);
-  /// Stores the current cameras as those from before the panel was opened, or from before a
-  /// refinement.
+  /// Stores the current cameras for later comparison, as the state `earlier`.
   void storeAs(EarlierCameras earlier);
 
   // Dragging in images.
   const std::vector<Eigen::Vector3d>& pins(int camera) const;
   /// Returns whether grid lines cross at most `reach` pixels from `pixel`.
   bool isCrossingAt(int camera, const Eigen::Vector2d& pixel, double reach) const;
-  /// If there is a pin at most `reach` pixels from `pixel`, removes it. Otherwise pins the grid
-  /// point there, if there is one within this distance.
+  /// Removes the pin at most `reach` pixels from `pixel`. If there is no pin, pins the grid point
+  /// within this distance, if there is one.
   void togglePin(int camera, const Eigen::Vector2d& pixel, double reach);
-  /// Returns whether a point is held in any image.
+  /// Returns whether any image has a pin (a fixed point).
   bool hasPins() const;
-  /// Releases the points that are held, in all images.
+  /// Removes all pins (fixed points) in all images.
   void clearPins();
   void beginDrag(int camera, const Eigen::Vector2d& pixel, double reach);
   void dragTo(const Eigen::Vector2d& pixel);
@@ -111,7 +111,8 @@ public:
   /// Changes the focal length by `percent` percent.
   void nudgeFocal(double percent, bool repeated);
 
-  /// Replaces the state of a camera in a document step named `step`.
+  /// Replaces a camera of the project in an undoable step named `step`. Successive steps with the
+  /// same nonempty `mergeKey` are merged.
   void change(int camera, const QString& step, const Camera& changed,
               const std::string& mergeKey = {});
   void endMerging();

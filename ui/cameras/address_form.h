@@ -13,21 +13,22 @@ class QPushButton;
 
 namespace dewpoint::ui {
 
-/// Adds network cameras, GStreamer pipelines and test patterns by their address. *Try* opens the
-/// address in another thread, and shows its first image with size and rate, or why there is none.
+/// Form that adds network cameras, GStreamer pipelines and test patterns by their address. The
+/// button *Try* opens the address in another thread, and shows the first image with size and rate,
+/// or the reason why there is none.
 class AddressForm : public QWidget {
   Q_OBJECT
 public:
   explicit AddressForm(QWidget* parent = nullptr);
 
-  /// Sets why addresses cannot be added to this project; empty if they can.
+  /// Sets the reason why addresses cannot be added to this project; empty if they can.
   void setObstacle(const QString& obstacle);
 
 Q_SIGNALS:
-  /// Emitted when a camera with this address is to be added. `size`: of its images, pixels; empty
-  /// if it has not been tried.
+  /// Emitted when the user wants to add a camera with this address. `size` is the size of its
+  /// images in pixels; empty if the address has not been tried.
   void addRequested(const QString& address, const QSize& size);
-  /// Emitted when this address is to become the source of the selected camera.
+  /// Emitted when the user wants to make this address the source of the selected camera.
   void replaceRequested(const QString& address);
 
 private:

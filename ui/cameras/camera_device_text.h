@@ -13,25 +13,33 @@ namespace dewpoint::ui {
 
 /// Returns the name of a device, or its path if it has none.
 QString deviceName(const capture::CameraDevice& device);
-/// Returns where a device is plugged in and its serial number: "USB 3-1.2 · serial number A1B2".
+/// Returns the connection and the serial number of a device, for example "USB 3-1.2 · serial number
+/// A1B2".
 QString devicePlace(const capture::CameraDevice& device);
-/// Returns the largest size and the highest rate of each format, in one line.
+/// Returns the largest image size and the highest frame rate of each format that a device offers,
+/// in one line.
 QString formatSummary(const capture::CameraDevice& device);
-/// Returns all sizes and rates, one line for each format.
+/// Returns all image sizes and frame rates that a device offers, one line for each format.
 QString formatDetails(const capture::CameraDevice& device);
-/// Returns the size and the rate of images: "640 × 480, 30 per second"; without a rate if it is 0.
+/// Returns the size and the frame rate of images, for example "640 × 480, 30 per second". Leaves
+/// out the rate if it is 0.
 QString imageText(const QSize& size, double framesPerSecond);
-/// Returns the size of a format in words for a list: "1280 × 720".
+/// Returns an image size for a list, for example "1280 × 720".
 QString imageSizeText(int width, int height);
-/// Returns a control in words; the driver's words if it is not a common one.
+/// Returns the translated name of a device control, or the driver's name if the control is not a
+/// common one.
 QString controlText(const capture::DeviceControl& control);
-/// Returns a menu item of a control; the driver's words if it is not a common one.
+/// Returns the translated name of a menu item of a device control, or the driver's name if the item
+/// is not a common one.
 QString menuItemText(const capture::DeviceControl& control, const capture::ControlMenuItem& item);
-/// Returns the names of automatics, separated by commas: "exposure, white balance".
+/// Returns the names of automatic functions that change colors, separated by commas, for example
+/// "exposure, white balance".
 QString automaticsText(const std::vector<capture::ColorAutomatic>& automatics);
-/// Returns a sentence about a bus that cannot carry its cameras. `names`: of the project's cameras.
+/// Returns a sentence about a bus whose bandwidth is too small for its cameras. `names` are the
+/// names of the project's cameras.
 QString shortageText(const capture::BandwidthShortage& shortage, const QStringList& names);
-/// Returns a proposal of `shortage` in words: "left: MJPG 1280x720 30".
+/// Returns the formats that `shortage` proposes so that the bandwidth suffices, for example "left:
+/// MJPG 1280x720 30". `names` are the names of the project's cameras.
 QString proposalText(const capture::BandwidthShortage& shortage, const QStringList& names);
 
 } // namespace dewpoint::ui

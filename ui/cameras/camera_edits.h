@@ -21,22 +21,24 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Undoable changes to the cameras of the open project. Sources are examined in another thread
-/// before they are added; what fails leaves the project as it is, and is reported by `failed()`.
+/// Changes the cameras of the open project in undoable steps. A source is examined in another
+/// thread before it is added. If this fails, the project stays unchanged, and `failed()` is
+/// emitted.
 class CameraEdits : public QObject {
   Q_OBJECT
 public:
   explicit CameraEdits(Document& document, QObject* parent = nullptr);
 
-  /// Adds one camera for each location: videos and image folders, or addresses. `size` is that of
-  /// their images if it is known, pixels.
+  /// Adds one camera for each location: a video, an image folder, or an address. `size` is the size
+  /// of the images in pixels; empty if unknown.
   void addLocations(const QStringList& locations, const QSize& size = {});
-  /// Adds cameras whose sources are known.
+  /// Adds one camera for each source, without examining the sources.
   void add(const std::vector<CameraSource>& sources);
   void remove(int camera);
-  /// Gives a camera another source.
+  /// Replaces the source of a camera.
   void replace(int camera, const CameraSource& source);
-  /// Examines a location, and makes it the source of a camera.
+  /// Examines a location (a video, an image folder or an address), and makes it the source of a
+  /// camera.
   void replaceByLocation(int camera, const QString& location);
   /// Makes two cameras exchange their sources.
   void exchange(int camera, int other);
@@ -46,18 +48,18 @@ public:
   void orient(int camera, int rotateDegrees, bool mirrored);
   /// Sets the margins that are cut off from the images of a camera. The calibration is converted.
   void crop(int camera, const ImageMargins& margins);
-  /// Sets the formats that are requested from devices, by camera.
+  /// Sets the formats that are requested from the devices of cameras, by camera index.
   void setFormats(const std::map<int, capture::DeviceFormat>& formats);
-  /// Sets a control of a camera's device. Successive changes of the same control, as by dragging a
-  /// slider, are one step.
+  /// Sets a control of a camera's device, such as its exposure. Successive changes of the same
+  /// control, for example while a slider is dragged, are one step.
   void setControl(int camera, const std::string& name, std::int64_t value);
-  /// Stores locked colors, by camera.
+  /// Stores the control values that lock the colors of cameras, by camera index.
   void lockColors(const std::map<int, capture::ControlValues>& values);
   bool isBusy() const { return pending_ > 0; }
 
 Q_SIGNALS:
   void failed(const QString& sentence);
-  /// Emitted when a source begins or ends to be examined.
+  /// Emitted when the examination of sources begins or ends.
   void busyChanged(bool busy);
 
 private:

@@ -14,15 +14,15 @@ class QPalette;
 
 namespace dewpoint::ui {
 
-/// Size of the small images in lists of cameras, in pixels. Chosen: large enough to recognize a
-/// view, small enough for four rows beside each other.
+/// Size of the small images in lists of cameras, in pixels: large enough to recognize a view, small
+/// enough to show four cameras at once.
 inline constexpr QSize kCameraIconSize(96, 54);
 
-/// Returns an image centered in a tile of kCameraIconSize, so that rows are alike; an empty
-/// tile without an image.
+/// Returns an icon of kCameraIconSize with the image at its center, so that all rows of a list are
+/// equally tall. Returns an empty tile if the image is null.
 QIcon cameraIcon(const QImage& image, const QPalette& palette, double pixelRatio);
 
-/// The list of the project's cameras (CameraListModel), with their newest images.
+/// List model of the project's cameras (CameraListModel) with small images of the cameras as icons.
 class CameraIconModel : public QIdentityProxyModel {
   Q_OBJECT
 public:

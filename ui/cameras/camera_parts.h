@@ -10,7 +10,7 @@ class ColorLocker;
 class ControlSync;
 class DeviceWatch;
 
-/// Parts of the window that the dialog *Cameras* uses. They exist as long as the window.
+/// Objects that the dialog *Cameras* uses. They exist as long as the window.
 struct CameraParts {
   DeviceWatch& watch;
   CameraEdits& edits;

@@ -19,15 +19,16 @@ namespace dewpoint::ui {
 class ProjectPane;
 class SourcePane;
 
-/// The dialog *Cameras*: on the left the cameras of the project, on the right where cameras can
-/// come from. Changes take effect at once, and can be undone.
+/// Dialog *Cameras*. The left side shows the cameras of the project, the right side the devices,
+/// addresses and recordings that can be added. Changes take effect immediately and can be undone.
 class CamerasDialog : public QDialog {
   Q_OBJECT
 public:
   CamerasDialog(const Workbench& bench, const CameraParts& parts);
 
 protected:
-  void showEvent(QShowEvent* event) override; ///< previews run only while it is visible
+  void showEvent(QShowEvent* event)
+      override; ///< starts the previews, which run only while the dialog is visible
   void hideEvent(QHideEvent* event) override;
 
 private:

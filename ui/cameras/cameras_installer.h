@@ -7,8 +7,8 @@ namespace dewpoint::ui {
 
 struct Workbench;
 
-/// Installs the dialog *Cameras* (actionCameras), *Lock colors* (actionLockColors), and the
-/// questions about devices that are missing.
+/// Adds the dialog *Cameras* (actionCameras), the action *Lock colors* (actionLockColors), and the
+/// questions about missing devices to the window.
 void installCameraSources(const Workbench& bench);
 
 } // namespace dewpoint::ui

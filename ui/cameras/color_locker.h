@@ -17,23 +17,25 @@ namespace dewpoint::ui {
 class CameraEdits;
 class DeviceWatch;
 
-/// Locks the colors of cameras: switches their automatic exposure, gain and white balance off, and
-/// keeps the present values, in the devices and in the project. When a color has been learned while
-/// a camera changes its colors by itself, a message offers this, once for each project.
+/// Locks the colors of cameras: switches off their automatic exposure, gain and white balance, and
+/// keeps the current values in the devices and in the project. If a color was learned while a
+/// camera adjusts its colors automatically, a message offers to lock them, once for each project.
 class ColorLocker : public QObject {
   Q_OBJECT
 public:
   ColorLocker(const Workbench& bench, DeviceWatch& watch, CameraEdits& edits);
 
-  /// Locks the colors of one camera, or of all cameras if it is -1. Does nothing while it is busy.
+  /// Locks the colors of one camera, or of all cameras if `camera` is -1. Does nothing while
+  /// isBusy() is true.
   void lock(int camera);
   bool isBusy() const { return job_->isRunning(); }
 
 Q_SIGNALS:
   void busyChanged();
-  /// Emitted before locked values are stored, with the controls that the device had before.
+  /// Emitted before locked values are stored in the project, with the device's path and the former
+  /// values of its controls.
   void locking(const std::string& path, const std::vector<capture::DeviceControl>& before);
-  /// Emitted with a sentence about what was locked, and what was not.
+  /// Emitted with a sentence that tells which colors were locked and which were not.
   void done(const QString& sentence);
   void failed(const QString& sentence);
 

@@ -13,9 +13,9 @@ class QFormLayout;
 
 namespace dewpoint::ui {
 
-/// Controls of a device: a slider with its range for a number, a check box, or a list. Controls
-/// that an automatic of the device sets at present are disabled, and show the value that it has
-/// chosen.
+/// Form with the controls of a device: a slider for a number, a check box, or a list. A control
+/// that the device currently sets automatically is disabled and shows the value chosen by the
+/// device.
 class ControlForm : public QWidget {
   Q_OBJECT
 public:
@@ -25,7 +25,7 @@ public:
   void show(const std::vector<capture::DeviceControl>& controls);
 
 Q_SIGNALS:
-  /// Emitted when the user changes a control, also while a slider is dragged.
+  /// Emitted when the user changes a control, including while a slider is dragged.
   void changed(const std::string& name, qint64 value);
   /// Emitted when a slider is released.
   void dragEnded();

@@ -16,21 +16,21 @@ namespace dewpoint::ui {
 class DeviceWatch;
 class Document;
 
-/// Sets the controls of connected devices to the values in the project whenever these change, for
-/// example while a slider is dragged, or when a change is undone. (The connection of a camera sets
-/// them when it opens.) Works in another thread, and skips values that were changed again
-/// meanwhile.
+/// Sets the controls of connected devices whenever their values in the project change, for example
+/// while a slider is dragged or when a change is undone. Works in another thread, and skips values
+/// that have changed again meanwhile.
 class ControlSync : public QObject {
   Q_OBJECT
 public:
   ControlSync(Document& document, DeviceWatch& watch, QObject* parent = nullptr);
 
-  /// Remembers the present values of a device's controls. A control that the project no longer sets
-  /// after an undo gets this value back.
+  /// Stores the current values of a device's controls. If the project no longer sets a control
+  /// after an undo, the control gets its stored value back.
   void remember(const std::string& path, const std::vector<capture::DeviceControl>& controls);
 
 Q_SIGNALS:
-  /// Emitted when controls were set. Others may have changed with them.
+  /// Emitted when controls were set. Other controls of the device may have changed as a
+  /// consequence.
   void applied();
   /// Emitted with a sentence about a control that could not be set.
   void failed(const QString& sentence);

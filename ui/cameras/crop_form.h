@@ -19,14 +19,14 @@ class CropForm : public QWidget {
 public:
   explicit CropForm(QWidget* parent = nullptr);
 
-  /// Shows the margins of a camera. `width` and `height`: size of its images before cropping. If
-  /// the user has changed margins of this camera and the change has not been reported yet, the
-  /// fields keep it.
+  /// Shows the margins of a camera. `width` and `height` are the size of its images before
+  /// cropping. The fields keep margins that the user has entered for this camera and that changed()
+  /// has not reported yet.
   void show(int camera, const ImageMargins& margins, int width, int height);
 
 Q_SIGNALS:
-  /// Emitted when the user has changed margins: at once when a field is left, otherwise half a
-  /// second after the last change.
+  /// Emitted when the user has changed margins: immediately when the user leaves a field, otherwise
+  /// half a second after the last change.
   void changed(int camera, const dewpoint::geometry::ImageMargins& margins);
 
 private:

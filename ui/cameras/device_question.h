@@ -18,9 +18,10 @@ namespace dewpoint::ui {
 class CameraEdits;
 class DeviceWatch;
 
-/// Asks which device belongs to a camera of the project if it is not there when the project is
-/// opened, or if several devices may be meant. Asks once for each camera; the answer is stored in
-/// the project, as an undoable step. The question disappears when the device is plugged in.
+/// Asks the user which device belongs to a camera of the project, if its device is missing when the
+/// project is opened or if several devices match. Asks once for each camera. The answer is stored
+/// in the project in an undoable step. The question disappears when the missing device is plugged
+/// in.
 class DeviceQuestion : public QObject {
   Q_OBJECT
 public:

@@ -10,28 +10,28 @@
 
 namespace dewpoint::ui {
 
-/// The camera devices of this computer as they come and go. They are watched in other threads from
-/// `start()` on, and reported in the GUI thread.
+/// Watches which camera devices are connected to this computer. Devices are watched in other
+/// threads from `start()` on; signals are emitted in the GUI thread.
 class DeviceWatch : public QObject {
   Q_OBJECT
 public:
-  /// `access`: the devices to watch; null: those of this computer.
+  /// Creates an object that watches the devices of `access`; null: the devices of this computer.
   explicit DeviceWatch(capture::DeviceAccessPtr access = nullptr, QObject* parent = nullptr);
   ~DeviceWatch() override;
 
-  /// Watches other devices than those of this computer, from now on.
+  /// Watches the devices of `access` from now on, instead of the devices of this computer.
   void setAccess(capture::DeviceAccessPtr access);
-  /// Returns the devices for jobs: controls are read and set in their threads.
+  /// Returns the access to the devices, with which jobs read and set controls in their own threads.
   const capture::DeviceAccessPtr& access() const { return access_; }
-  /// Begins to watch, if that has not happened yet.
+  /// Starts to watch the devices. Does nothing if this was done before.
   void start();
-  /// Returns whether the devices have been listed.
+  /// Returns whether the devices have been listed for the first time.
   bool isListed() const { return listed_; }
-  /// Returns the present devices; empty before they have been listed.
+  /// Returns the connected devices; empty before isListed().
   const capture::CameraDevices& devices() const { return *devices_; }
 
 Q_SIGNALS:
-  /// Emitted when the devices have been listed, and after each change.
+  /// Emitted when the devices have been listed for the first time, and after each change.
   void changed();
 
 private:

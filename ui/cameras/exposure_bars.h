@@ -7,14 +7,15 @@
 
 namespace dewpoint::ui {
 
-/// Histogram of the brightness of a target's pixels, from black to white. The bars of pixels that
-/// are too dark or clipped are drawn in the color of text; such pixels have no useful color.
+/// Histogram of the brightness of a target's pixels, from black to white. The bars of pixels
+/// without a useful color, which are too dark or clipped (saturated), are drawn in the text color.
 class ExposureBars : public QWidget {
   Q_OBJECT
 public:
   explicit ExposureBars(QWidget* parent = nullptr);
 
-  /// Sets the histogram. Without pixels, only the base line is drawn.
+  /// Sets the exposure whose histogram is shown. If it covers no pixels, only the base line is
+  /// drawn.
   void setExposure(const TargetExposure& exposure);
   QSize sizeHint() const override;
 

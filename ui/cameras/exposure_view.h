@@ -23,8 +23,8 @@ class ExposureView : public QWidget {
 public:
   explicit ExposureView(const CameraListModel& cameras, QWidget* parent = nullptr);
 
-  /// Measures the targets of a snapshot in another thread, and then shows the result. Hides the
-  /// view if the snapshot is null or contains people.
+  /// Measures the exposure of the targets of a snapshot in another thread, and then shows the
+  /// result. Hides the view if the snapshot is null or contains people.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Sets the camera whose histogram is shown.
   void setCamera(int camera);

@@ -12,14 +12,14 @@ class QLabel;
 
 namespace dewpoint::ui {
 
-/// Chooses the pixel format, the size and the rate that are requested from a device, among those
-/// that it offers. Each can be left to the device.
+/// Combo boxes for the pixel format, image size and frame rate to request from a device, among
+/// those that the device offers. Each can also be left to the device.
 class FormatChoice : public QWidget {
   Q_OBJECT
 public:
   explicit FormatChoice(QWidget* parent = nullptr);
 
-  /// Shows what a device offers, and what the project requests.
+  /// Shows the formats that a device offers, and selects the one that the project requests.
   void show(const std::vector<capture::OfferedFormat>& offered,
             const capture::DeviceFormat& requested);
 

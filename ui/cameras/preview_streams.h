@@ -15,7 +15,7 @@
 
 namespace dewpoint::ui {
 
-/// What a preview shows: an image, or why there is none.
+/// State of a preview: its image, or the reason why there is none.
 struct PreviewState {
   QImage image;
   QSize size;                   ///< of the images as the source sends them, pixels
@@ -23,17 +23,18 @@ struct PreviewState {
   QString problem;              ///< one sentence; empty while the source delivers
 };
 
-/// Shows small images of several live sources, a few each second. Each source is opened, read and
-/// closed in a thread of its own. A source that cannot be opened is tried again every two seconds.
+/// Reads small images from several live sources for previews, a few images per second. Each source
+/// is opened, read and closed in a thread of its own. If a source cannot be opened, another attempt
+/// follows every two seconds.
 class PreviewStreams : public QObject {
   Q_OBJECT
 public:
   explicit PreviewStreams(QObject* parent = nullptr);
-  ~PreviewStreams() override; ///< closes all, without waiting for them
+  ~PreviewStreams() override; ///< closes all sources without waiting for this to finish
 
-  /// Shows exactly these sources: opens those that are new and closes the others.
+  /// Sets the sources to read: opens those that are new, and closes those not in `locations`.
   void show(const QSet<QString>& locations);
-  /// Returns what is known of a source; null if it is not shown.
+  /// Returns the state of the preview of a source; null if the source is not being read.
   const PreviewState* state(const QString& location) const;
 
 Q_SIGNALS:

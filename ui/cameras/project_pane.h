@@ -28,8 +28,8 @@ class CropForm;
 class ExposureView;
 class FormatChoice;
 
-/// The cameras of the project: their list with their newest images, and the settings of the
-/// selected one. The selection is that of the window.
+/// Part of the dialog *Cameras* with the cameras of the project: a list with their newest images,
+/// and the settings of the selected camera. The selection is shared with the whole window.
 class ProjectPane : public QWidget {
   Q_OBJECT
 public:
@@ -37,7 +37,7 @@ public:
 
   /// Returns the index of the selected camera, or -1 without cameras.
   int camera() const;
-  /// Shows the newest image of each camera, and how its targets are exposed.
+  /// Updates the newest image of each camera and the exposure of its targets.
   void showImages();
 
 private:

@@ -19,18 +19,19 @@ namespace dewpoint::ui {
 class AddressForm;
 class PreviewStreams;
 
-/// Where cameras can come from: the devices that are connected to this computer, each with a live
-/// image, network addresses, and recordings. Devices that the project uses show its newest image.
+/// Part of the dialog *Cameras* with the sources that can be added: connected devices, each with a
+/// live image, network addresses, and recordings. A device that the project already uses shows the
+/// newest image of its camera.
 class SourcePane : public QWidget {
   Q_OBJECT
 public:
-  /// `selected` returns the index of the selected camera of the project, or -1.
+  /// Creates the pane. `selected` returns the index of the selected camera of the project, or -1.
   SourcePane(const Workbench& bench, const CameraParts& parts, std::function<int()> selected,
              QWidget* parent = nullptr);
 
-  /// Opens or closes the streams of the previews.
+  /// Sets whether the devices are opened to show live images.
   void setPreviewing(bool previewing);
-  /// Shows the newest images of the project's devices.
+  /// Updates the images of the devices that the project uses.
   void showImages();
 
 private:

@@ -16,8 +16,8 @@ class ImageMenu;
 class ImagePickTool;
 class ViewDock;
 
-/// Creates one dock with a camera view for each camera in the project. The docks are recreated for
-/// each run. A dock title shows the state of the view and the reason for it. Also connects the
+/// Creates one dock with a camera view for each camera in the project, again for each run. The
+/// title of a dock shows the state of its view and the reason for this state. Also connects the
 /// actions shared by all camera views.
 class CameraDocks : public QObject {
   Q_OBJECT

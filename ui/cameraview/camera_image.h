@@ -24,14 +24,14 @@ namespace dewpoint::ui {
 using FramePtr = std::shared_ptr<const Frame>;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Input from which the pixels of a camera view are drawn. It keeps all of its data alive, so that
-/// an address comparison never mistakes new data for freed data.
+/// Input from which the pixels of a camera view are drawn. It keeps its data alive, so that two
+/// inputs can be compared by the addresses of their data.
 struct CameraImageSource {
   int camera = 0;
   FramePtr frame; ///< null for no image
   cv::Mat mask;   ///< as in `TrackSnapshot::masks`; ignored if its size differs from the image size
   bool isOfMotion = false;   ///< the mask shows moving pixels instead of targets
-  std::vector<QColor> tints; ///< of the mask, one per target
+  std::vector<QColor> tints; ///< colors in which the mask is drawn, one per target
   QRect part;                ///< part of the image to draw, pixels
   QSize size;                ///< size of `part` on the screen, device pixels
   bool isZoomed = false;     ///< draws enlarged pixels as squares

@@ -11,7 +11,7 @@ class QRectF;
 
 namespace dewpoint::ui {
 
-/// Draws the reason why a live camera delivers no images, `text`, at the bottom of its last image.
+/// Draws `text`, the reason why a live camera delivers no images, at the bottom of its last image.
 /// Draws nothing if `text` is empty.
 void paintCameraProblem(QPainter& painter, const QRectF& image, const QString& text,
                         const QPalette& palette);

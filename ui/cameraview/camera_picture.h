@@ -31,32 +31,32 @@ struct CameraLook {
 /// Returns the frame of a camera in a snapshot, or null if there is none.
 FramePtr frameOf(const TrackSnapshotPtr& snapshot, int camera);
 
-/// Returns the input for drawing a whole camera image in this size (device pixels). Its frame is
-/// null if there is no image.
+/// Returns the input for drawing a whole camera image in this size (device pixels). The frame of
+/// the input is null if there is no image.
 CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera, const CameraLook& look,
                               const QSize& size);
 
-/// Where the drawn pixels of a camera are seen.
+/// Position and visible part of a camera image in its view.
 struct CameraImagePlace {
   ImagePlacement placement;
   QRectF seen; ///< visible part of the image
   bool isZoomed = false;
 };
 
-/// Paints everything that lies over the pixels of a camera view: likelihood maps, the volume of
-/// interest, people, particles and estimates, the inset, the zoom factor and the mark of a camera
-/// that has moved. `image` was drawn from a frame of `snapshot`. May be called from any thread.
+/// Paints everything over the pixels of a camera view: likelihood maps, the volume of interest,
+/// people, particles and estimates, the inset, the zoom factor and the marker of a moved camera.
+/// `image` must have been drawn from a frame of `snapshot`. May be called from any thread.
 void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnapshotPtr& snapshot,
                     const CameraLook& look, const CameraImagePlace& place);
 
-/// Returns the text shown instead of an image if there is no image.
+/// Returns the text that a camera view shows if there is no image.
 QString missingImageText(const TrackSnapshotPtr& snapshot, int camera);
 
-/// Returns the color around an image.
+/// Returns the background color around an image in a camera view.
 QColor imageGround(const QPalette& palette);
 
-/// Draws a camera view of this size (pixels) as it would be shown, with the whole image fitted into
-/// it. May be called from any thread.
+/// Returns an image of this size (pixels) that looks like a camera view, with the whole camera
+/// image fitted into it. May be called from any thread.
 QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraLook& look,
                      const QSize& size);
 

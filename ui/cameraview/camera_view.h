@@ -16,7 +16,7 @@
 
 namespace dewpoint::ui {
 
-/// Image of one camera, letterboxed or zoomed, with the filter estimates projected into it:
+/// View of the image of one camera, fitted or zoomed, with the filter estimates projected into it:
 /// particles, the estimate with its 95 % ellipse, ground truth if known, and optionally the mask of
 /// the target color. Pixels are drawn in another thread. Until the pixels of a newer snapshot are
 /// ready, the view shows the previous snapshot with its estimates. Overlays follow `placement()`.
@@ -37,9 +37,10 @@ public:
   void setMagnifierShown(bool shown);
   /// Shows the outline of the volume of interest. If `volume` is empty, no outline is shown.
   void setVolume(const std::optional<WorldBox>& volume);
-  /// Highlights the selected person. If `target` is -1, no person is highlighted.
+  /// Highlights the target with this index if it is a person. If `target` is -1, no person is
+  /// highlighted.
   void setChosenTarget(int target);
-  /// Returns the layers that are shown, for drawing this camera elsewhere.
+  /// Returns which layers are shown, for example to draw this view elsewhere.
   CameraLook look() const;
   int camera() const { return camera_; }
   HoldState state() const { return state_; }
@@ -58,7 +59,7 @@ public:
   /// Enlarges the image by `factor` (see `ImageZoom`). The pixel at `position` (widget coordinates)
   /// stays in place.
   void zoomBy(double factor, const QPointF& position);
-  /// Moves the zoomed image by `way`, in widget units.
+  /// Moves the zoomed image by the offset `way`, in widget units.
   void panBy(const QPointF& way);
   /// Moves the zoomed image until `pixel` is visible.
   void reveal(const QPointF& pixel);
@@ -66,7 +67,7 @@ public:
   void fitImage();
   /// Requests the context menu at a position in this widget.
   void requestMenu(const QPointF& position) { Q_EMIT menuRequested(position); }
-  /// Returns whether the view shows everything it was last given. Also true while the view is not
+  /// Returns whether the newest snapshot and settings are drawn. Also true while the view is not
   /// visible.
   bool isDrawn() const;
 
@@ -74,7 +75,7 @@ public:
   QSize minimumSizeHint() const override { return {120, 90}; }
 
 Q_SIGNALS:
-  /// Emitted when the state in the title of this view has changed.
+  /// Emitted when the tracking state that this view shows has changed.
   void stateChanged(HoldState state);
   void menuRequested(const QPointF& position);
   /// Emitted when a new live estimate is painted, with the time since it was finished in seconds.

@@ -18,9 +18,9 @@ struct CameraOverlay;
 
 namespace dewpoint::ui {
 
-/// Inset that enlarges a particle cloud that is too small to see in its camera view. It lies in a
-/// corner away from the cloud. It shows the image around the cloud, the particles, the 95 % ellipse
-/// if that is also small, and a scale bar in pixels. A thin line leads to the cloud.
+/// Inset in a corner of a camera view that enlarges a particle cloud too small to see. It shows the
+/// image around the cloud, the particles, the 95 % ellipse if this is also small, and a scale bar
+/// in pixels. A thin line connects the inset with the cloud.
 struct CloudInset {
   const CameraOverlay& overlay; ///< overlay of a tracked target
   const cv::Mat& image;         ///< CV_8UC3

@@ -11,9 +11,9 @@
 
 namespace dewpoint::ui {
 
-/// Draws a target's likelihood map (`likelihoodImage()`; null for none) at its position in the
-/// camera image (`place`, pixels). Also draws the candidate positions as circles: solid for
-/// existing ones, dashed for new ones, dotted for distractors.
+/// Draws the likelihood map of a target, `map` (from `likelihoodImage()`; null for none), over the
+/// area `place` of the camera image (pixels). Also draws the candidate positions as circles: solid
+/// for existing ones, dashed for new ones, dotted for distractors.
 void paintLikelihoodMap(QPainter& painter, const QRect& place, const QImage& map,
                         const std::vector<ProposedOutline>& proposed,
                         const ImagePlacement& placement);

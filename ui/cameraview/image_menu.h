@@ -26,15 +26,16 @@ struct ImageMenuEntry {
 };
 
 /// Context menu of the camera images, opened by a right click or the Menu key. Lists the entries
-/// that features offer for the pixel there, followed by the zoom actions.
+/// that features offer for the clicked pixel, followed by the zoom actions.
 class ImageMenu : public QObject {
   Q_OBJECT
 public:
   explicit ImageMenu(const Workbench& bench);
 
-  /// Returns the entries that a feature offers at a pixel of a camera image; may be empty.
+  /// Function of a feature that returns the entries to offer at a pixel of a camera image; may
+  /// return none.
   using Section = std::function<std::vector<ImageMenuEntry>(int camera, const QPointF& pixel)>;
-  /// Adds a section below the existing ones.
+  /// Adds a section of entries below the existing sections.
   void addSection(Section section) { sections_.push_back(std::move(section)); }
   /// Opens the menu at a position in a view. The position may lie outside the image.
   void open(int camera, CameraView* view, const QPointF& position);

@@ -17,9 +17,9 @@ namespace dewpoint::ui {
 
 class CameraView;
 
-/// Zooms and moves the image of a camera view, regardless of the overlay on top of it. The wheel
+/// Lets the user zoom and move the image of a camera view, whichever overlay is on top. The wheel
 /// zooms at the pointer. Dragging with the middle button, or with Ctrl and the left button, moves a
-/// zoomed image. The overlays never receive these events.
+/// zoomed image. Overlays never receive these events.
 class ImageNavigation : public QObject {
   Q_OBJECT
 public:

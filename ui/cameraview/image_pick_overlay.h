@@ -13,16 +13,17 @@ namespace dewpoint::ui {
 
 class CameraView;
 
-/// Camera view overlay that lets the user point at objects in the image, and that outlines regions.
-/// A drag that no tool uses moves a zoomed image; a double click fits the image. For keyboard use
-/// while the overlay has the focus and is picking: the arrow keys move a cross (with Ctrl by one
-/// pixel), and Enter picks there. Shift and Alt have the same effect as with a click.
+/// Camera view overlay with which the user points at objects in the image ("picks" a pixel or a
+/// box), and which outlines regions. A drag that no tool uses moves a zoomed image; a double click
+/// fits the image. While the overlay has the focus and is picking, the arrow keys move a cross
+/// (with Ctrl by one pixel), and Enter picks the pixel at the cross. Shift and Alt have the same
+/// effect as with a click.
 class ImagePickOverlay : public QWidget {
   Q_OBJECT
 public:
   explicit ImagePickOverlay(CameraView* view);
 
-  /// Sets whether a plain click picks. A click with Shift or Alt always picks.
+  /// Sets whether a plain click picks a pixel for a tool. A click with Shift or Alt always does.
   void setPicking(bool picking);
   /// Sets whether a magnifier shows the pixels under the pointer while picking. The magnifier
   /// appears only if pixels are small.
@@ -60,10 +61,10 @@ Q_SIGNALS:
   /// Emitted when Esc is pressed, which ends picking.
   void cancelled();
   /// Emitted when the user presses the mouse button on the image, or picks a pixel with the
-  /// keyboard. Either selects the camera of this view.
+  /// keyboard. The camera of this view must then be selected.
   void chosen();
-  /// Emitted with the position, in image pixels, of a plain click outside picking mode. It follows
-  /// chosen().
+  /// Emitted after chosen() for a plain click outside picking mode, with its position in image
+  /// pixels.
   void imageClicked(const QPointF& pixel);
 
 protected:

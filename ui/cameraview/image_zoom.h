@@ -17,14 +17,15 @@ struct ZoomSizes {
   double ratio = 1.0;
 };
 
-/// Zoom and position of an image in a view. Initially the image is fitted, so all of it is visible.
-/// A zoomed image never leaves more of the view empty than a fitted one. It keeps its scale and
-/// center when the view size changes.
+/// Zoom and position of an image in a view. Initially, the image is fitted, so that all of it is
+/// visible. A zoomed image keeps its scale and center when the view size changes, and never leaves
+/// more of the view empty than a fitted image.
 class ImageZoom {
 public:
   /// Zoom factor per wheel step or key press.
   static constexpr double kStep = 1.4142135623730951;
-  /// Maximum scale in widget units per image pixel. A fitted image may exceed it.
+  /// Maximum scale of a zoomed image, in widget units per image pixel. The scale of a fitted image
+  /// may be larger.
   static constexpr double kMaxScale = 32.0;
 
   bool isFitted(const ZoomSizes& sizes) const;

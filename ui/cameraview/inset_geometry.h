@@ -11,9 +11,9 @@
 
 namespace dewpoint::ui {
 
-// Position and magnification of the inset in a camera view. They depend only on what is shown, so
-// the same frame always gives the same image. They change rarely, so the inset stays still while
-// the cloud in it moves.
+// Position and magnification of the inset in a camera view. They depend only on the frame and the
+// view, so the same frame always gives the same image. They change rarely, so that the inset does
+// not move with the cloud.
 
 /// Returns whether a cloud of this diameter (widget units) is too small to see without an inset.
 bool isTightCloud(double diameter);
@@ -22,19 +22,20 @@ bool isTightCloud(double diameter);
 /// if an inset would take up too much room.
 std::optional<double> insetSide(const QRectF& area);
 
-/// Returns the width of an image pixel in device pixels, for an inset with side length `side`
-/// (device pixels) and a cloud of `diameter` image pixels. The result is a power of three. Returns
-/// nothing if the cloud is too large for an inset of whole pixels.
+/// Returns the magnification of an inset: the width of an image pixel in device pixels, a power of
+/// three. The inset has the side length `side` (device pixels), and the cloud a diameter of
+/// `diameter` image pixels. Returns nothing if the cloud is too large for an inset.
 std::optional<int> insetFactor(double diameter, double side);
 
-/// Returns a square in a corner of the view area. It is the first corner, starting at the lower
-/// left, that is far enough from the target; if there is none, it is the farthest corner. Corners
-/// that overlap the `taken` rectangles are avoided if possible.
+/// Returns the square for the inset, in a corner of the view area: the first corner, starting at
+/// the lower left, that is far enough from the target, or else the farthest corner. Corners that
+/// overlap the `taken` rectangles are avoided if possible.
 QRectF insetRect(const QRectF& area, double side, const QPointF& target,
                  const std::vector<QRectF>& taken);
 
-/// Returns the longest length (image pixels) of the form 1, 2 or 5 times a power of ten that is at
-/// most `longest` widget units long. `scale` is in widget units per pixel.
+/// Returns the length of a scale bar, in image pixels: the largest number of the form 1, 2 or 5
+/// times a power of ten for which the bar is at most `longest` widget units long. `scale` is in
+/// widget units per image pixel.
 double scaleBarLength(double scale, double longest);
 
 } // namespace dewpoint::ui

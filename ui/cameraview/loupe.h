@@ -15,12 +15,14 @@ class Mat;
 
 namespace dewpoint::ui {
 
-/// Returns where to place a magnifier next to the pointer in a widget of size `room`. It never lies
-/// under the pointer or outside the widget. Returns an empty rectangle if there is not enough room.
+/// Returns the rectangle for a magnifier next to the pointer in a widget of size `room`. The
+/// rectangle is never under the pointer or outside the widget. It is empty if there is not enough
+/// room.
 QRectF loupeRect(const QPointF& pointer, const QSizeF& room);
 
-/// Draws the enlarged image around `pixel` into a round magnifier at `place`, with a cross at the
-/// pixel `meant`. Pixel centers lie at integer coordinates. `image` is CV_8UC3.
+/// Draws a round magnifier at `place` with the enlarged image around `pixel`, and a cross at the
+/// pixel `meant` that a click would pick. Pixel centers lie at integer coordinates. `image` is
+/// CV_8UC3.
 void paintLoupe(QPainter& painter, const QRectF& place, const cv::Mat& image, const QPointF& pixel,
                 const QPointF& meant);
 

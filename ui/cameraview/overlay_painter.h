@@ -15,8 +15,8 @@ struct ImageEllipse;
 
 namespace dewpoint::ui {
 
-/// Draws a target's overlay for one camera: thin bright lines with a dark halo, readable on any
-/// image. `ramp` colors the particles by weight.
+/// Draws the particles and estimates of a target over the image of one camera, as thin bright lines
+/// with a dark halo, readable on any image. `ramp` colors the particles by weight.
 void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePlacement& placement,
                   const QColor& color, const ParticleRamp& ramp);
 

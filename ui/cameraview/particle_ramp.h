@@ -17,11 +17,12 @@ public:
   /// Returns a scale from dark violet through magenta to bright yellow-white. These colors are rare
   /// in a room.
   static ParticleRamp heat();
-  /// Returns a scale of shades of `color`. Used if there are several targets: each has its own
-  /// color, which distinguishes its particles from those of the others.
+  /// Returns a scale of shades of `color`, so that the particles of several targets can be
+  /// distinguished by the colors of the targets.
   static ParticleRamp tinted(const QColor& color);
 
-  /// Returns the color of a weight, given relative to the largest weight (0 to 1).
+  /// Returns the color of a particle whose weight is `weight`, relative to the largest weight (0 to
+  /// 1).
   QColor at(double weight) const;
 
 private:

@@ -8,8 +8,8 @@ class QRectF;
 
 namespace dewpoint::ui {
 
-/// Draws the magnification (`scale`, widget units per pixel) in the lower right corner of an image.
-/// Returns the area of the label.
+/// Draws the magnification (`scale`, widget units per image pixel) as text in the lower right
+/// corner of an image, and returns the area of this text.
 QRectF paintZoomLabel(QPainter& painter, const QRectF& area, double scale);
 
 } // namespace dewpoint::ui

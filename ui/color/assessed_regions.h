@@ -10,8 +10,8 @@
 
 namespace dewpoint::ui {
 
-/// Returns, for each camera, the outlines to draw for a color assessment: those of other objects
-/// that match the color, and those of further regions of the target itself (`found`).
+/// Returns, for each camera, the outlines to draw for a color assessment: the outlines of other
+/// objects that match the color, and `found`, the outlines of further regions of the target itself.
 std::map<int, std::vector<ImagePickOverlay::Region>>
 assessedRegions(const ColorAssessment& assessment, const std::vector<setup::FoundOutline>& found);
 

@@ -11,9 +11,9 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Sets the bounding box of a target at the position where the user points, for methods that track
+/// Sets the bounding box of a target where the user points in an image, for methods that track
 /// boxes. A dragged box is used unchanged. For a click, `boxFromClick()` finds the region that
-/// stands out there, in another thread. The result is an undoable step of the document.
+/// stands out at this pixel, in another thread. The result is an undoable step of the document.
 class BoxPicker : public QObject {
   Q_OBJECT
 public:
@@ -26,7 +26,7 @@ public:
   void pick(const TrackSnapshotPtr& snapshot, int camera, const QRectF& region);
 
 Q_SIGNALS:
-  /// Emitted when a target has received its box. `isFirst`: the target had no box before.
+  /// Emitted when a target has received its box. `isFirst` is true if the target had no box before.
   void learned(int target, bool isFirst);
   void failed(const QString& sentence);
 

@@ -40,9 +40,9 @@ public:
   void assess();
 
 Q_SIGNALS:
-  /// Emitted when a color was learned. `isNew`: the target did not exist before.
+  /// Emitted when a color was learned. `isNew` is true if the target did not exist before.
   void learned(int target, bool isNew);
-  /// Emitted with the result of learning from clicks, before the color is assessed.
+  /// Emitted with everything that was learned from clicks, before the color is assessed.
   void lessonReady(const dewpoint::setup::ClickLearningResult& lesson);
   void assessed(const dewpoint::color::ColorAssessment& assessment);
   void failed(const QString& sentence);

@@ -40,16 +40,15 @@ public:
   void setTarget(int target);
   /// Sets whether a plain click in a view learns the color.
   void setPicking(bool picking);
-  /// Sets whether a plain click in an image means something else, for example on a calibration
-  /// page. Then the panel neither waits for a click that nobody requested nor shows a hint about
-  /// it.
+  /// Sets whether plain clicks in images have another purpose, for example on a calibration page.
+  /// The panel then waits for a click, and shows a hint about it, only if the user requested this.
   void setClicksTaken(bool taken);
   /// Sets whether the panel is visible. Colors are assessed only while it is visible.
   void setInFront(bool inFront);
   bool isPicking() const { return picking_; }
   /// Returns whether there is a target whose color is shown.
   bool hasTarget() const;
-  /// Returns whether the next click adds a target to those that exist.
+  /// Returns whether the next click adds a further target.
   bool addsTarget() const;
   /// Returns whether a click sets a target's box instead of its color.
   bool takesBoxes() const;

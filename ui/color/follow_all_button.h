@@ -21,8 +21,8 @@ class FollowAllButton : public QPushButton {
 public:
   explicit FollowAllButton(Document& document, QWidget* parent = nullptr);
 
-  /// Offers the objects found by a color assessment of a target. If `assessment` is null, offers
-  /// nothing.
+  /// Offers to track the objects that a color assessment of a target found. If `assessment` is
+  /// null, offers nothing.
   void offer(const ColorAssessment* assessment, int target);
 
   /// Returns whether there are objects to add.

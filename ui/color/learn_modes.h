@@ -23,8 +23,8 @@ public:
 
   /// Shows a mode without emitting `modeChosen()`.
   void setMode(Mode mode);
-  /// Enables the buttons. `canAdd`: there is a target that samples can be added to. `canExclude`:
-  /// that target already has samples.
+  /// Enables or disables the buttons. `canAdd` is true if there is a target to which samples can be
+  /// added, `canExclude` if this target already has samples.
   void setRefinable(bool canAdd, bool canExclude);
   bool offers(ColorLearner::SampleAction mode) const;
   /// Sets whether a click sets a target's box. If so, the buttons for adding and excluding are not

@@ -30,9 +30,10 @@ class BackwardTracker : public QObject {
 public:
   BackwardTracker(const Workbench& bench, QObject* parent);
 
-  /// Starts from a correction in the document. `believed` are the estimates of all targets in the
-  /// run (BackwardRequest::estimates); those of later frames are ignored. The step that stores the
-  /// result is merged with the correction step by `mergeKey`. Does nothing for live cameras.
+  /// Starts tracking backward from a correction in the document. `believed` are the estimates of
+  /// all targets in the run (BackwardRequest::estimates); estimates of later frames are ignored.
+  /// The step that stores the result is merged with the correction step, which has the same
+  /// `mergeKey`. Does nothing for live cameras.
   void start(const PositionCorrection& correction, std::vector<TrajectorySample> believed,
              const std::string& mergeKey);
   void cancel();

@@ -19,10 +19,10 @@ class CameraView;
 class ImagePickOverlay;
 
 /// "Correct position" tool. While it is active, the user drags a target in a camera image to its
-/// true position in the frame shown, or uses the keyboard cross of the camera views. It moves the
-/// target whose estimate is pressed, or else the selected target, or else the only target. Other
-/// images show the ray through the pointer and the resulting position, including after the drag, so
-/// that the user can set the depth in a second image. If the run is playing, it is paused.
+/// true position in the frame shown, or uses the keyboard cross of the camera views. The tool moves
+/// the target whose estimate is pressed, or else the selected target, or else the only target.
+/// Other images show the ray through the pointer and the resulting position, including after the
+/// drag, so that the user can set the depth in a second image. If the run is playing, it is paused.
 class CorrectionTool : public QObject {
   Q_OBJECT
 public:

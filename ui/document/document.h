@@ -22,8 +22,8 @@ namespace dewpoint::ui {
 
 struct MethodPresentation;
 
-/// The project and its history. The window changes the project only through this class. Every edit
-/// is a named, undoable step and announces its changes.
+/// The open project and its undo history. The window changes the project only through this class.
+/// Every edit is a named, undoable step, and signals report what has changed.
 class Document : public QObject {
   Q_OBJECT
 public:
@@ -43,8 +43,8 @@ public:
   /// Returns whether the current value of a declared parameter differs from its default
   /// (`setup::isChanged()`).
   bool isChanged(const ParameterDeclaration& declaration) const;
-  /// Returns the window options for the current method. They change with `methodChanged()` or
-  /// `replaced()`.
+  /// Returns the window options for the current method. They can change whenever `methodChanged()`
+  /// or `replaced()` is emitted.
   const MethodPresentation& presentation() const;
   /// Returns the family of the project's method.
   MethodFamily methodFamily() const;
@@ -61,18 +61,21 @@ public:
   /// returned. A change without effect creates no step.
   Status edit(const QString& name, const std::function<void(Project&)>& change,
               const std::string& mergeKey = {});
-  /// Changes the sources of the cameras, in the same way as edit(), in a step of its own. Live
-  /// cameras report more when they have been opened with the new sources (`completeSources()`).
+  /// Changes the sources of the cameras in a separate undoable step, in the same way as edit().
+  /// After live cameras have been opened with their new sources, completeSources() can add what
+  /// they report to this step.
   Status editSources(const QString& name, const std::function<void(Project&)>& change);
-  /// Adds what live cameras have reported, such as the size of their images, to the last step if it
-  /// is one of `editSources()`. Otherwise this is a step of its own, called `name`.
+  /// Changes the project to include what live cameras have reported, such as their image sizes. If
+  /// the last step was made by `editSources()`, the change becomes part of this step; otherwise, it
+  /// is a separate step called `name`.
   Status completeSources(const QString& name, const std::function<void(Project&)>& change);
   /// Ends merging, for example after a drag. The next change is a separate step.
   void endMerging();
 
   /// Changes a parameter in an undoable step. The steps of one slider drag are merged. The first
   /// change to a parameter derived from the cameras stores all such parameters with their current
-  /// values. If the result is the error BadValue or UnknownKey, nothing has changed.
+  /// values. Returns BadValue or UnknownKey, and changes nothing, if the value or the key is
+  /// invalid.
   Status setParameter(const std::string& key, double value);
   /// Resets one declared parameter, or all changed parameters, to the default in an undoable step.
   void resetParameter(const std::string& key);
@@ -83,8 +86,8 @@ public:
   /// nor a step.
   void setLayout(const std::string& layout);
 
-  /// Marks `file` as containing this state of the project, and makes it the project file. Later
-  /// changes stay unsaved. Called by `ProjectSaver`.
+  /// Notes that `file` contains this state of the project, and makes it the project file. Changes
+  /// after this state stay unsaved. Called by `ProjectSaver`.
   void setSaved(const Project& state, const std::filesystem::path& file);
 
 Q_SIGNALS:

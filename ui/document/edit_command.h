@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// History step that replaces one state of the project by another. States are immutable and shared
+/// Undoable step that replaces one state of the project by another. States are immutable and shared
 /// between neighboring steps.
 class EditCommand : public QUndoCommand {
 public:

@@ -18,10 +18,9 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Keeps a copy of unsaved work in the user's data folder, so that a crash loses at most two
-/// seconds of work. Each change reaches the disk within that time. The copy is written to a
-/// temporary file, flushed and renamed. It is removed when the work is saved or discarded. All of
-/// this runs in order in another thread; the window never waits for the disk.
+/// Keeps a copy of unsaved work in a folder, so that a crash loses at most two seconds of work. The
+/// copy is removed when the work is saved or discarded. Files are written in order in another
+/// thread; the window never waits for the disk.
 class Recovery : public QObject {
   Q_OBJECT
 public:
@@ -31,15 +30,17 @@ public:
            TextWriter write = {});
   ~Recovery() override;
 
-  /// Finds the copies in the folder that belong to closed windows, newest first.
+  /// Finds the copies in the folder that belong to closed windows, and passes them to `then`,
+  /// newest first.
   void findBackups(std::function<void(const std::vector<RecoverableWork>&)> then);
-  /// Reads the project in a copy, with the path of the file it was originally loaded from.
+  /// Reads the project in a copy, and passes it to `then`. The project names the file from which it
+  /// was originally loaded.
   void recover(const RecoverableWork& work, std::function<void(const Result<Project>&)> then);
-  /// Tells this object that the document now contains this work. The copy is removed once this
-  /// window has written its own copy, or when the work is saved or discarded.
+  /// Notes that the document now contains this recovered work. Its copy is removed once this window
+  /// has written its own copy, or when the work is saved or discarded.
   void adopt(const RecoverableWork& work) { adopted_.push_back(work); }
   /// Discards a copy: it is no longer offered, and it is deleted after a week. `restore()` undoes
-  /// this.
+  /// the discarding.
   void discard(const RecoverableWork& work);
   void restore(const RecoverableWork& work);
   /// Removes this window's copy and the copies it has taken over, because the work was saved or
@@ -53,8 +54,7 @@ Q_SIGNALS:
   void writing();
   /// Emitted when a copy is safely on the disk.
   void backedUp();
-  /// Emitted when the copy cannot be written. The sentence gives the reason. Each reason is
-  /// reported once.
+  /// Emitted with the reason when the copy cannot be written. Each reason is reported once.
   void failed(const QString& sentence);
 
 private:

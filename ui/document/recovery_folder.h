@@ -39,10 +39,10 @@ public:
 
   /// Returns the copies in the folder that belong to closed windows, newest first.
   std::vector<RecoverableWork> orphanedBackups() const;
-  /// Reads the project in a copy, with the path of the file it was originally loaded from.
+  /// Reads the project in a copy. The project names the file from which it was originally loaded.
   static Result<Project> read(const RecoverableWork& work);
   /// Discards a copy: it is no longer offered, and it is deleted after a week. `restore()` undoes
-  /// this.
+  /// the discarding.
   static void discard(const RecoverableWork& work);
   static void restore(const RecoverableWork& work);
   static void remove(const RecoverableWork& work);

@@ -11,9 +11,9 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// List of the project's targets by name, each with a chip in its color, which is the same in all
-/// views. Every panel, combo box and palette uses this model. `Selection` stores which target is
-/// selected.
+/// List model of the project's targets by name, each with a colored square in the color in which
+/// all views draw the target. Every panel, combo box and palette uses this model. `Selection`
+/// stores which target is selected.
 class TargetListModel : public NameListModel {
   Q_OBJECT
 public:
@@ -25,8 +25,8 @@ private:
   void refresh();
 
   const Document& document_;
-  std::vector<QColor> onLight_; ///< colors of the chips in a light window
-  std::vector<QColor> onDark_;  ///< and in a dark window
+  std::vector<QColor> onLight_; ///< colors of the squares in a light window
+  std::vector<QColor> onDark_;  ///< colors of the squares in a dark window
 };
 
 } // namespace dewpoint::ui

@@ -23,18 +23,19 @@ class BackgroundJob;
 class BoxExportDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `boxes` returns the run so far. It is called in the GUI thread.
+  /// Creates the dialog. `boxes` returns the bounding boxes of the run so far; it is called in the
+  /// GUI thread.
   explicit BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* parent = nullptr);
 
   /// Proposes a folder, unless the user has entered another one.
   void proposeFolder(const QString& folder);
-  /// Proposes a folder, whatever the user has entered.
+  /// Proposes a folder, even if the user has entered another one.
   void resetFolder(const QString& folder);
 
 Q_SIGNALS:
   void done(const QString& sentence);
   void failed(const QString& sentence);
-  /// Emitted when this file was written, and the other one beside it.
+  /// Emitted when both files were written, with the path of one of them.
   void wrote(const QString& file);
 
 protected:

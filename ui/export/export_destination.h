@@ -12,9 +12,9 @@ namespace dewpoint::ui {
 class Document;
 struct Workbench;
 
-/// Proposes where exported files go: into the folder of the project, or of its recordings if it was
-/// not saved yet. Once the user has exported to another folder, it proposes that folder, in all
-/// dialogs, until the program ends.
+/// Proposes a folder for exported files: the folder of the project or, if the project was not saved
+/// yet, of its recordings. Once the user has exported to another folder, this folder is proposed in
+/// all dialogs until the program ends.
 class ExportDestination : public QObject {
   Q_OBJECT
 public:
@@ -22,9 +22,10 @@ public:
   static ExportDestination* of(const Workbench& bench);
 
   QString folder() const;
-  /// Returns a file in the folder that is named after the project: "NAME-kind", without a suffix.
+  /// Returns the path of a file in the proposed folder, named after the project: "NAME-kind",
+  /// without a suffix.
   QString file(const QString& kind) const;
-  /// Remembers the folder of a file that was exported.
+  /// Makes the folder of a file that was exported the proposed folder.
   void remember(const QString& file);
 
 private:
@@ -36,17 +37,17 @@ private:
   QString chosen_; ///< other folder to which the user has exported; empty: none
 };
 
-/// What the field for the file of an export contains: a proposal, until the user enters another
-/// file.
+/// Content of the field for the file of an export: a proposed file, until the user enters another
+/// one.
 class ProposedFile {
 public:
   explicit ProposedFile(QLineEdit& field) : field_(field) {}
 
   /// Proposes a file, without its suffix. Does nothing if the user has entered another file.
   void propose(const QString& file);
-  /// Proposes a file, whatever the user has entered.
+  /// Proposes a file, without its suffix, even if the user has entered another file.
   void reset(const QString& file);
-  /// Gives the file this suffix. A suffix in `known` is replaced.
+  /// Sets the suffix of the file. A suffix listed in `known` is replaced.
   void setSuffix(const QString& suffix, const QStringList& known);
 
 private:

@@ -30,7 +30,8 @@ class PreviewPane;
 class ExportDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `trajectory` returns the run so far. It is called in the GUI thread.
+  /// Creates the dialog. `trajectory` returns the trajectory of the run so far; it is called in the
+  /// GUI thread.
   explicit ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent = nullptr);
 
   /// Reads and shows the current state of the run.
@@ -38,8 +39,8 @@ public:
   /// Proposes to export only this time range (seconds). If `seconds` is empty, the proposal is
   /// withdrawn.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
-  /// Sets whether part of the run has results from earlier settings. The preview shows a warning
-  /// about them.
+  /// Sets whether part of the run has results from earlier settings. If so, the preview shows a
+  /// warning.
   void setHasOldResults(bool has);
   /// Proposes a file, without its suffix, unless the user has entered another one.
   void proposeFile(const QString& file);
@@ -50,7 +51,7 @@ Q_SIGNALS:
   /// Emitted with the result of an export. While the dialog is visible, it shows the result itself.
   void done(const QString& sentence);
   void failed(const QString& sentence);
-  /// Emitted when this file was written.
+  /// Emitted when an export has written this file.
   void wrote(const QString& file);
 
 protected:

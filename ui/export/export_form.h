@@ -27,11 +27,11 @@ public:
   ExportOptions options() const;
   /// Returns the file name suffix of the selected format, including the dot.
   QString suffix() const;
-  /// Returns whether the estimates made during the run are exported, and not those smoothed
-  /// afterward.
+  /// Returns whether the estimates made during the run are exported. Otherwise, smoothed estimates
+  /// are.
   bool exportsLiveEstimates() const;
-  /// Lists the targets in a trajectory, and notes how far it goes. If the list is unchanged, its
-  /// check marks are kept.
+  /// Lists the targets in a trajectory, and stores the time at which the trajectory ends. If the
+  /// list is unchanged, its check marks are kept.
   void setTrajectory(const Trajectory& trajectory);
   /// Proposes to export only this time range (seconds). If `seconds` is empty, the proposal is
   /// withdrawn, unless the user has edited the range.
@@ -39,7 +39,8 @@ public:
   /// Resets all choices for another project.
   void resetChoices();
   void retranslateUi();
-  /// Returns the text and the tooltip of the check box for notes, for all dialogs that have one.
+  /// Return the text and the tooltip of the check box for notes, for all export dialogs that have
+  /// such a check box.
   static QString notesText();
   static QString notesHint();
 

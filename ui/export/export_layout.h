@@ -12,20 +12,20 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Parts that the dialogs of exports have below their own content.
+/// Widgets that all export dialogs have below their own content.
 struct ExportDialogParts {
   QWidget* file;     ///< field for the file to write
-  QWidget* browse;   ///< chooses this file
-  QWidget* question; ///< whether an existing file may be replaced
-  QWidget* outcome;  ///< what became of the last export
+  QWidget* browse;   ///< button that opens a file dialog for this file
+  QWidget* question; ///< question whether an existing file may be replaced
+  QWidget* outcome;  ///< result of the last export
   QWidget* progress;
   QWidget* cancel;
-  std::vector<QPushButton*> actions; ///< start something
+  std::vector<QPushButton*> actions; ///< buttons that start an export or another task
   QPushButton* close;
 };
 
-/// Arranges a dialog: `content`, the file, messages, and a row of buttons. No button is pressed by
-/// Enter.
+/// Arranges the widgets of an export dialog: `content`, the file, messages, and a row of buttons.
+/// Enter presses no button.
 void arrangeExportDialog(QDialog& dialog, QLayout* content, const ExportDialogParts& parts);
 
 } // namespace dewpoint::ui

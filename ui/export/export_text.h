@@ -16,12 +16,14 @@ namespace dewpoint::ui {
 
 /// Returns the translated name of a format.
 QString exportFormatName(std::string_view id);
-/// Returns the units of an export: "Lengths in mm, times in s. Y points up: ..."
+/// Returns a text about the units of an export, for example "Lengths in mm, times in s. Y points
+/// up: ..."
 QString exportUnitsText(const ExportPreview& preview);
-/// Returns the size of an export: "2 targets, 180 rows at 30 per second, 12 positions unknown".
+/// Returns a text about the size of an export, for example "2 targets, 180 rows at 30 per second,
+/// 12 positions unknown".
 QString exportSizeText(const ExportPreview& preview);
-/// Returns the result of an export: "Exported 180 rows to trajectory.csv." The summary must have at
-/// least one file.
+/// Returns a text about the result of an export, for example "Exported 180 rows to trajectory.csv."
+/// The summary must have at least one file.
 QString exportedText(const ExportSummary& summary);
 
 } // namespace dewpoint::ui

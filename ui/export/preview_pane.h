@@ -13,13 +13,13 @@ class QTimer;
 
 namespace dewpoint::ui {
 
-/// First lines of the file that an export would write, with its units and size. Notes are scrolled
-/// out of sight, so that the names of the columns and the first rows can be seen. The preview is
-/// computed in the background, a short time after its input has changed.
+/// Pane that shows the first lines of the file that an export would write, with its units and size.
+/// It is scrolled past the notes, so that the column names and the first rows are visible. The
+/// preview is computed in the background, a short time after its input has changed.
 class PreviewPane : public QWidget {
   Q_OBJECT
 public:
-  /// `order` requests a preview of the current choices from `jobs`.
+  /// Creates the pane. `order` must request a preview of the current choices from `jobs`.
   PreviewPane(ExportJobs& jobs, std::function<void()> order, QWidget* parent = nullptr);
 
   /// Requests a preview. Several requests in quick succession produce one preview.
@@ -33,7 +33,7 @@ public:
   /// Cancels the current preview when an export begins, and requests it again when the export is
   /// over.
   void setExporting(bool exporting);
-  /// Drops a pending request. A preview in progress continues.
+  /// Drops a pending request for a preview. A preview in progress continues.
   void dropRequest();
   /// Sets whether part of the run has results from earlier settings. If so, the pane shows a note.
   void setHasOldResults(bool has);
@@ -42,7 +42,7 @@ public:
 Q_SIGNALS:
   /// Emitted when a preview takes long, so that the user can be offered a way to stop it.
   void takesLong();
-  /// Emitted when no preview is in progress any more.
+  /// Emitted when no preview is in progress anymore.
   void ended();
 
 private:

@@ -12,13 +12,14 @@ class QRectF;
 
 namespace dewpoint::ui {
 
-/// Draws the `figureDrawing()` of a trajectory into a rectangle of a page, in the target colors,
-/// dark on white.
+/// Draws the figure of a trajectory (`figureDrawing()`) into a rectangle of a page, in the target
+/// colors, dark on white.
 void drawTrajectoryFigure(QPainter& painter, const QRectF& page, const ExportTable& table,
                           const FigureTexts& texts);
 
-/// Writes the figure as SVG or PDF (A4, landscape), depending on the suffix. Writes to a temporary
-/// file that is then renamed. May be called from any thread.
+/// Writes the figure of a trajectory to a file, as SVG or PDF (A4, landscape) depending on the
+/// suffix. The file is written under a temporary name and then renamed, so it is never incomplete.
+/// May be called from any thread.
 Status writeTrajectoryFigure(const ExportTable& table, const FigureTexts& texts,
                              const std::filesystem::path& file);
 

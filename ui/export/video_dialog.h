@@ -26,10 +26,10 @@ class ExportOutcome;
 class VideoForm;
 class VideoPreview;
 
-/// What of the window can be exported as a video at present.
+/// Data of the window that can currently be exported as a video.
 struct VideoOffer {
   Session* session = nullptr;   ///< null if no run is open
-  std::vector<VideoView> views; ///< as they are shown
+  std::vector<VideoView> views; ///< the views, as the window shows them
   const BirdsEyeView* scene = nullptr;
   QString recording; ///< name of the recording or take
   /// Returns all frames that can be shown, in increasing order; may be empty.
@@ -43,16 +43,16 @@ struct VideoOffer {
 class VideoDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `offer` is called whenever the dialog needs to know what can be exported.
+  /// Creates the dialog. `offer` is called whenever the dialog needs to know what can be exported.
   explicit VideoDialog(std::function<VideoOffer()> offer, QWidget* parent = nullptr);
 
-  /// Proposes a time range (seconds); empty: all.
+  /// Proposes to export only this time range (seconds); if empty, the whole run.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
   /// Proposes a file, without its suffix, unless the user has entered another one.
   void proposeFile(const QString& file);
-  /// Proposes a file and the whole range, for another project.
+  /// Resets the choices for another project: proposes a file and the whole run.
   void resetChoices(const QString& file);
-  /// Shows what can be exported of another run.
+  /// Updates the dialog after the run or its views have changed.
   void refresh();
   /// Stops an export and drops the preview, because the frames of the run are about to be lost.
   /// `reason` is a sentence for the user.
@@ -60,10 +60,10 @@ public:
   bool isExporting() const { return exporter_->isRunning(); }
 
 Q_SIGNALS:
-  /// Emitted with a sentence about an export that has ended.
+  /// Emitted with a sentence about the result when an export has ended.
   void done(const QString& sentence);
   void failed(const QString& sentence);
-  /// Emitted when this file was written.
+  /// Emitted when an export has written this file.
   void wrote(const QString& file);
 
 protected:

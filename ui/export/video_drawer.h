@@ -28,22 +28,26 @@ class VideoDrawer : public QObject {
 public:
   explicit VideoDrawer(QObject* parent = nullptr);
 
-  /// Sets the session and the composition of the next images. `scene` is the view whose look the
-  /// bird's-eye view takes over; null if the composition contains none.
+  /// Sets the session and the composition of the next images. `scene` is the bird's-eye view whose
+  /// appearance is copied; null if the composition contains no bird's-eye view.
   void begin(Session* session, std::shared_ptr<const VideoLook> look, const BirdsEyeView* scene);
-  /// Drops requests that were not answered. The session may end after this.
+  /// Drops requests that have not been answered. The session may end after this call.
   void stop();
 
-  /// Uses an image. Called in another thread, in the order of the requests. The function that it
-  /// returns (may be empty) is then called in the GUI thread. Must not throw.
+  /// Function that processes an image. It is called in another thread, in the order of the
+  /// requests, and must not throw. The function that it returns (may be empty) is then called in
+  /// the GUI thread.
   using Consume = std::function<std::function<void()>(Result<QImage> image)>;
-  /// Requests the image of a frame. `isWanted` may be called from any thread. One request at a
-  /// time: wait for `ready()`.
+  /// Requests the image of a frame, which is passed to `consume`. `isWanted` returns whether the
+  /// image is still needed, and may be called from any thread. Make one request at a time: wait for
+  /// `ready()` before the next.
   void draw(std::int64_t frame, Consume consume, std::function<bool()> isWanted);
   bool isReady() const { return !fetching_; }
-  /// Returns whether the bird's-eye view is drawn smaller, because this computer draws it slowly.
+  /// Returns whether the bird's-eye view is drawn in a smaller size because this computer draws it
+  /// slowly.
   bool isSceneReduced() const { return sceneArea_ >= 0 && scene_.isReduced(); }
-  /// Does other work in the thread of `Consume`, after everything requested so far.
+  /// Runs other work in the thread in which images are processed, after all images requested so
+  /// far.
   void queue(JobQueue::Work work) { jobs_.add(std::move(work)); }
 
 Q_SIGNALS:

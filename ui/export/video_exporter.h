@@ -16,7 +16,7 @@
 
 namespace dewpoint::ui {
 
-/// Video to export.
+/// Description of a video to export.
 struct VideoRequest {
   std::shared_ptr<const VideoLook> look;
   std::vector<std::int64_t> frames; ///< frame that each image shows (videoFrames())
@@ -26,28 +26,28 @@ struct VideoRequest {
   bool overwrite = false;
 };
 
-/// Writes a run as a video while the window goes on. A canceled or failed export leaves no file.
+/// Writes a run as a video in the background. A canceled or failed export leaves no file.
 class VideoExporter : public QObject {
   Q_OBJECT
 public:
   explicit VideoExporter(QObject* parent = nullptr);
   ~VideoExporter() override; ///< cancels
 
-  /// Starts an export; not while one is running. `scene` is the bird's-eye view whose look is taken
-  /// over, or null.
+  /// Starts an export. Must not be called while an export is running. `scene` is the bird's-eye
+  /// view whose appearance is copied, or null.
   void start(VideoRequest request, Session* session, const BirdsEyeView* scene);
   void cancel();
-  /// Ends an export at once, because the session ends. Emits `failed()` with this sentence.
+  /// Ends an export immediately because the session ends, and emits `failed()` with this sentence.
   void abandon(const QString& sentence);
   bool isRunning() const { return state_ != nullptr; }
-  /// Draws single images while no export is running.
+  /// Returns the drawer, which can draw single images while no export is running.
   VideoDrawer& drawer() { return *drawer_; }
 
 Q_SIGNALS:
   void progressChanged(int percent);
   void finished(const QString& file);
   void canceled();
-  /// Emitted if the file exists and was not to be replaced. Nothing was written.
+  /// Emitted if the file exists and VideoRequest::overwrite is false. Nothing was written.
   void existing(const QString& file);
   void failed(const QString& sentence);
 

@@ -30,12 +30,13 @@ public:
   void setEncodings(std::vector<VideoEncoding> encodings);
   bool hasEncodings() const { return !encodings_.empty(); }
 
-  /// Returns the composition, without the name of the recording. There are no views if none is
-  /// checked.
+  /// Returns the composition of the images, without the name of the recording. It contains only the
+  /// checked views.
   VideoLook look() const;
-  /// Returns the timing. `recorded` is the frame rate of the recording.
+  /// Returns the speed and frame rate of the video. `recorded` is the frame rate of the recording.
   VideoTiming timing(double recorded) const;
-  /// Returns the first and last time to export (seconds); empty: the beginning or the end.
+  /// Return the first and the last time to export (seconds); empty for the beginning and the end of
+  /// the run.
   std::optional<double> from() const;
   std::optional<double> to() const;
   /// Returns the selected encoding; empty if there is none.

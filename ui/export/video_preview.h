@@ -14,16 +14,18 @@ class QSlider;
 
 namespace dewpoint::ui {
 
-/// Preview of a video: one of its images, and a slider that chooses which one. The first image is
-/// shown until the user moves the slider, and again when the video consists of other frames.
+/// Preview of a video: one image of the video, and a slider that selects this image. The first
+/// image is shown until the user moves the slider, and again when the frames of the video change.
 class VideoPreview : public QWidget {
   Q_OBJECT
 public:
   explicit VideoPreview(QWidget* parent = nullptr);
 
-  /// Sets the frame that each image of the video shows, counted from 0. Empty: there is no video.
+  /// Sets the number of the frame, counted from 0, that each image of the video shows. An empty
+  /// list means that there is no video.
   void setFrames(const std::vector<std::int64_t>& frames);
-  /// Returns the frame of the chosen image. There must be frames.
+  /// Returns the number of the frame that the selected image shows. The list of setFrames() must
+  /// not be empty.
   std::int64_t frame() const;
   /// Returns the size in which images are shown, in device pixels.
   QSize imageSize() const;
@@ -32,7 +34,7 @@ public:
   void retranslateUi();
 
 Q_SIGNALS:
-  /// Emitted when the user chooses another image.
+  /// Emitted when the user selects another image.
   void frameChosen();
 
 private:

@@ -18,9 +18,9 @@ namespace dewpoint::ui {
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 class BirdsEyeView;
 
-/// Bird's-eye view of an exported video, drawn apart from that of the window, which may show
-/// another frame meanwhile. Like all OpenGL of the window, it is drawn in the GUI thread. So that
-/// this never takes longer than kMaxMs, a slow computer draws a smaller image.
+/// Bird's-eye view for an exported video, separate from the bird's-eye view of the window, which
+/// may show another frame meanwhile. It is drawn in the GUI thread. On a slow computer, a smaller
+/// image is drawn, so that drawing takes at most about kMaxMs milliseconds.
 class VideoScene {
 public:
   static constexpr double kMaxMs = 40.0;
@@ -28,15 +28,16 @@ public:
   VideoScene();
   ~VideoScene();
 
-  /// Takes over the layers and the point of view of a view, for images of this size (pixels).
+  /// Copies the layers and the point of view of a bird's-eye view, for images of this size
+  /// (pixels).
   void copyLook(const BirdsEyeView& shown, const std::optional<WorldBox>& volume,
                 const QSize& size);
-  /// Draws a frame; null without OpenGL. The first image of each size is also measured.
+  /// Returns the image of a frame; null without OpenGL.
   QImage draw(const TrackSnapshotPtr& snapshot);
-  /// Returns the size in which images are drawn, as far as it is known.
+  /// Returns the size in which images are drawn, which may be smaller than requested.
   const QSize& drawnSize() const { return drawn_; }
   bool isReduced() const { return drawn_ != wanted_; }
-  /// Returns how long the last image took, milliseconds.
+  /// Returns how long drawing the last image took, in milliseconds.
   double lastMs() const { return lastMs_; }
 
 private:
@@ -50,9 +51,10 @@ private:
   double lastMs_ = 0.0;
 };
 
-/// Returns the largest size with the proportions of `wanted` that takes at most `maxMs` to draw, if
-/// an image of `smallPixels` pixels took `smallMs` and one of `largePixels` `largeMs`. Not smaller
-/// than a quarter of the width and height.
+/// Returns the largest image size with the proportions of `wanted` that takes at most `maxMs`
+/// milliseconds to draw, but at least a quarter of the width and height of `wanted`. The time is
+/// estimated from two measurements: an image of `smallPixels` pixels took `smallMs`, and an image
+/// of `largePixels` pixels took `largeMs`.
 QSize affordableSize(const QSize& wanted, double smallPixels, double smallMs, double largePixels,
                      double largeMs, double maxMs);
 

@@ -12,23 +12,25 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Folder in which a crash of the window leaves its report.
+/// Returns the folder to which a crash report of the window is written.
 std::filesystem::path crashFolder();
 
-/// Makes a crash of this process leave a report in `crashFolder()`: version, signal, last actions
-/// and messages, stack. If the folder does not exist, no report is written.
+/// Installs handlers that write a report to `crashFolder()` when this process crashes: version,
+/// signal, last actions and messages, and stack. If the folder does not exist, no report is
+/// written.
 void enableCrashReports();
 
-/// Notes the user's actions and the window's messages for the report of a crash. When there are
-/// reports of earlier windows, says so and offers to show the newest one. A report is offered once;
-/// the newest ones are kept in the folder.
+/// Records the user's actions and the window's messages for a crash report. If earlier windows left
+/// crash reports, offers to show the newest one. A report is offered once; only the newest reports
+/// are kept in the folder.
 class CrashReports : public QObject {
   Q_OBJECT
 public:
   CrashReports(const Workbench& bench, std::filesystem::path folder);
 
 Q_SIGNALS:
-  /// Emitted when the folder was searched. If there is a report, it has been offered.
+  /// Emitted when the folder was searched for reports. If `found` is true, a report has been
+  /// offered.
   void searched(bool found);
 
 private:

@@ -12,11 +12,11 @@ struct Workbench;
 /// Connects the actions in the *Help* menu.
 void installHelp(const Workbench& bench);
 
-/// Opens *Report a problem* with the report that a crash left.
+/// Opens the dialog *Report a problem* with the crash report `crash`.
 void reportCrash(const Workbench& bench, const QString& crash);
 
-/// Returns the manual page for the part of the window that is in use: the view with the keyboard
-/// focus, or else the open page, or else the window as a whole.
+/// Returns the manual page about the part of the window in use: the view with the keyboard focus,
+/// or else the open page, or else the whole window.
 QString manualPageInUse(const Workbench& bench);
 
 } // namespace dewpoint::ui

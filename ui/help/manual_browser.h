@@ -17,7 +17,8 @@ public:
 
   /// Returns whether all requested images are loaded.
   bool hasLoadedImages() const { return waiting_ == 0; }
-  /// Returns the anchor name of a heading: "12. Targets of any shape" → "12-targets-of-any-shape"
+  /// Returns the anchor name of a heading, for example "12-targets-of-any-shape" for "12. Targets
+  /// of any shape".
   static QString slugOf(const QString& heading);
 
 protected:

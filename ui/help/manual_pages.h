@@ -10,18 +10,20 @@ namespace dewpoint::ui {
 
 /// Returns the manual pages (files in docs/) in display order.
 QStringList manualPages();
-/// Returns the page about a view, given the object name of its dock. `method` is the current
-/// method, which selects the page for the parameter view. If a view has no page, returns the page
-/// about the window.
+/// Returns the manual page about a view, given the object name of its dock. If a view has no page,
+/// returns the page about the window. `method` is the current method; the parameter view shows the
+/// page about this method.
 QString manualPageOf(const QString& dock, const QString& method);
-/// Returns the page about a method, or the page about the default method if there is no such page.
+/// Returns the manual page about a method, or the page about the default method if the method has
+/// none.
 QString methodPageOf(const QString& method);
 
-/// Returns the folders where the pages may be: beside an installed program, in the source folder it
-/// was compiled from, and in the source folder that contains the program. The first folder that
-/// contains the pages is used.
+/// Returns the folders in which to search for the manual pages, in this order: beside an installed
+/// program, in the source folder from which the program was compiled, and in the source folder that
+/// contains the program.
 QStringList manualFolders();
-/// Returns the first of these folders that contains the pages, or an empty string if there is none.
+/// Returns the first of `folders` that contains the manual pages, or an empty string if there is
+/// none.
 QString findManual(const QStringList& folders);
 
 } // namespace dewpoint::ui

@@ -19,8 +19,8 @@ class ManualBrowser;
 class ManualWindow : public QDialog {
   Q_OBJECT
 public:
-  /// `folder` contains the pages. If it is empty, no pages were found, and the window shows
-  /// `expected` instead.
+  /// Creates the window. `folder` is the folder with the pages. If `folder` is empty, the window
+  /// shows `expected`, the folder where the pages should be.
   ManualWindow(const QString& folder, const QString& expected, QWidget* parent);
 
   /// Shows a page ("window.md") or a heading in it ("window.md#correct-position").

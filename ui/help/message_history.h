@@ -12,8 +12,8 @@ namespace dewpoint::ui {
 
 class MessageBar;
 
-/// Lists the messages of the window since it was opened, each with its time, as text to read again
-/// and to copy. New messages are added while it is open. Not modal.
+/// Dialog that lists the messages of the window, each with its time, as text to read and copy. New
+/// messages are added while the dialog is open. Not modal.
 class MessageHistory : public QDialog {
   Q_OBJECT
 public:

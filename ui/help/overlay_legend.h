@@ -9,8 +9,8 @@ class QGridLayout;
 
 namespace dewpoint::ui {
 
-/// Explains the signs drawn over the images and in the bird's-eye view, with a small image and a
-/// sentence for each. Not modal.
+/// Dialog that explains the signs drawn over the images and in the bird's-eye view, with a small
+/// image and a sentence for each. Not modal.
 class OverlayLegend : public QDialog {
   Q_OBJECT
 public:
@@ -18,8 +18,8 @@ public:
 
   /// Default width of the sentences in pixels.
   static constexpr int kSentenceWidth = 380;
-  /// Adds a row for each sign. `sentenceWidth`: width of the sentences in pixels. The sentences are
-  /// updated when the language changes.
+  /// Adds a row for each sign to a layout. `sentenceWidth` is the width of the sentences in pixels.
+  /// The sentences are updated when the language changes.
   static void addRows(QGridLayout* rows, const std::vector<LegendSign>& signs, QWidget* parent,
                       int sentenceWidth = kSentenceWidth);
 };

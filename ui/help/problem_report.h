@@ -20,16 +20,16 @@ class BackgroundJob;
 struct ProblemFacts {
   QStringList messages; ///< the last messages shown
   QString project;      ///< short description of the open project
-  QString crash;        ///< report that a crash left; empty if there was none
+  QString crash;        ///< crash report; empty if there was no crash
 };
 
-/// Collects information that helps to find a fault, as text to copy: versions, system, OpenGL, the
-/// window's last messages, the report of a crash, and the result of a self-test that the user can
-/// run here. Also tells the user what to add. Not modal. Nothing is sent.
+/// Dialog with information that helps to find a fault, as text to copy: versions, system, OpenGL,
+/// the window's last messages, a crash report, and the result of a self-test that the user can run
+/// in the dialog. Also tells the user what to add. Not modal. Nothing is sent.
 class ProblemReport : public QDialog {
   Q_OBJECT
 public:
-  /// `opener` opens the scene that the self-test tracks.
+  /// Creates the dialog. `opener` opens the scene that the self-test tracks.
   ProblemReport(const ProblemFacts& facts, ProjectOpener opener, QWidget* parent);
 
   QString text() const;

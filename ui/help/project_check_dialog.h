@@ -20,12 +20,13 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Checks the open project for problems, as `dewpoint-cli doctor` does, and shows what was found,
-/// problems first. Starts at once. Not modal; nothing is written.
+/// Dialog that checks the open project for problems, as `dewpoint-cli doctor` does, and shows the
+/// findings, problems first. The check starts immediately. Not modal; nothing is written.
 class ProjectCheckDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `project` returns the project as it is when a check starts. `opener` opens its images.
+  /// Creates the dialog. `project` returns the current project when a check starts. `opener` opens
+  /// its images.
   ProjectCheckDialog(std::function<Project()> project, ProjectOpener opener, QWidget* parent);
 
   const std::vector<Finding>& findings() const { return findings_; }

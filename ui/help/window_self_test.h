@@ -10,8 +10,8 @@
 
 namespace dewpoint::ui {
 
-/// Tests what only the window needs: the versions of Qt and VTK, graphics, and languages. Call it
-/// in the GUI thread. It takes about a second.
+/// Tests what only the window needs, and returns one line per test: the versions of Qt and VTK,
+/// graphics, and languages. Takes about a second. Call this function in the GUI thread.
 std::vector<SelfTestLine> graphicsSelfTest();
 
 /// Returns the inputs of `runSelfTest()` for this computer. `opener` opens the demo.

@@ -19,8 +19,9 @@ public:
   explicit BackgroundJob(QObject* parent = nullptr);
   ~BackgroundJob() override; ///< cancels; running work ends later, and its result is discarded
 
-  /// Reports the progress of the work (0 to 1; negative if unknown) and returns whether the result
-  /// is still needed. When it returns false, the work should end as soon as possible.
+  /// Function that reports the progress of the work (0 to 1; negative if unknown) and returns
+  /// whether the result is still needed. If it returns false, the work should end as soon as
+  /// possible.
   using Progress = std::function<bool(double part)>;
   /// Work to run in the job's thread. It may use only data that it owns; in particular, it must not
   /// use the owner of the job. The function that it returns then runs in the GUI thread, unless the
@@ -30,8 +31,8 @@ public:
   /// Starts the work. Returns false and does nothing while other work is running.
   bool start(Work work);
   void cancel(); ///< `ended()` follows once the work has noticed the cancellation
-  /// Cancels without waiting for the work to notice. The job counts as ended, and new work can
-  /// start.
+  /// Cancels the running work without waiting for the work to end. The job counts as ended, and new
+  /// work can start.
   void abandon();
   bool isRunning() const { return running_; }
 

@@ -12,8 +12,8 @@
 
 namespace dewpoint::ui {
 
-/// Runs work in order and to completion, such as writing and removing files. All added work is
-/// done, even if the queue is deleted meanwhile. Nothing waits for it.
+/// Runs work, such as writing files, in another thread, in order and to completion. All added work
+/// is done, even if the queue is deleted meanwhile. The window never waits for the work.
 class JobQueue : public QObject {
   Q_OBJECT
 public:

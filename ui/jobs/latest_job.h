@@ -15,7 +15,7 @@ namespace dewpoint::ui {
 class LatestJob : public QObject {
   Q_OBJECT
 public:
-  /// Defines what happens to running work when a newer request arrives.
+  /// What happens to running work when a newer request arrives.
   enum class Superseded {
     Dropped, ///< canceled; abandoned if it does not end within a few seconds
     Kept,    ///< completed, and its result is delivered; for views that follow a drag

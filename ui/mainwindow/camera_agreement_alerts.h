@@ -21,7 +21,8 @@ class CameraAgreementAlerts : public QObject {
 public:
   explicit CameraAgreementAlerts(MessageBar& bar, QObject* parent = nullptr);
 
-  /// Sets the frame shown. Null means that the run is over; earlier alerts are forgotten.
+  /// Shows or removes messages for the cameras in the newest snapshot. Null means that the run is
+  /// over; earlier alerts are forgotten.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Suppresses alerts while the user calibrates.
   void setSuppressed(bool resting) { suppressed_ = resting; }

@@ -22,7 +22,8 @@ class CameraMotionAlerts : public QObject {
 public:
   explicit CameraMotionAlerts(MessageBar& bar, QObject* parent = nullptr);
 
-  /// Sets the frame shown. Null means that the run is over; earlier alerts are forgotten.
+  /// Shows or removes messages for the moved cameras in the newest snapshot. Null means that the
+  /// run is over; earlier alerts are forgotten.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:

@@ -17,8 +17,8 @@ public:
   explicit ChangesGuard(const Workbench& bench, QObject* parent = nullptr);
 
   ProjectSaver& saver() { return *saver_; }
-  /// Asks about unsaved changes and returns whether they may be discarded. If it returns false and
-  /// the user chose to save, `then` runs once the changes are saved.
+  /// Asks the user about unsaved changes, and returns whether they may be discarded. If the user
+  /// chooses to save, returns false, and `then` runs once the changes are saved.
   bool confirmDiscard(const std::function<void()>& then);
   /// Runs `next` immediately if there are no unsaved changes or the user discards them. If the user
   /// chooses to save, runs it after the changes are saved.

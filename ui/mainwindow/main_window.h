@@ -55,7 +55,7 @@ public:
   /// Keeps a copy of unsaved work in this folder, and offers copies that earlier windows left
   /// there. `write` is the function that writes the copies; `writeTextFile()` by default.
   void enableRecovery(const std::filesystem::path& folder, TextWriter write = {});
-  /// Offers the reports in this folder that crashes of earlier windows left.
+  /// Offers to show the crash reports that earlier windows left in this folder.
   void offerCrashReports(const std::filesystem::path& folder);
   /// Returns the object that saves projects to their files.
   ProjectSaver& saver();
@@ -71,7 +71,7 @@ public:
   Document& document() { return *document_; }
   const Document& document() const { return *document_; }
   Selection& selection() { return *selection_; }
-  /// Returns the shared parts with which further views are installed.
+  /// Returns the shared parts of the window that are needed to add further views.
   const Workbench& workbench() const { return *bench_; }
   /// Returns the newest snapshot shown, or null before a project is open.
   TrackSnapshotPtr shown() const;

@@ -5,11 +5,10 @@
 
 namespace dewpoint::ui {
 
-/// Offers to track again those frames whose results are from earlier settings. Shows a message with
-/// a button when the settings change, and provides an action that is enabled while such results
-/// exist. If tracking began at a later frame because a target was learned there, the message offers
-/// to track from the first frame. This offer stays until frames before that one are tracked, or
-/// until the user closes the message.
+/// Offers to track frames again whose results are from earlier settings. Shows a message with a
+/// button when the settings change, and enables an action while such results exist. If tracking
+/// began at a later frame because a target was learned there, the message offers to track from the
+/// first frame. This offer stays until earlier frames are tracked or the user closes the message.
 class OldResultsOffer : public QObject {
   Q_OBJECT
 public:

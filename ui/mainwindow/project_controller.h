@@ -27,9 +27,8 @@ class RecoveryOffer;
 class StartPage;
 class ThumbnailWriter;
 
-/// Controls how work begins and ends: the pages in the center of the window; opening, saving and
-/// closing projects; recent projects; dropped files; and the question before unsaved changes are
-/// lost.
+/// Opens, creates, saves and closes projects. This includes the pages in the center of the window,
+/// recent projects, dropped files, and the question before unsaved changes are lost.
 class ProjectController : public QObject {
   Q_OBJECT
 public:

@@ -23,9 +23,9 @@ public:
   void offer();
   /// Sets how often the folder is searched until work is found.
   void setInterval(std::chrono::milliseconds interval) { searchTimer_.setInterval(interval); }
-  /// Tells this object that the document now contains this work.
+  /// Notes that the document now contains this recovered work.
   void adopt(const RecoverableWork& work) { recovery_->adopt(work); }
-  /// Removes the copy, because this window's work was saved or discarded.
+  /// Removes the copy of this window's work. Call this when the work was saved or discarded.
   void removeBackup() { recovery_->removeBackup(); }
   /// Reads the work. Emits `recovered()` afterwards, or shows an error in the window.
   void recover(const RecoverableWork& work);

@@ -20,15 +20,15 @@ namespace dewpoint::ui {
 
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Run details for experts, in a popup above the status bar: time per iteration, latency from image
+/// Popup above the status bar with run details for experts: time per iteration, latency from image
 /// to estimate, time budget, effective sample size, and the length of the stored history. The
-/// values are updated while it is open.
+/// values are updated while the popup is open.
 class RunDetails : public QFrame {
   Q_OBJECT
 public:
   explicit RunDetails(QWidget* parent = nullptr);
 
-  /// Sets the frame shown and the target to describe. If they are null, no values are shown.
+  /// Sets the snapshot and the target to describe. No values are shown for null.
   void setSnapshot(const TrackSnapshotPtr& snapshot, const TargetSnapshot* target);
   /// Opens the popup above `widget`, aligned with its right edge.
   void openAbove(const QWidget* widget);

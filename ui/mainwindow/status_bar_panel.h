@@ -28,21 +28,21 @@ class RunDetails;
 
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Status bar with the target's state, its position with uncertainty, its speed, the reason why it
-/// is not held, and the frame shown. A button opens RunDetails, which shows values for experts.
-/// Values keep their positions while they change. If there is not enough room, the rightmost values
-/// are hidden first.
+/// Status bar with the state of a target, its position with uncertainty, its speed, the reason why
+/// it is not tracked, and the frame shown. A button opens RunDetails, with values for experts.
+/// Values do not move while they change. If there is not enough room, the rightmost values are
+/// hidden first.
 class StatusBarPanel : public QWidget {
   Q_OBJECT
 public:
   explicit StatusBarPanel(QWidget* parent = nullptr);
 
-  /// Sets the frame shown. If it is null, no values are shown.
+  /// Sets the snapshot to describe. If it is null, no values are shown.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Sets the index of the selected target. If it is -1, the target that needs attention is shown.
+  /// Sets the index of the target to describe; -1: the target that needs attention.
   void setTarget(int target);
-  /// Returns the state shown. If there is only one target, this is the state of the snapshot
-  /// (holdState()); otherwise, the state of the target described.
+  /// Returns the tracking state shown: the state of the described target or, if there is only one
+  /// target, of the whole snapshot (holdState()).
   HoldState state() const { return state_; }
 
   QSize minimumSizeHint() const override;

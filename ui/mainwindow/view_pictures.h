@@ -15,7 +15,7 @@ class ViewDock;
 class ViewPictures : public QObject {
   Q_OBJECT
 public:
-  /// Handles all docks created from now on.
+  /// Creates an object that handles all docks created from now on.
   explicit ViewPictures(const Workbench& bench);
 
   /// Writes an image as PNG in another thread. The message bar shows the result.

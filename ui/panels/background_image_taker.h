@@ -29,9 +29,9 @@ using BackgroundImageWriter = std::function<Result<std::filesystem::path>(
     const Project& project, std::size_t camera, const cv::Mat& image,
     const std::filesystem::path& folder)>;
 
-/// Uses the image that a camera currently shows as the background image of this camera. Asks for
+/// Makes the image that a camera currently shows the background image of this camera. Asks for
 /// confirmation if a target is in the image, writes the image in another thread, and adds the file
-/// to the project in one step.
+/// to the project in one undoable step.
 class BackgroundImageTaker : public QObject {
   Q_OBJECT
 public:
@@ -39,10 +39,10 @@ public:
                        QObject* parent = nullptr);
   ~BackgroundImageTaker() override; ///< a write in progress completes, but its result is ignored
 
-  /// Sets the snapshot shown. A background image is taken from its images.
+  /// Sets the snapshot shown, from whose images a background image is taken.
   void setSnapshot(const TrackSnapshotPtr& snapshot) { snapshot_ = snapshot; }
-  /// Sets the function that writes the images. It is called from another thread, because writing
-  /// may take long.
+  /// Sets the function that writes the images. The function is called from another thread, because
+  /// writing may take long.
   void setWriter(BackgroundImageWriter keep) { write_ = std::move(keep); }
   /// Returns whether the camera shows an image and no image is being written.
   bool canTake(int camera) const;
@@ -54,7 +54,8 @@ Q_SIGNALS:
   void failed(const QString& sentence);
   /// Emitted with a sentence that describes what was done.
   void messageRequested(const QString& sentence);
-  /// Emitted with a question. `act` is called only if the user answers yes.
+  /// Emitted with a question for the user. The receiver must call `act` only if the user chooses
+  /// the answer `yes`.
   void confirmationRequested(const QString& question, const QString& yes,
                              const std::function<void()>& act);
 

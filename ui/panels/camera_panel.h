@@ -38,7 +38,7 @@ public:
   CameraPanel(Document& document, Selection& selection, CameraListModel& cameras,
               QWidget* parent = nullptr);
 
-  /// Sets the snapshot shown. A background image can be taken from its images.
+  /// Sets the snapshot shown, from whose images a background image can be taken.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   BackgroundImageTaker& taker() { return *taker_; }
 

@@ -13,21 +13,22 @@ class QPushButton;
 
 namespace dewpoint::ui {
 
-/// Row that shows the estimated delay of a camera, and a button that keeps it in the project. It is
-/// hidden while nothing is estimated.
+/// Row that shows the estimated delay of a camera, and a button that stores this delay in the
+/// project. The row is hidden while nothing is estimated.
 class DelayEstimate : public QWidget {
   Q_OBJECT
 public:
   explicit DelayEstimate(QWidget* parent = nullptr);
 
-  /// Sets the estimate shown and the name of the first camera, to which it is relative. Nothing is
-  /// shown for the first camera itself, and if `estimate` is empty.
+  /// Sets the estimate shown. Delays are relative to the first camera, whose name is `firstCamera`.
+  /// The row is hidden for the first camera itself, and if `estimate` is empty.
   void setEstimate(const std::optional<ClockEstimate>& estimate, const QString& firstCamera);
-  /// Sets whether the estimate may be kept.
+  /// Sets whether the estimate may be stored in the project.
   void setEditable(bool editable);
 
 Q_SIGNALS:
-  /// Emitted when the user wants to add the estimated delay (seconds) to that of the camera.
+  /// Emitted when the user wants to add the estimated delay (seconds) to the delay of the camera in
+  /// the project.
   void kept(double delay);
 
 private:

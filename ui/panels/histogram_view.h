@@ -10,8 +10,8 @@
 
 namespace dewpoint::ui {
 
-/// Compares the color histogram of a bounding box at the time it was set with the histogram of the
-/// box now. Each bin has two bars in the bin's color, one hollow and one filled.
+/// View that compares the color histogram of a bounding box when it was set with the histogram of
+/// the current box. Each color bin has two bars in its color: a hollow one and a filled one.
 class HistogramView : public QWidget {
   Q_OBJECT
 public:

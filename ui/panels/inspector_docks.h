@@ -10,8 +10,8 @@ class TargetPanel;
 class ViewDock;
 struct Workbench;
 
-/// Adds the panel for the method and its parameters, and the messages shown when another method is
-/// selected.
+/// Adds the panel for the method and its parameters to the window, and the messages shown when
+/// another method is selected.
 void installParameters(const Workbench& bench);
 
 /// Dock with the list of targets.
@@ -19,10 +19,10 @@ struct TargetDock {
   ViewDock* dock;
   TargetPanel* panel;
 };
-/// Adds the list of targets.
+/// Adds the dock with the list of targets to the window.
 TargetDock installTargets(const Workbench& bench);
 
-/// Adds the list of cameras.
+/// Adds the dock with the list of cameras to the window.
 CameraPanel* installCameras(const Workbench& bench);
 
 } // namespace dewpoint::ui

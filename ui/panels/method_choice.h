@@ -11,10 +11,10 @@ struct Project;
 
 namespace dewpoint::ui {
 
-/// Combo box that selects the method. Methods are grouped under headings by use. Each method has
-/// two lines, which describe what it tracks and how it differs from others; its name in files and
-/// its paper are also shown. Methods that do not work with the project are disabled and show the
-/// reason. The texts keep the language in which the list was filled.
+/// Combo box that selects the tracking method. Methods are grouped under headings by use. Two lines
+/// describe what a method tracks and how it differs from others; its name in files and its paper
+/// are also shown. Methods that do not work with the project are disabled and show the reason. The
+/// texts keep the language in which the list was filled.
 class MethodChoice : public QComboBox {
   Q_OBJECT
 public:

@@ -49,8 +49,8 @@ public:
   int chosen() const;
   /// Selects a target in the list. Invalid indices are ignored.
   void choose(int target);
-  /// Sets the frame shown, which provides the target states. For methods that track boxes, it also
-  /// provides the estimated box of the selected target.
+  /// Sets the snapshot shown, which provides the target states and, for methods that track boxes,
+  /// the estimated box of the selected target.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Removes the selected target in an undoable step.
   void removeChosen();

@@ -10,7 +10,7 @@
 
 namespace dewpoint::ui {
 
-/// Content of a target's row in addition to its name.
+/// Content of a row in the list of targets, in addition to the name.
 struct TargetRow {
   QColor identity;                ///< target color in all views
   std::optional<QColor> learned;  ///< learned target color; empty if the target needs no color
@@ -31,10 +31,10 @@ class TargetRowDelegate : public QStyledItemDelegate {
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
-  /// Sets the rows. Returns whether they differ from the previous ones.
+  /// Sets the content of all rows. Returns whether it differs from the previous content.
   bool setRows(std::vector<TargetRow> rows);
   const std::vector<TargetRow>& rows() const { return rows_; }
-  /// Returns the area of the eye in a row whose area is `row`.
+  /// Returns the area of the eye symbol in a row of the list whose area is `row`.
   static QRect eyeArea(const QRect& row);
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,

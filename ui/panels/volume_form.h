@@ -18,10 +18,10 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Fields for the volume of interest, which limits the search for targets to a box given by two
-/// corners. While the project has no such box, the fields show the volume that the cameras see, and
-/// editing a number starts from that volume. Every change is a step of the document. The texts keep
-/// the language in which the form was created.
+/// Fields for the volume of interest, a box given by two corners to which the search for targets is
+/// limited. While the project has no volume of interest, the fields show the volume that the
+/// cameras see, and editing a number starts from this volume. Every change is an undoable step of
+/// the document. The texts keep the language in which the form was created.
 class VolumeForm : public QWidget {
   Q_OBJECT
 public:

@@ -15,12 +15,13 @@ class CameraListModel;
 class CameraView;
 class ImagePickOverlay;
 
-/// "A person stands here" tool. While it is active, the user clicks a person in a camera view or
-/// the floor in the bird's-eye view, or uses the keyboard cross of the camera views.
+/// Tool "A person stands here", with which the user adds a person that was not found. While the
+/// tool is active, the user clicks the person in a camera view or the floor in the bird's-eye view,
+/// or uses the keyboard cross of the camera views.
 class AddPersonTool : public QObject {
   Q_OBJECT
 public:
-  /// `cameras` provides the camera names for the images.
+  /// Creates the tool. `cameras` provides the names of the cameras.
   AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& cameras, QObject* parent);
 
   /// Adds a camera view, which may be deleted at any time.

@@ -22,14 +22,14 @@ class PeoplePanel;
 class AddPersonTool;
 class ViewDock;
 
-/// Connects the methods for people to the window. Shows who is present and where, handles
-/// corrections, and exports tables. While such a method is selected, its panel replaces those of
-/// other methods.
+/// Adds everything for methods that track people to the window: a dock that shows who is present
+/// and where, corrections, and the export of tables. While such a method is selected, this dock
+/// replaces docks that are only for other methods.
 class PeopleDock : public QObject {
   Q_OBJECT
 public:
-  /// `others` are docks that methods for people do not use. They are hidden while the people dock
-  /// is shown.
+  /// Creates the dock. `others` are docks that methods for people do not use; they are hidden while
+  /// the people dock is shown.
   PeopleDock(const Workbench& bench, const CameraDocks& cameras, BirdsEyeView& birdsEye,
              std::vector<ViewDock*> others);
 

@@ -16,12 +16,13 @@ namespace dewpoint::ui {
 
 class Selection;
 
-/// Lists the people present, one row per person, in the identity color. Shows the progress of
-/// background learning above the table. Selecting a row selects the person in all views.
+/// Table of the people present, one row per person, in the identity color. Above the table, the
+/// panel shows the progress while the cameras learn the background. Selecting a row selects the
+/// person in all views.
 class PeoplePanel : public QWidget {
   Q_OBJECT
 public:
-  /// `place` and `remove` are the actions for the buttons below the table.
+  /// Creates the panel. `place` and `remove` are the actions of the buttons below the table.
   PeoplePanel(Selection& selection, QAction* place, QAction* remove, QWidget* parent = nullptr);
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);

@@ -24,8 +24,8 @@ public:
   /// Sets whether the target is a bounding box, whose spread is in pixels. Otherwise the spread is
   /// in meters.
   void setBoxes(bool boxes);
-  /// Shows a frame of this run, or the newest frame if `frame` is empty. Hides the plot unless this
-  /// frame, or one shortly before it, has more than one iteration.
+  /// Shows the iterations of a frame of this run, or of the newest frame if `frame` is empty. Hides
+  /// the plot unless this frame, or a frame shortly before, has more than one iteration.
   void showFrame(const PlotSeries& run, std::optional<std::int64_t> frame);
   /// Returns the number of iterations drawn.
   std::size_t iterations() const { return series_.size(); }
@@ -42,10 +42,11 @@ private:
   std::int64_t frame_ = -1;
 };
 
-/// Returns the rows [first, last) of a frame, or of the last frame before it.
+/// Returns the rows [first, last) of a frame in a series; if the frame has none, those of the last
+/// earlier frame.
 std::pair<std::size_t, std::size_t> rowsOfFrame(const PlotSeries& run, std::int64_t frame);
-/// Returns whether this frame, or one shortly before it, has more than one iteration. Looking back
-/// keeps the plot from flickering while the run continues.
+/// Returns whether this frame, or a frame shortly before, has more than one iteration. Earlier
+/// frames are included so that the plot does not flicker while the run continues.
 bool iteratesWithinFrames(const PlotSeries& run, std::int64_t frame);
 
 } // namespace dewpoint::ui

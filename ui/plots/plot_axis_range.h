@@ -19,12 +19,12 @@ public:
   void setMinIterations(double least) { minIterations_ = least; }
   /// Changes the axis and shows the whole run. Returns false if the axis is already set.
   bool setAxis(PlotAxis axis);
-  /// Returns the range of the whole run, extended to the minimum length. A null series means that
+  /// Returns the axis range of the whole run, extended to the minimum length. `series` is null if
   /// nothing was tracked.
   Range fullRange(const PlotSeries* series) const;
   Range shown(const PlotSeries* series) const;
-  /// Follows the newest data and returns the range to show. Shows the whole run again if the run
-  /// returned to a point before the range shown.
+  /// Moves a range that follows the newest data, and returns the range to show. Shows the whole run
+  /// again if the run went back to before the range shown.
   Range advance(const PlotSeries* series);
   bool showsAll() const { return !shownRange_.has_value(); }
   void showAll();

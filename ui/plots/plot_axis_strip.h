@@ -10,8 +10,8 @@ class QCustomPlot;
 
 namespace dewpoint::ui {
 
-/// Axis numbers shared by a stack of plots. The strip lies below the scrolled plots, so it is
-/// always visible.
+/// Strip with the axis numbers shared by a stack of plots. The strip is below the scroll area of
+/// the plots, so it is always visible.
 class PlotAxisStrip : public QWidget {
 public:
   /// Creates the strip as a sibling of the plot. It is redrawn whenever the plot is redrawn.

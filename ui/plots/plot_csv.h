@@ -12,9 +12,9 @@ namespace dewpoint::ui {
 
 class PlotRow;
 
-/// Returns the curves of these plots within an axis range as CSV, with all data points: one line
-/// per iteration or frame. Values have the units of the plots' axes (drawnValue()), which are part
-/// of the column names: for example, positions are in meters, spreads and errors in millimeters,
+/// Returns the curves of these plots within an axis range as CSV, one line per iteration or frame,
+/// with all data points. Values have the units of the plots' axes (drawnValue()), which the column
+/// names contain: for example, positions are in meters, spreads and errors in millimeters,
 /// durations in microseconds.
 std::string plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const PlotSeries& series,
                     PlotAxis axis, const std::pair<double, double>& range);

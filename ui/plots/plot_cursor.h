@@ -11,8 +11,9 @@
 
 namespace dewpoint::ui {
 
-/// Lines and a range drawn across all plots in a stack. They have their own layer, so they move
-/// without redrawing the curves. Positions are in units of the shared axis.
+/// Vertical lines and a selected range drawn across all plots in a stack. They are drawn on a
+/// separate layer, so that moving them does not redraw the curves. Positions are in units of the
+/// shared axis.
 class PlotCursor : public QCPLayerable {
 public:
   PlotCursor(QCustomPlot* plot, const QString& layer) : QCPLayerable(plot, layer) {}

@@ -12,7 +12,7 @@
 
 namespace dewpoint::ui {
 
-/// Quantity shown in a plot. It determines the number format and the axis range.
+/// Quantity shown in a plot, which determines the number format and the axis range.
 enum class PlotQuantity {
   Length,        ///< meters; drawn in millimeters on a logarithmic axis
   Position,      ///< meters
@@ -27,7 +27,7 @@ enum class PlotQuantity {
 
 /// Declaration of one curve in a plot.
 struct CurveDeclaration {
-  QString name;           ///< translated: "x", "camera 1"
+  QString name;           ///< translated, for example "x" or "camera 1"
   QString csvName;        ///< column name in a table, with the unit: "spread_x_mm"
   std::size_t column = 0; ///< column in the PlotSeries
   int color = 0;          ///< index for curveColor()
@@ -49,12 +49,12 @@ struct PlotDeclaration {
 
 /// Returns a value with its unit and a suitable precision; "–" if it is not a number.
 QString quantityText(PlotQuantity quantity, double value);
-/// Returns only the number, converted to the axis unit. The number of decimals does not depend on
-/// the value.
+/// Returns a value as text without the unit, converted to the axis unit. The number of decimals
+/// does not depend on the value.
 QString drawnNumberText(PlotQuantity quantity, double value);
-/// Returns the axis unit; may be empty.
+/// Returns the unit in which a quantity is shown on an axis; may be empty.
 QString axisUnit(PlotQuantity quantity);
-/// Returns the title with the axis unit: "Spread (mm)".
+/// Returns the title of a plot with the axis unit, for example "Spread (mm)".
 QString titleWithUnit(const PlotDeclaration& plot);
 /// Converts a stored value to the unit used on the axis and in tables.
 double drawnValue(PlotQuantity quantity, double value);

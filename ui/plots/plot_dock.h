@@ -8,7 +8,7 @@ namespace dewpoint::ui {
 class PlotPanel;
 struct Workbench;
 
-/// Adds the run's plots to the window.
+/// Adds the dock with the plots of the run to the window.
 PlotPanel* installPlots(const Workbench& bench);
 
 } // namespace dewpoint::ui

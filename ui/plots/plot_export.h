@@ -12,18 +12,20 @@ namespace dewpoint::ui {
 
 class PlotNavigation;
 
-/// Exports plots as currently shown, for use in other programs. Use it immediately: it stores only
-/// references.
+/// Exports plots as currently shown, for use in other programs. Do not keep this object: it stores
+/// only references.
 class PlotExport {
 public:
-  /// `drawAgain` restores the appearance of the plots in the window.
+  /// Creates an export of these plots. `drawAgain` must restore the appearance of the plots in the
+  /// window.
   PlotExport(QCustomPlot& plot, const std::vector<std::unique_ptr<PlotRow>>& rows,
              const PlotNavigation& navigation, PlotCursor& cursor, std::function<void()> drawAgain);
 
   /// Returns the curves within the range shown as CSV, one line per row. All data points are
   /// included.
   std::string csv() const;
-  /// Returns a figure for publication, as SVG (`asDrawing`) or as pixels.
+  /// Returns the plots as a figure for publication: as SVG if `asDrawing` is true, otherwise as
+  /// pixels.
   PlotImage image(bool asDrawing) const;
 
 private:

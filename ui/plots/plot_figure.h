@@ -29,8 +29,8 @@ struct PlotImage {
 };
 
 /// Draws plots as a figure for publication, with antialiased lines, named axes, and the cursor only
-/// if needed. The plots keep this appearance while the object exists and must be redrawn
-/// afterwards.
+/// if needed. The plots have this appearance while the object exists, and must be redrawn
+/// afterward.
 class PlotFigure {
   Q_DECLARE_TR_FUNCTIONS(PlotFigure)
 public:
@@ -40,7 +40,7 @@ public:
   PlotFigure(const PlotFigure&) = delete;
   PlotFigure& operator=(const PlotFigure&) = delete;
 
-  /// Draws the current figure, as SVG (`asDrawing`) or as pixels.
+  /// Returns the figure: as SVG if `asDrawing` is true, otherwise as pixels.
   PlotImage draw(bool asDrawing);
 
 private:

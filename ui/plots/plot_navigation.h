@@ -22,7 +22,7 @@ class PlotNavigation : public QObject {
 public:
   using QObject::QObject;
 
-  /// Sets the series that is drawn. It must outlive this object or be replaced.
+  /// Sets the series that is drawn. The series must outlive this object or be replaced.
   void setSeries(const PlotSeries* series) { series_ = series; }
   const PlotSeries* series() const { return series_; }
   void setMinIterations(int least) { range_.setMinIterations(least); }
@@ -39,21 +39,22 @@ public:
   void showAll();
   /// Shows this part of the axis.
   void showRange(double lower, double upper);
-  /// Zooms in by `factor` (above 1) around a position on the axis, or around the cursor.
+  /// Zooms in by `factor` (above 1; below 1 zooms out) around the position `about` on the axis; if
+  /// it is empty, around the cursor.
   void zoom(double factor, std::optional<double> about = std::nullopt);
-  /// Pans by a fraction of the visible width.
+  /// Moves the visible part of the axis by a fraction of its width.
   void pan(double share);
 
-  /// Sets the frame that all views show. An empty value stands for the newest frame.
+  /// Sets the frame that all views show; empty: the newest frame.
   void setCurrentFrame(std::optional<std::int64_t> frame);
   std::optional<std::int64_t> currentFrame() const { return currentFrame_; }
-  /// Sets the frame under the pointer, here or in another view; nothing if there is none.
+  /// Sets the frame under the pointer, in these plots or in another view; empty if there is none.
   void setHovered(std::optional<std::int64_t> frame);
   std::optional<std::int64_t> hovered() const { return hovered_; }
   void setSelectedRange(std::optional<SelectedRange> selectedRange);
   std::optional<SelectedRange> selectedRange() const { return selectedRange_; }
-  /// Sets the part of the axis over which the user is dragging. The stack zooms to it at the end of
-  /// the drag.
+  /// Sets the part of the axis over which the user is dragging. The stack zooms to this part at the
+  /// end of the drag.
   void setDragged(std::optional<std::pair<double, double>> part);
   std::optional<std::pair<double, double>> dragged() const { return dragged_; }
 
@@ -61,9 +62,10 @@ public:
   std::optional<double> positionOf(const std::optional<std::int64_t>& frame) const;
   /// Returns the frame closest to a position on the axis.
   std::optional<std::int64_t> frameAt(double position) const;
-  /// Returns the series row under the cursor.
+  /// Returns the index of the series row at the cursor, or nothing if there is none.
   std::optional<std::size_t> cursorRow() const;
-  /// Returns the series row of the frame that all views show, wherever the cursor is.
+  /// Returns the index of the series row of the frame that all views show, regardless of the
+  /// cursor; nothing if there is none.
   std::optional<std::size_t> shownRow() const;
 
 Q_SIGNALS:

@@ -38,7 +38,7 @@ public:
   PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* parent = nullptr);
   ~PlotPanel() override;
 
-  /// Adds the iterations since the last call.
+  /// Adds the iterations that were logged since the last call.
   void append(const std::vector<IterationRecord>& records);
   /// Clears the plots for a new run.
   void clear();
@@ -51,7 +51,7 @@ public:
   FrameConvergence& convergence() { return *convergence_; }
   PlotStack& stack() { return *stack_; }
 
-  /// Creates buttons and the cursor position readout for the dock title.
+  /// Creates the widget for the dock title, with buttons and the position of the cursor as text.
   QWidget* makeTools(QWidget* parent);
   void copyCsv();
   /// Writes the plots as SVG or PNG, depending on the suffix, in another thread. Emits `notice()`

@@ -33,12 +33,13 @@ class PlotNavigation;
 class PlotPointer : public QObject {
   Q_OBJECT
 public:
-  /// `axis` returns the axis shared by all plots, or null if there are no plots.
+  /// Creates the input for a plot. `axis` returns the axis shared by all plots, or null if there
+  /// are no plots.
   PlotPointer(PlotNavigation& navigation, QCustomPlot* plot, std::function<QCPAxis*()> axis);
 
 Q_SIGNALS:
-  /// Emitted when the pointer or the cursor moved by arrow keys reaches this frame; negative when
-  /// it has left.
+  /// Emitted when the pointer, or the cursor moved by arrow keys, reaches this frame. A negative
+  /// number means that it is on no frame.
   void hovered(qint64 frame);
   /// Emitted after each move of the pointer, with its position in the plot, and after each move of
   /// the cursor by keys, without a position. Not emitted during a drag.

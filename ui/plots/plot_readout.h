@@ -9,11 +9,12 @@
 
 namespace dewpoint::ui {
 
-/// Title of one plot with its unit, in up to two lines to the left of the axis numbers.
+/// Layout element with the title of one plot and its unit, in up to two lines to the left of the
+/// axis numbers.
 class PlotCaption : public QCPLayoutElement {
 public:
   PlotCaption(QCustomPlot* plot, const PlotDeclaration& declaration);
-  /// Returns the width (pixels) in which each title of these plots fits in two lines.
+  /// Returns the width, in pixels, in which every title of these plots fits in two lines.
   static int widthFor(const std::vector<const PlotDeclaration*>& plots, const QFont& font);
   void setWidth(int width);
 
@@ -24,12 +25,13 @@ private:
   const PlotDeclaration& declaration_;
 };
 
-/// Names, colors and values of the curves in one plot, shown next to it in the unit of its title.
-/// The readout is drawn on the cursor layer, so that moving the cursor does not redraw curves.
+/// Layout element next to a plot with the names, colors and values of its curves at the cursor, in
+/// the unit of the title. The readout is drawn on the cursor layer, so that moving the cursor does
+/// not redraw curves.
 class PlotReadout : public QCPLayoutElement {
 public:
   PlotReadout(QCustomPlot* plot, const PlotDeclaration& declaration);
-  /// Returns the width (pixels) that the readouts of these plots need to form one column.
+  /// Returns the width, in pixels, of a column in which the readouts of all these plots fit.
   static int widthFor(const std::vector<const PlotDeclaration*>& plots, const QFont& font);
   /// Returns the number of text lines in a plot's readout.
   static int lineCount(const PlotDeclaration& plot);

@@ -14,11 +14,11 @@ namespace dewpoint::ui {
 /// One plot in a stack, in one row of the layout: its title, axes, curves and readout.
 class PlotRow {
 public:
-  /// Maximum number of points for which a curve also shows dots, so that a run that has just begun
-  /// is visible.
+  /// Maximum number of points up to which a curve also shows dots, so that a run that has just
+  /// begun is visible.
   static constexpr int kMaxDots = 29;
 
-  /// Creates the plot. The declaration must outlive it.
+  /// Creates the plot. The declaration must outlive this object.
   PlotRow(QCustomPlot* plot, const PlotDeclaration& declaration, int layoutRow,
           QCPMarginGroup* margins);
 
@@ -34,9 +34,9 @@ public:
   /// Returns the minimum height (pixels) at which the title, readout and two axis numbers are
   /// readable.
   int minimumHeightFor(const QFont& font) const;
-  /// Returns the row's share of the total height, relative to the shares of the other rows.
+  /// Returns the weight with which the row shares the total height with other rows.
   double heightShare() const;
-  /// Draws the data within the range of the x axis, and fits the y axis to the data.
+  /// Draws the data within the range of the x axis, and adjusts the y axis to the data.
   void fill(const PlotSeries& series, PlotAxis axis);
   void showValues(const PlotSeries& series, std::optional<std::size_t> row);
   /// Returns the title and the values of a row of the series as text: "Spread: x 12 mm, y 9 mm".

@@ -48,23 +48,24 @@ public:
   bool isKnown(std::size_t column) const { return known_[column]; }
   /// Returns the position of a row on the axis.
   double key(std::size_t index, PlotAxis axis) const;
-  /// Returns the row closest to a position on the axis, or nothing without rows. On the time axis,
-  /// each frame is represented by its last iteration.
+  /// Returns the index of the row closest to a position on the axis; nothing if there are no rows.
+  /// On the time axis, the last iteration of a frame represents the frame.
   std::optional<std::size_t> nearest(PlotAxis axis, double key) const;
-  /// Returns the last row of this frame, or of the closest earlier frame.
+  /// Returns the index of the last row of this frame or, if it has none, of the closest earlier
+  /// frame.
   std::optional<std::size_t> atFrame(std::int64_t frame) const;
   /// Returns the rows [first, last) whose keys are within [lower, upper].
   std::pair<std::size_t, std::size_t> within(PlotAxis axis, double lower, double upper) const;
   /// Returns whether a row is drawn. On the time axis, only the last iteration of a frame is drawn.
   bool isDrawn(std::size_t index, PlotAxis axis) const;
-  /// Offset added to the values of a curve: another column times `factor`.
+  /// Offset to add to the values of a curve: the values of another column, times `factor`.
   struct Offset {
     std::size_t column = 0;
     double factor = 0.0;
   };
-  /// Returns the values of a column within [lower, upper] plus one row beyond each end. They are
-  /// reduced to about two points for each of `pixels` intervals: the smallest and the largest
-  /// value.
+  /// Returns the points of a curve: the values of a column within the axis range [lower, upper],
+  /// plus one row beyond each end. If there are many, they are reduced to about two points for each
+  /// of `pixels` intervals, the smallest and the largest value.
   Line line(std::size_t column, PlotAxis axis, double lower, double upper, int pixels,
             const std::optional<Offset>& offset = std::nullopt) const;
 

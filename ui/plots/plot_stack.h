@@ -43,8 +43,7 @@ public:
   void refresh();
   /// Sets the sentence shown while there are no data.
   void setEmptyText(const QString& sentence);
-  /// Sets whether only curves and axes are shown. This suits a stack whose surroundings explain
-  /// what it shows.
+  /// Sets whether only curves and axes are shown, without titles and readouts.
   void setCurvesOnly(bool bare);
   /// Sets the minimum length of the axis in iterations. A shorter run fills it gradually.
   void setMinIterations(int least) { navigation_->setMinIterations(least); }
@@ -57,9 +56,9 @@ public:
   /// Connects the cursors of two stacks: the frame under the pointer in one is also marked in the
   /// other.
   void shareCursor(PlotStack& other);
-  /// Sets the frame that all views show. An empty value stands for the newest frame.
+  /// Sets the frame that all views show; empty: the newest frame.
   void setCurrentFrame(std::optional<std::int64_t> frame) { navigation_->setCurrentFrame(frame); }
-  /// Sets the frame under the pointer, here or in another view; nothing if there is none.
+  /// Sets the frame under the pointer, in these plots or in another view; empty if there is none.
   void setHovered(std::optional<std::int64_t> frame) { navigation_->setHovered(frame); }
   std::optional<SelectedRange> selectedRange() const { return navigation_->selectedRange(); }
   /// Returns the visible part of the axis.
@@ -70,14 +69,14 @@ public:
   void showRange(double lower, double upper) { navigation_->showRange(lower, upper); }
   bool showsAll() const { return navigation_->showsAll(); }
 
-  /// Exports what is currently shown, for use in other programs.
+  /// Returns an object that exports the plots as currently shown, for use in other programs.
   PlotExport exported();
   /// Returns all values at the cursor, with names and units.
   QString valuesText() const;
-  /// Returns the cursor as "frame 132, 4.40 s", or "frame 132, iteration 660, 4.40 s" if the axis
-  /// counts iterations; an empty string before the first frame.
+  /// Returns the position of the cursor as text: "frame 132, 4.40 s", or "frame 132, iteration 660,
+  /// 4.40 s" if the axis counts iterations. Empty before the first frame.
   QString cursorText() const { return placeText(navigation_->cursorRow()); }
-  /// Returns the frame that all views show in the same form, wherever the cursor is.
+  /// Returns the frame that all views show as text, in the same form as cursorText().
   QString shownText() const { return placeText(navigation_->shownRow()); }
   /// Returns the duration of the last redraw in milliseconds.
   double lastDrawingMs() const { return lastDrawingMs_; }
@@ -88,7 +87,7 @@ public:
   QStringList visiblePlots() const;
   /// Returns the plots that are fully visible without scrolling.
   QStringList fullyVisiblePlots() const;
-  /// Returns the plots of which only a part is visible without scrolling.
+  /// Returns the plots that are only partly visible without scrolling.
   QStringList cutPlots() const;
   /// Returns whether any curve shows dots.
   bool hasDots() const;

@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Ticker with ticks only at powers of ten and a maximum number of ticks. The lowest and the
+/// Axis ticker with ticks only at powers of ten, and a maximum number of ticks. The lowest and the
 /// highest tick have priority.
 class DecadeTicker : public QCPAxisTicker {
 public:
@@ -21,7 +21,7 @@ private:
   int maxTicks_ = 2;
 };
 
-/// Ticker whose labels have as many decimals as the tick step: 2.5, 5.0, 7.5.
+/// Axis ticker whose labels have as many decimals as the tick step, for example 2.5, 5.0, 7.5.
 class StepTicker : public QCPAxisTicker {
 public:
   void setWholeNumbers(bool whole) { wholeNumbers_ = whole; }
@@ -37,8 +37,8 @@ private:
   bool wholeNumbers_ = false;
 };
 
-/// Ticker for plots of small height. It draws at least two and at most a set number of ticks, at
-/// multiples of 1, 2 or 5 times a power of ten.
+/// Axis ticker for plots of small height. It draws at least two ticks and at most the number of
+/// setMaxTicks(), at multiples of 1, 2 or 5 times a power of ten.
 class ValueTicker : public StepTicker {
 public:
   void setMaxTicks(int most) { maxTicks_ = most; }

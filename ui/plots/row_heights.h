@@ -7,11 +7,11 @@
 
 namespace dewpoint::ui {
 
-/// Returns heights for a stack of rows that does not fit into `visible` pixels, so that no row is
-/// cut at either end of the stack: the first rows fill the visible height exactly while the stack
-/// is not scrolled, and the last rows when it is scrolled to its end. No row gets less than its
-/// minimum height in `least`. Returns an empty list if all rows fit. If not even the first row
-/// fits, each row gets its minimum height. All heights are in pixels.
+/// Returns the heights of the rows in a scrolled stack such that no row is cut off when the stack
+/// is scrolled to either end: the first rows together, and the last rows together, are exactly
+/// `visible` high. No row is lower than its minimum height in `least`. Returns an empty list if all
+/// rows fit without scrolling. If not even the first row fits, each row gets its minimum height.
+/// All heights are in pixels.
 std::vector<int> wholeRowHeights(const std::vector<int>& least, int visible);
 
 } // namespace dewpoint::ui

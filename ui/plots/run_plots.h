@@ -14,20 +14,20 @@ struct IterationRecord;
 
 namespace dewpoint::ui {
 
-/// Returns the translated plots of a run: position, spread, sampleSize, likelihood, existence,
-/// error, duration. Likelihood and existence have one curve per camera. Existence has an additional
-/// curve for all cameras together.
+/// Returns the declarations of the plots of a run, in the language of the window: position, spread,
+/// sampleSize, likelihood, existence, error, duration. Likelihood and existence have one curve per
+/// camera. Existence has an additional curve for all cameras together.
 std::vector<PlotDeclaration> runPlots(const QStringList& cameras);
-/// Returns the plots of a run that tracks bounding boxes. They have the same ids, except that there
-/// is neither existence nor error. Position and spread are in pixels, and the similarity replaces
-/// the likelihood.
+/// Returns the declarations of the plots of a run that tracks bounding boxes. The ids are those of
+/// runPlots(), without existence and error. Position and spread are in pixels, and the similarity
+/// replaces the likelihood.
 std::vector<PlotDeclaration> boxRunPlots();
-/// Returns the number of values per row in the series from which these plots are drawn.
+/// Returns the number of values per row in the series from which the plots of a run are drawn.
 std::size_t runPlotColumns(int cameraCount);
-/// Returns the spread in a row of the series of a run's plots, combined over all axes: meters, or
-/// pixels for bounding boxes.
+/// Returns the particle spread in a row of the series of a run's plots, combined over all axes, in
+/// meters, or in pixels for bounding boxes.
 double spreadOf(const PlotSeries& series, std::size_t row);
-/// Adds one iteration to the series of its target.
+/// Appends one iteration to the series of a run's plots for its target.
 void appendTo(PlotSeries& series, const IterationRecord& record);
 
 } // namespace dewpoint::ui

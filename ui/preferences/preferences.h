@@ -34,7 +34,7 @@ public:
   Theme theme() const;
   void setTheme(Theme theme);
 
-  /// Returns a two-letter code; empty for the system language.
+  /// Returns the two-letter code of the window's language; empty for the system language.
   QString language() const;
   void setLanguage(const QString& language);
 
@@ -52,16 +52,18 @@ public:
   QString lastFolder() const;
   void setLastFolder(const QString& folder);
 
-  /// Returns the number of filter threads, used from the next run on. If it is 0, core/session
-  /// selects the number (base::filterThreadCount). The results do not depend on it.
+  /// Returns the number of filter threads, used from the next run on; 0: a number that suits the
+  /// computer (base::filterThreadCount). The results do not depend on this number.
   int filterThreadCount() const;
   void setFilterThreads(int threads);
 
-  /// Returns whether a run is played iteration by iteration until every target is held (Pace).
+  /// Returns whether a run is played iteration by iteration until the cameras confirm every target
+  /// (Pace::slowUntilHeld).
   bool slowUntilHeld() const;
   void setSlowUntilHeld(bool slow);
 
-  /// Returns how many seconds before the start of a take are recorded; 0: none.
+  /// Returns the pre-roll of takes (recordings of all cameras): how many seconds before the start
+  /// are also recorded; 0: none.
   int preRollSeconds() const;
   void setPreRollSeconds(int seconds);
 
@@ -80,12 +82,13 @@ public:
   bool plotsOverTime() const;
   void setPlotsOverTime(bool time);
 
-  /// Returns the stored settings. `otherwise` provides values that were never set.
+  /// Returns the stored settings for board calibration. `otherwise` provides values that were never
+  /// set.
   BoardPreferences board(const BoardPreferences& otherwise) const;
   void setBoard(const BoardPreferences& board);
 };
 
-/// Returns the theme named "system", "light" or "dark"; `System` for an unknown name.
+/// Returns the theme with this name ("system", "light" or "dark"); `System` for an unknown name.
 Theme themeFromName(const QString& name);
 /// Returns the name of a theme, in the form that `themeFromName()` reads.
 QString themeName(Theme theme);

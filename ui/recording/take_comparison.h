@@ -11,9 +11,9 @@
 
 namespace dewpoint::ui {
 
-/// Offers to compare a take with what was tracked live, when a take that has live results is opened
-/// as a project. The comparison tracks the take again in the background, and a message tells
-/// whether the results are the same.
+/// Offers to compare a take (a recording of all cameras) with the results that were tracked live,
+/// when a take with live results is opened as a project. The comparison tracks the take again in
+/// the background, and a message reports whether the results are the same.
 class TakeComparison : public QObject {
   Q_OBJECT
 public:

@@ -18,25 +18,26 @@ class QLabel;
 
 namespace dewpoint::ui {
 
-/// Records the live cameras of the run: starts and stops takes (actionRecord), shows in the status
-/// bar what has been recorded, and says where a take is. Number and notes of a take can be set
-/// before it begins, and its notes also later (actionTakeNotes). A take may begin with
-/// images from before its start. If the run tracks, its results are added to the take. A take goes
-/// on while the run is paused or restarted; it ends when the project is closed or its cameras are
-/// opened again. Closing the window completes it.
+/// Records the live cameras of the run: starts and stops takes (actionRecord), shows their progress
+/// in the status bar, and reports where they are stored. The user can set the number and notes of a
+/// take before it begins, and change the notes later (actionTakeNotes). A take may include images
+/// from before its start. The live results of the run are added to the take. A take continues while
+/// the run is paused or restarted. It ends when the project is closed, its cameras are opened
+/// again, or the window is closed.
 class TakeController : public QObject {
   Q_OBJECT
 public:
   explicit TakeController(const Workbench& bench);
 
   bool isRecording() const { return recorder_ != nullptr; }
-  /// Returns the folder in which the takes of the open project are: beside its file, or for an
-  /// unsaved project in the user's folder for videos.
+  /// Returns the folder for the takes of the open project: beside the project file or, for an
+  /// unsaved project, in the user's folder for videos.
   std::filesystem::path takesFolder() const;
-  /// Returns what the current take has recorded so far; empty while nothing is recorded.
+  /// Returns the state of the current take; an empty state while nothing is being recorded.
   TakeStatus status() const;
-  /// Starts a take for another program, unless one is in progress or no live cameras are open.
-  /// `name` becomes its notes, unless the user has entered some for the next take.
+  /// Starts a take that another program requested. Does nothing if a take is in progress or no live
+  /// cameras are open. `name` becomes the notes of the take, unless the user has entered notes for
+  /// it.
   void startNamed(const QString& name);
 
 Q_SIGNALS:

@@ -12,19 +12,20 @@ class QSpinBox;
 
 namespace dewpoint::ui {
 
-/// Number and notes of a take.
+/// Details of a take that the user can edit.
 struct TakeDetails {
-  int number = 0; ///< 0: the next one after all takes in the folder
+  int number = 0; ///< number of the take; 0: the next number after all takes in the folder
   QString notes;
-  int preRoll = 0; ///< seconds before the start that are recorded, of the next takes
+  int preRoll = 0; ///< seconds before the start that the next takes also record
 };
 
-/// Edits the number, the notes and the pre-roll of the next take, or the notes of a take that
-/// exists.
+/// Dialog for the number, the notes and the pre-roll of the next take, or for the notes of an
+/// existing take. The pre-roll is the time before the start that is also recorded.
 class TakeDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `exists` is true if the take has been started, so that its number is fixed.
+  /// Creates the dialog. `exists` is true if the take has already started; its number can then not
+  /// be changed.
   TakeDialog(const TakeDetails& details, bool exists, QWidget* parent);
 
   TakeDetails details() const;

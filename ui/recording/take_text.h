@@ -12,18 +12,20 @@ struct TakeStatus;
 
 namespace dewpoint::ui {
 
-/// Returns one line: number of the take, its duration, dropped images, and the disk space left.
+/// Returns one line about a take: its number, its duration, the dropped images, and the free disk
+/// space.
 QString takeLine(const TakeStatus& take);
-/// Returns one line for each camera: images, rate and dropped images.
+/// Returns one line for each camera of a take: recorded images, frame rate and dropped images.
 QString takeDetails(const TakeStatus& take);
-/// Returns how much was recorded before the start of a take, and whether memory limited it; empty
-/// if nothing was.
+/// Returns a text that tells how much was recorded from before the start of a take, and whether
+/// memory limited this; empty if nothing was recorded.
 QString preRollText(const TakeStatus& take);
-/// Returns the sentences that tell how a take compares with the live run (describeReplay()).
+/// Returns sentences that describe how a take compares with the live run (describeReplay()).
 QString replayText(const ReplayComparison& comparison);
 /// Returns the first problem of a take as a sentence; empty if there is none.
 QString takeProblem(const TakeStatus& take);
-/// Returns a duration as minutes and seconds, or hours, minutes and seconds: "0:07", "1:02:03".
+/// Returns a duration as text, in minutes and seconds ("0:07") or hours, minutes and seconds
+/// ("1:02:03").
 QString clockText(double seconds);
 
 } // namespace dewpoint::ui

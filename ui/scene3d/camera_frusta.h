@@ -11,13 +11,13 @@
 
 namespace dewpoint::ui {
 
-/// Cameras of a rig drawn as viewing pyramids, with plumb lines to the floor. Camera names are
-/// painted over the rendered image.
+/// Cameras of a rig, drawn in the scene as viewing pyramids with plumb lines to the floor. Camera
+/// names are not part of the scene; they are painted over the rendered image.
 class CameraFrusta {
 public:
   explicit CameraFrusta(vtkRenderer* renderer);
-  /// Shows a rig. `length` is the distance from the optical center to the image, in meters. Omits
-  /// cameras with an invalid pose or without intrinsics.
+  /// Shows the cameras of a rig. `length` is the length of the pyramids in meters. Cameras with an
+  /// invalid pose or without intrinsics are omitted.
   void show(const CameraRig& rig, double length);
   const std::vector<CameraGlyph>& glyphs() const { return glyphs_; }
   void setPalette(const ScenePalette& palette);

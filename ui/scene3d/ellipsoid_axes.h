@@ -15,10 +15,11 @@ struct EllipsoidAxes {
   Eigen::Vector3d values;
 };
 
-/// Returns the axes of a symmetric matrix, or nothing if no eigenvalue is positive.
+/// Returns the principal axes of the ellipsoid of a symmetric matrix, or nothing if no eigenvalue
+/// is positive.
 std::optional<EllipsoidAxes> axesOf(const Eigen::Matrix3d& matrix);
 
-/// Rotates an actor so that its axes point along the columns of `directions`, which must be
+/// Rotates a VTK actor so that its axes point along the columns of `directions`, which must be
 /// right-handed.
 void setOrientation(vtkActor* actor, const Eigen::Matrix3d& directions);
 

@@ -18,8 +18,8 @@ namespace dewpoint::ui {
 /// under it.
 class FadingLine {
 public:
-  /// `widthPx` is the line width in logical pixels. `outlinePx` is the outline width on each side;
-  /// 0 for no outline.
+  /// Creates a line in the scene. `widthPx` is the line width, and `outlinePx` the outline width on
+  /// each side (0: no outline), in logical pixels.
   FadingLine(vtkRenderer* renderer, double widthPx, double outlinePx);
   ~FadingLine();
   FadingLine(const FadingLine&) = delete;

@@ -18,8 +18,8 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Newest camera images, each at the far end of its camera's viewing pyramid, slightly translucent.
-/// Distortion is not removed, because it would not be visible at this size.
+/// Camera images in the scene, each at the far end of its camera's viewing pyramid, slightly
+/// translucent. Lens distortion is not removed, because it is not visible at this size.
 class FrustumImages {
 public:
   /// Creates the image actors. They are drawn over everything added to `renderer` before.

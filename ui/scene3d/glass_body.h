@@ -11,7 +11,7 @@ class vtkRenderer;
 namespace dewpoint::ui {
 
 /// Sphere or ellipsoid drawn as one layer of glass, faint at its center and strong toward its rim.
-/// Two layers, with the content drawn between them, form a body that hides nothing.
+/// Two layers form a transparent body; the content is drawn between the two.
 class GlassBody {
 public:
   enum class Layer {

@@ -25,8 +25,8 @@ struct MapLook {
   bool operator==(const MapLook&) const = default;
 };
 
-/// Class of values drawn in one color: the values up to `bound` that are larger than the bound of
-/// the preceding class.
+/// Class of map values drawn in one color: values up to `bound` and above the bound of the
+/// preceding class.
 struct MapClass {
   double bound; ///< meters, or number of cameras; infinite for the last Sigma class
   SceneColor color;
@@ -39,8 +39,8 @@ struct MapClass {
 /// and more cameras. Positions not seen by any camera are not drawn.
 std::vector<MapClass> mapClasses(const MapLook& look);
 
-/// Returns the class index of a value, or the number of classes if the value is not drawn (NaN, no
-/// camera).
+/// Returns the index of the class of a value, or the number of classes if the value is not drawn
+/// (NaN, or no camera).
 std::size_t classOf(const std::vector<MapClass>& classes, double value);
 
 } // namespace dewpoint::ui

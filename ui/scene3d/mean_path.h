@@ -10,11 +10,12 @@
 
 namespace dewpoint::ui {
 
-/// Path of each particle cloud's mean over the last snapshots, while its target is not yet held. It
-/// shows how the filter converges, iteration by iteration.
+/// Path of the mean of each particle cloud over the last snapshots, while its target is not yet
+/// held (confirmed by the cameras). The path shows how the filter converges, iteration by
+/// iteration.
 class MeanPath {
 public:
-  static constexpr std::size_t kMaxPositions = 60; ///< number of positions
+  static constexpr std::size_t kMaxPositions = 60; ///< maximum number of positions in a path
 
   /// Adds the next snapshot. A snapshot of a past frame, or of a restarted run, starts a new path.
   void add(const TrackSnapshot& snapshot);

@@ -7,10 +7,9 @@
 
 namespace dewpoint::ui {
 
-/// Renderer that blends translucent objects in the order in which they were added, so that the
-/// scene controls what covers what. VTK's own method (depth peeling) sorts them by depth in
-/// additional passes. With it, a cloud inside a shell would not be visible, and rendering with
-/// software OpenGL would be slower.
+/// VTK renderer that blends translucent objects in the order in which they were added, so that the
+/// scene controls which object covers which. VTK's own method (depth peeling) would hide a cloud
+/// inside a shell, and would be slower with software OpenGL.
 class OrderedRenderer : public vtkOpenGLRenderer {
 public:
   static OrderedRenderer* New();

@@ -17,9 +17,9 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Particles drawn as small discs of constant size on the screen, colored by weight, with the
-/// highest weights on top. They are drawn over everything added before, regardless of depth, except
-/// opaque objects.
+/// Particles in the scene, drawn as small discs of constant size on the screen and colored by
+/// weight, with the highest weights on top. They cover everything that was added before, regardless
+/// of depth, except opaque objects.
 class ParticleCloud {
 public:
   explicit ParticleCloud(vtkRenderer* renderer);

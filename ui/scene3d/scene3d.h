@@ -19,9 +19,9 @@ namespace dewpoint::ui {
 class SceneParts;
 
 /// 3D scene of the room: ground grid and axes, cameras, particles, estimates, tails (the drawn
-/// recent paths of the targets), ground truth. Uses VTK without Qt: the owner of a render window
-/// adds `renderer()` to it. World coordinates, meters, z up. Not thread safe. Creating it needs no
-/// OpenGL context, but rendering does.
+/// recent paths of the targets), ground truth. Uses VTK without Qt: the owner of a VTK render
+/// window adds `renderer()` to the window. World coordinates, meters, z up. Not thread-safe. Only
+/// rendering needs an OpenGL context.
 class Scene3d {
 public:
   enum class View {
@@ -43,14 +43,15 @@ public:
   void setDecimalPoint(const std::string& sign);
   /// Sets the number of device pixels per logical pixel, which scales line widths and text sizes.
   void setPixelRatio(double ratio);
-  /// Shows one frame. Values that are not finite are omitted. The view is fitted to each new rig,
-  /// including after a recalibration of all its cameras. It is also fitted to objects that appear
-  /// later, unless the user has moved the view.
+  /// Shows the frame of a snapshot. Values that are not finite are omitted. The view is fitted to
+  /// each new rig, including after a recalibration of all cameras. It is also fitted to objects
+  /// that appear later, unless the user has moved the view.
   void setSnapshot(const TrackSnapshot& snapshot);
-  /// Records every snapshot, whether it is drawn or not. The next rendering shows the path of the
-  /// mean for each target that is not yet held.
+  /// Records a snapshot for the paths of the particle means, which are shown for targets that are
+  /// not yet held. Call this for every snapshot, even if it is not drawn.
   void recordSnapshot(const TrackSnapshot& snapshot);
-  /// Highlights the selected target if it is a person. If `target` is -1, nothing is highlighted.
+  /// Highlights the target with this index if it is a person. If `target` is -1, nothing is
+  /// highlighted.
   void choose(int target);
   /// Sets whether each target's highest-weight particle is marked; off by default.
   void showBest(bool shown);
@@ -59,14 +60,15 @@ public:
   void showRays(bool shown);
   /// Sets whether camera images are shown on the viewing pyramids; off by default.
   void showImages(bool shown);
-  /// Highlights positions (meters), one line per list. They stay highlighted until the next call.
+  /// Highlights part of a trajectory, given as positions in meters, one line per list. The
+  /// highlight stays until the next call.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   /// Shows the map of expected errors, or hides it if `map` is null. Stays in effect until the next
   /// call.
   void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
-  /// Returns the position on the map layer that is seen at `place` in the rendered image, as of the
-  /// last `prepareFrame()`. Returns nothing outside the layer or without one. `place` is in device
-  /// pixels, as in `projectToImage()`.
+  /// Returns the position on the horizontal map layer that is seen at `place` in the rendered
+  /// image, as of the last `prepareFrame()`. Returns nothing outside the layer or if there is no
+  /// layer. `place` is in device pixels, as in `projectToImage()`.
   std::optional<Eigen::Vector3d> positionInLayer(const Eigen::Vector2d& place) const;
   /// Returns the point at this height (world z, meters) that is seen at `place` in the rendered
   /// image. Returns nothing if the plane at this height is seen edge-on.
@@ -89,9 +91,9 @@ public:
   /// Keeps the view that the user has chosen: new rigs no longer change it.
   void keepCamera();
   /// Shows the layers and the selected target of another scene, in the same colors and from the
-  /// same point of view. If the user has not moved the other view, this one is fitted to its own
-  /// image. If this image will be narrower (`aspect`: its width / height), the view moves back
-  /// until it shows the same width.
+  /// same point of view. If the user has not moved the view of the other scene, this view is fitted
+  /// to its own image instead. `aspect` is the width / height of this scene's image; if the image
+  /// is narrower than the other one, the view moves back until it shows the same width.
   void copyView(const Scene3d& other, double aspect);
   /// Zooms in by `factor` (above 1) or out (below 1).
   void zoom(double factor);

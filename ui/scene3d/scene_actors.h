@@ -33,8 +33,9 @@ struct ScreenScale {
 
   /// Returns the depth of a point in front of the viewer, in meters.
   double depth(const Eigen::Vector3d& point) const { return (point - eye).dot(direction); }
-  /// Returns the scale factor, relative to the viewer, that brings an object `distance` meters
-  /// closer without changing its apparent size. In parallel views, the object is only moved.
+  /// Returns the factor by which to scale an object about the viewer so that it is `distance`
+  /// meters closer and has the same apparent size. In parallel views, the factor is 1, because the
+  /// object is only moved.
   double closerFactor(const Eigen::Vector3d& point, double distance) const;
   Eigen::Vector3d movedCloser(const Eigen::Vector3d& point, double distance) const;
   /// Converts a length in logical pixels at `point` to meters.
@@ -46,17 +47,17 @@ struct ScreenScale {
   Eigen::Vector3d unproject(const Eigen::Vector2d& place, const Eigen::Vector3d& like) const;
 };
 
-/// Adds a prop that has not been added to the renderer yet. AddActor first searches all existing
-/// props, so adding thousands of them would take quadratic time.
+/// Adds a prop to the renderer; the prop must not have been added before. This is faster than
+/// AddActor, which searches all existing props first.
 void addKnownToBeNew(vtkRenderer* renderer, vtkProp* prop);
 /// Creates an unlit actor for lines or faces.
 vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data);
-/// Like flatActor(), but the actor is initially hidden, and it is added to the renderer. Actors are
+/// Creates an actor like flatActor(), initially hidden, and adds it to the renderer. Actors are
 /// blended in the order in which they are added.
 vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data);
 /// Sets an actor's color and opacity (0 to 1).
 void paint(vtkActor* actor, const SceneColor& color, double opacity = 1.0);
-/// Returns red, green and blue, 0 to 255.
+/// Returns a color as red, green and blue, 0 to 255.
 std::array<unsigned char, 3> colorBytes(const SceneColor& color);
 
 /// Collects lines and faces, and writes them to VTK poly data.

@@ -10,7 +10,7 @@ namespace dewpoint::ui {
 /// RGB color, 0 to 1 each.
 using SceneColor = Eigen::Vector3d;
 
-/// Returns the color for 0xRRGGBB.
+/// Returns the color given as 0xRRGGBB.
 SceneColor sceneColor(unsigned rgb);
 
 /// Scene colors for a light or a dark window.
@@ -24,10 +24,10 @@ struct ScenePalette {
   SceneColor truth;
 };
 
-/// Returns the colors for a dark or a light window.
+/// Returns the scene colors for a dark or a light window.
 const ScenePalette& scenePalette(bool dark);
 
-/// Returns the color of the x, y or z axis, from the same set.
+/// Returns the color of an axis: 0 is x, 1 is y, 2 is z.
 SceneColor axisColor(int axis);
 
 /// Interpolates linearly between `from` (fraction 0) and `to` (fraction 1).

@@ -16,10 +16,10 @@ struct SelectedRange {
   bool operator==(const SelectedRange&) const = default;
 };
 
-/// Selection shared by all views: frame, range, target and camera. Views show what the `...Changed`
-/// signals report, and call `request...` and `select...` when the user points at something. They
-/// never communicate directly. The window forwards frame requests to the session, and sets the
-/// current frame once its images are available.
+/// Selection shared by all views: frame, range, target and camera. Views follow the signals, and
+/// call `request...` and `select...` when the user points at something; they never communicate with
+/// each other directly. The window forwards frame requests to the session, and sets the current
+/// frame once its images are available.
 class Selection : public QObject {
   Q_OBJECT
 public:
@@ -29,10 +29,11 @@ public:
   qint64 currentFrame() const { return currentFrame_; }
   /// Returns the time of the current frame in seconds.
   double seconds() const { return seconds_; }
-  /// Returns whether the frame shown is untracked, or earlier than the frame that the run is at.
+  /// Returns whether the frame shown is not the current frame of the run: it is earlier, or not
+  /// tracked yet.
   bool isPast() const { return past_; }
   const std::optional<SelectedRange>& selectedRange() const { return selectedRange_; }
-  /// Returns the index of the selected target or camera, or -1 if none is selected.
+  /// Return the index of the selected target and of the selected camera; -1 if none is selected.
   int target() const { return target_; }
   int camera() const { return camera_; }
   /// Returns the index of the selected planned camera, or -1 if none is selected. A selected
@@ -50,8 +51,8 @@ public:
   void selectTarget(int target);
   void selectCamera(int camera);
   void selectPlannedCamera(int planned);
-  /// Clears a run's selection and current frame. The selected camera stays, because it does not
-  /// depend on the run.
+  /// Clears the current frame and the selection at the end of a run. The selected camera stays,
+  /// because it does not depend on the run.
   void clear();
 
 Q_SIGNALS:

@@ -19,8 +19,7 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Reads a project's background images in another thread. The run continues and uses them once they
-/// are loaded.
+/// Reads the background images of a project in another thread, while the run continues.
 class BackgroundImageLoader : public QObject {
   Q_OBJECT
 public:
@@ -33,7 +32,8 @@ public:
   void cancel();
 
 Q_SIGNALS:
-  /// Files and images, one per camera; empty if a camera has none.
+  /// Emitted with the files and the images, one per camera; empty if a camera has no background
+  /// image.
   void loaded(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms);
   void failed(const QString& sentence);
 

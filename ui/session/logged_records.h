@@ -7,11 +7,11 @@
 
 namespace dewpoint::ui {
 
-/// Frames tracked since the last signal. A separate type, so that signals can use a forward
-/// declaration.
+/// Records of the frames tracked since the last signal. This is a separate type so that it can be
+/// forward-declared.
 struct LoggedFrames : LogUpdate<FrameRecord> {};
 
-/// Filter iterations since the last signal.
+/// Records of the filter iterations since the last signal.
 struct LoggedIterations : LogUpdate<IterationRecord> {};
 
 } // namespace dewpoint::ui

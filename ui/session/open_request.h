@@ -10,11 +10,12 @@
 
 namespace dewpoint::ui {
 
-/// Request to open a project, and instructions for the document once it is open. The request is
-/// returned with the result, so it is not stored anywhere else.
+/// Request to open a project, with what the window must do once it is open. The request is returned
+/// with the result, so it is not stored anywhere else.
 struct OpenRequest {
   SessionRequest what;
-  /// Reopens the document's project with other inputs; the document stays unchanged.
+  /// True if the document's project is opened again with other inputs; the document then stays
+  /// unchanged.
   bool keepHistory = false;
   bool unsaved = false;                          ///< no file contains this state of the project
   bool calibrate = false;                        ///< opens the page for calibration by hand

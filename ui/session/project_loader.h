@@ -26,11 +26,11 @@ struct OpenRequest;
 /// Missing files, or null if there are none.
 using MissingFiles = std::shared_ptr<const std::vector<MissingFile>>;
 
-/// Opens a project with the functions of the application. Called from another thread.
+/// Function of the application that opens a project. Called from another thread.
 using ProjectOpener = std::function<Result<SessionInputs>(const SessionRequest&)>;
 
-/// Opens projects and destroys sessions outside the GUI thread, which never waits for this slow
-/// work, such as opening videos and joining threads.
+/// Opens projects and destroys sessions in other threads, because this can take long: videos are
+/// opened and threads are joined.
 class ProjectLoader : public QObject {
   Q_OBJECT
 public:
@@ -45,15 +45,15 @@ public:
   bool isOpening() const { return opening_; }
   /// Returns whether the newest request reopens the document's project with other inputs.
   bool isReopening() const;
-  /// Destroys a session in another thread, no matter how long its cameras take.
+  /// Destroys a session in another thread, because closing its cameras may take long.
   static void destroyInBackground(std::unique_ptr<Session> session);
 
 Q_SIGNALS:
   void openingChanged(bool opening);
   /// Emitted when the requested project is open. The receiver may move from the inputs.
   void opened(const OpenRequest& request, std::shared_ptr<SessionInputs> inputs);
-  /// Emitted when opening failed. `missing` lists files that were not found, which may be the
-  /// reason.
+  /// Emitted when opening failed, with the reason as a sentence. `missing` lists files that were
+  /// not found, which may be the cause.
   void failed(const OpenRequest& request, const QString& sentence, const MissingFiles& missing);
 
 private:

@@ -15,7 +15,7 @@ struct TrackSnapshot;
 namespace dewpoint::ui {
 
 /// Keeps the results of a recording consistent with the current settings, according to the
-/// ChangeRule. Once the settings have been unchanged for a short time, it tracks frames with old
+/// ChangeRule. A short time after the last change of the settings, it tracks frames with old
 /// results again, or offers to do so.
 class ResultRefresher : public QObject {
   Q_OBJECT
@@ -28,8 +28,8 @@ public:
   void setQuickLimit(double seconds) { quickSeconds_ = seconds; }
   /// Reports that a setting of the run was changed.
   void edited();
-  /// Reports that the user plays, restarts or tracks again. From then on, no frames are tracked
-  /// again automatically until the next change.
+  /// Reports that the user plays, restarts or tracks again. No frames are tracked again
+  /// automatically until the next change of the settings.
   void suspend();
   /// Processes the newest snapshot. `wentBack` is true if the run has gone back to an earlier frame
   /// or restarted since the last one.
@@ -39,8 +39,8 @@ public:
 
   /// Returns the results that do not match the current settings; none for live cameras.
   const OldResults& oldResults() const { return old_; }
-  /// Returns whether frames are being tracked again without any sign of it in the snapshots, so
-  /// that the view stays the same.
+  /// Returns whether frames are being tracked again in the background, while the snapshots do not
+  /// show this.
   bool isRefreshing() const { return refreshing_ != Refreshing::No && !isRerunning_; }
 
 Q_SIGNALS:

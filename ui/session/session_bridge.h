@@ -30,7 +30,8 @@ public:
   Session& session() { return *session_; }
   /// Returns a snapshot as camera views show it; see LiveFrameFiller.
   TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
-  /// Releases the session and stops its wake-ups, so that another thread can join its thread.
+  /// Releases the session and stops its wake-ups, so that the caller can destroy the session in
+  /// another thread.
   std::unique_ptr<Session> release();
 
 Q_SIGNALS:

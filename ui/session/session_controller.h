@@ -36,9 +36,9 @@ struct LoggedIterations;
 struct OpenRequest;
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Controls the window's run: starts and ends it, passes on changes of the document and the
-/// selection, and provides the views with snapshots. Decides when a run starts to play, from which
-/// frame on a new method applies, and whether a new calibration keeps the run or reopens it. The
+/// Controls the run of the window: starts and ends the run, passes changes of the document and the
+/// selection to it, and gives snapshots to the views. Decides when a run starts to play, from which
+/// frame on a new method applies, and whether the run must be reopened for a new calibration. The
 /// ResultRefresher keeps results consistent with the settings.
 class SessionController : public QObject {
   Q_OBJECT
@@ -64,8 +64,8 @@ public:
   /// Returns the newest snapshot given to the views, or null before the first one.
   const TrackSnapshotPtr& shown() const { return shown_; }
   bool isPlaying() const;
-  /// Returns the images of the run's live cameras as they come, for TakeRecorder; empty for
-  /// recordings.
+  /// Returns the encoded images of each live camera of the run, which TakeRecorder can record;
+  /// empty for recordings.
   const std::vector<std::shared_ptr<capture::EncodedFeed>>& feeds() const { return feeds_; }
   /// Returns a snapshot as camera views show it: delayed live cameras keep their last image.
   TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
@@ -84,16 +84,17 @@ public:
   void useFilterThreads();
   /// Tracks again from the current frame.
   void rerun();
-  /// Returns the object that keeps results consistent with the settings; it knows which results are
-  /// from earlier settings.
+  /// Returns the object that keeps results consistent with the settings, and that knows which
+  /// results are from earlier settings.
   ResultRefresher& results() { return *results_; }
   /// Starts the run after a color was learned, because a user who points at an object wants to see
   /// it tracked. There is one exception: if more than the beginning of a recording has been
   /// tracked, the run stays at its current frame, and the ResultRefresher decides whether to track
   /// again. Emits `startedLate()` if the run does not start at the first frame of a recording.
   void startAfterLearning(bool isNew);
-  /// Starts the run after a target got its box. Only the first box starts the run: users often set
-  /// more boxes on the same image, and a run that the user has stopped stays where it is.
+  /// Starts the run after a target got its first box. A later box does not start the run, because
+  /// users often set several boxes in the same image, and a run that the user has paused stays
+  /// paused.
   void startAfterBox(bool isNew);
 
 Q_SIGNALS:
@@ -108,8 +109,8 @@ Q_SIGNALS:
   /// Emitted when the document contains the opened project. The run starts in the next iteration of
   /// the event loop.
   void replaced(const OpenRequest& request);
-  /// Emitted when a session exists. Views are now created and connected to it. The first snapshot
-  /// follows.
+  /// Emitted when a session has been created. Views must now be created and connected to the
+  /// session. The first snapshot follows.
   void runStarted();
   /// Emitted when the run has started to play, or waits for the user.
   void opened(const OpenRequest& request);
@@ -127,8 +128,8 @@ Q_SIGNALS:
   /// Emitted with the snapshot that the views show from now on. Null means that the run is over and
   /// nothing is shown.
   void snapshotChanged(const TrackSnapshotPtr& snapshot);
-  /// Emitted with the records logged since the last signal, or all of them after a restart. Frames
-  /// are sent before the snapshot that follows them, iterations after it.
+  /// Emitted with the records logged since the last signal, or with all records after a restart.
+  /// framesLogged() is emitted before the next snapshot, iterationsLogged() after this snapshot.
   void framesLogged(const LoggedFrames& frames);
   void iterationsLogged(const LoggedIterations& iterations);
   /// Emitted with a sentence that explains why part of the project cannot be used.

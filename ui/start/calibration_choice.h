@@ -20,30 +20,32 @@ namespace dewpoint::ui {
 class CalibrationFit;
 
 /// Lets the user select the calibration file for a new project, or none. The file is read in
-/// another thread as soon as it is selected. A line below shows what it contains, or why it cannot
-/// be used.
+/// another thread as soon as it is selected. A line of text shows what the file contains, or why it
+/// cannot be used.
 class CalibrationChoice : public QWidget {
   Q_OBJECT
 public:
   explicit CalibrationChoice(QWidget* parent = nullptr);
 
-  /// Starts a new project: no file is selected. `takesProposals`: files may be proposed.
+  /// Starts a new project, for which no file is selected yet. `takesProposals` is true if propose()
+  /// may select a file.
   void begin(bool takesProposals);
-  /// Sets the file that the user has chosen. An empty name means that no file is to be used. From
-  /// then on, nothing is proposed.
+  /// Sets the file that the user has chosen; an empty name means that the user wants none. From
+  /// then on, propose() does nothing.
   void setFile(const QString& file);
-  /// Proposes a file that was found beside the recordings; empty: none was found. Does nothing if
-  /// no proposal is taken.
+  /// Selects a file that was found beside the recordings; an empty name means that none was found.
+  /// Does nothing unless takesProposals() is true.
   void propose(const QString& file);
   bool takesProposals() const { return takesProposals_; }
   QString file() const { return file_; }
   /// Sets the names of the project's cameras.
   void setCameras(std::vector<std::string> names);
-  /// Returns how to adapt the calibration, as far as the user was asked.
+  /// Returns the user's answers about how to adapt the calibration to the cameras.
   CalibrationAdaptation adaptation() const;
-  /// Returns whether the user is asked which camera of the file belongs to which camera.
+  /// Returns whether the user is asked which camera of the file belongs to which camera of the
+  /// project.
   bool asksForNames() const;
-  /// Asks how the images differ from those of the calibration.
+  /// Shows the question how the images differ from those of the calibration.
   void askFit();
   /// Returns the last button in Tab order.
   QWidget* lastButton() const;

@@ -22,19 +22,21 @@ class CalibrationFit : public QWidget {
 public:
   explicit CalibrationFit(QWidget* parent = nullptr);
 
-  /// Forgets the answers and hides the questions, because another file was chosen.
+  /// Forgets the answers and hides the questions. Call this when another file is chosen.
   void reset();
-  /// Asks for the camera in the file of each camera in `cameras`, if the names in the file
-  /// (`inFile`) match neither by name nor by order. Answers are kept while both lists stay the
-  /// same.
+  /// Asks which camera of the file belongs to each of the project's `cameras`, if the cameras in
+  /// the file, `inFile`, match neither by name nor by order. Answers are kept while both lists stay
+  /// the same.
   void setNames(const std::vector<std::string>& cameras, const std::vector<std::string>& inFile);
   /// Returns whether the question about the names is shown.
   bool asksForNames() const { return !choices_.empty(); }
-  /// Asks how the images were changed.
+  /// Shows the question how the images were changed since the calibration, for example scaled or
+  /// cropped.
   void askFit();
-  /// Returns the answers.
+  /// Returns the user's answers.
   CalibrationAdaptation adaptation() const;
-  /// Returns whether every camera has a camera in the file, by the answers or by its own name.
+  /// Returns whether every camera of the project has a camera in the file, by the answers or by its
+  /// name.
   bool areNamesMatched() const;
 
 Q_SIGNALS:

@@ -16,8 +16,8 @@
 
 namespace dewpoint::ui {
 
-/// What is known about a location: a file, a folder, a device or an address. It is determined in
-/// another thread, because the disk may be slow.
+/// Kind of a location: a file, a folder, a device or an address. It is determined in another
+/// thread, because the disk may be slow.
 struct FootageLocation {
   std::string location;
   bool canBeImageSource = false; ///< can be used as a camera

@@ -7,8 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Area that shows where videos can be dropped while there are none. A click opens a file dialog
-/// for videos. The window handles the drop.
+/// Area that shows where videos can be dropped, while the new project has none. A click opens a
+/// file dialog for videos. The window, not this widget, handles the drop.
 class DropZone : public QToolButton {
   Q_OBJECT
 public:

@@ -20,12 +20,12 @@ public:
   };
   GalleryCard(const char* name, Form form, QWidget* parent);
 
-  /// Sets the image of a tile from the resources: gallery/`name`.jpg.
+  /// Sets the image of a tile to the resource gallery/`name`.jpg.
   void setPicture(const QString& name);
-  /// Sets the icon of a row from the resources: icons/`name`.svg.
+  /// Sets the icon of a row to the resource icons/`name`.svg.
   void setSymbol(const QString& name);
   void setTexts(const QString& title, const QString& line);
-  /// Sets whether the project is being opened. Meanwhile, another text replaces the card's
+  /// Sets whether the project of this card is being opened. If so, another text replaces the card's
   /// description.
   void setBusy(bool busy);
   bool isBusy() const { return busy_; }

@@ -35,16 +35,17 @@ class NewProjectPage : public QWidget {
 public:
   explicit NewProjectPage(QWidget* parent = nullptr);
 
-  /// Starts from scratch with these files (videos, image folders, a calibration).
-  /// `findsCalibration`: proposes the calibration file that lies beside the recordings.
+  /// Starts a new project with these files (videos, image folders, a calibration). If
+  /// `findsCalibration` is true, a calibration file found beside the recordings is proposed.
   void begin(const QStringList& files, bool findsCalibration = true);
-  /// Adds files once their kind is known. A file with a calibration suffix becomes the calibration.
+  /// Adds files to the new project, once their kind has been determined. A file with a calibration
+  /// suffix becomes the calibration.
   void addFiles(const QStringList& files);
   /// Asks the user for videos and adds them.
   void chooseVideos();
   /// Adds the cameras connected to this computer.
   void addConnectedCameras();
-  /// Takes these devices as the ones that are connected, instead of those of this computer.
+  /// Sets the access to camera devices, instead of the devices of this computer.
   void setDeviceAccess(capture::DeviceAccessPtr devices) { devices_ = std::move(devices); }
 
 Q_SIGNALS:

@@ -27,8 +27,8 @@ public:
   /// Returns the thumbnail of the project in this file, or null if there is none. May be called
   /// from any thread.
   static QImage read(const QString& projectFile);
-  /// Creates the thumbnail again in another thread, from the first camera that has an image. Emits
-  /// `saved()` afterwards.
+  /// Writes the thumbnail of a project in another thread, from the first camera in the snapshot
+  /// that has an image. Emits `saved()` afterward.
   void save(const QString& projectFile, const TrackSnapshotPtr& shown);
 
 Q_SIGNALS:

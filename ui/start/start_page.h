@@ -29,12 +29,12 @@ public:
   void setOpening(bool opening);
 
 Q_SIGNALS:
-  /// Emitted when the user selects the built-in scene with this name (empty for the demo).
-  /// `calibrate`: also open its page for calibration by hand.
+  /// Emitted when the user selects the built-in scene with this name (empty for the demo). If
+  /// `calibrate` is true, the page for calibration by hand must also be opened.
   void sceneRequested(const QString& name, bool calibrate);
   void videosRequested();
   void camerasRequested();
-  void calibrationRequested(); ///< of videos that the user is to select, with the guide
+  void calibrationRequested(); ///< the user wants to calibrate videos with the calibration guide
   void projectRequested(const QString& file); ///< empty if the user should select a file
 
 private:

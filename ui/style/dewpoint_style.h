@@ -22,8 +22,8 @@ public:
                    const QWidget* widget) const override;
 };
 
-/// Returns the color of the done part of a progress bar: so much of the accent that the bar is
-/// seen, and so little that text in the color of the palette is legible on it.
+/// Returns the color of the completed part of a progress bar: strong enough to be seen, and faint
+/// enough that text in the palette's color is legible on the bar.
 QColor progressColor(const QPalette& palette);
 
 } // namespace dewpoint::ui

@@ -9,7 +9,7 @@
 
 namespace dewpoint::ui {
 
-/// Dark line under a bright one that makes it readable on any image.
+/// Dark line drawn under a bright line, so that the bright line is visible on any image.
 struct Halo {
   int alpha = 150;
   double extra = 2.2;                    ///< additional width compared with the bright line, pixels
@@ -20,7 +20,7 @@ struct Halo {
 /// Halo under the lines of grids and boards, which lie close together.
 inline constexpr Halo kGridHalo{170, 2.0};
 
-/// Returns the halo under frames, crosses and handles: solid, with corners that are not rounded.
+/// Returns the halo for frames, crosses and handles: a solid line without rounded corners.
 constexpr Halo edgeHalo(int alpha, double extra) {
   return {alpha, extra, true, Qt::SquareCap, Qt::BevelJoin};
 }
@@ -31,7 +31,7 @@ inline QPen haloPen(double width, const Halo& halo = {}, Qt::PenStyle style = Qt
               halo.cap, halo.join);
 }
 
-/// Draws twice: first the halo, then the bright line.
+/// Calls `draw` twice: first with the pen of the halo, then with the pen of the bright line.
 template <class Draw>
 void withHalo(QPainter& painter, const QColor& color, double width, const Draw& draw,
               Qt::PenStyle style = Qt::SolidLine, const Halo& halo = {}) {

@@ -11,12 +11,13 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Returns the color of a person's identity.
+/// Returns the color in which views draw the person with this identity.
 QColor personColor(int identity);
 /// Returns black or white, whichever is readable on this background.
 QColor readableColorOn(const QColor& ground);
 
-/// Draws a person's number in a round badge above `foot` and within `room`, on the identity color.
+/// Draws a round badge in the identity color with the person's number, above the point `foot` and
+/// inside the area `room`.
 void paintBadge(QPainter& painter, int identity, const QPointF& foot, const QRectF& room,
                 bool chosen);
 

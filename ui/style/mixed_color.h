@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Interpolates between two colors: fraction 0 gives `one`, fraction 1 gives `other`.
+/// Returns a mixture of two colors: `share` 0 gives `one`, `share` 1 gives `other`.
 inline QColor mixedColor(const QColor& one, const QColor& other, double share) {
   return QColor::fromRgbF(static_cast<float>((1.0 - share) * one.redF() + share * other.redF()),
                           static_cast<float>((1.0 - share) * one.greenF() + share * other.greenF()),

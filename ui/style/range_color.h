@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Returns the brightened center color of a range, to represent a learned color.
+/// Returns a color that represents a learned color range: its center, brightened.
 QColor rangeColor(const ColorRange& range);
 
 } // namespace dewpoint::ui

@@ -7,8 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Monitors whether the system colors are dark, including when the user changes them while the
-/// program runs.
+/// Watches whether the system colors are dark. The user can change them while the program runs.
 class SystemColors : public QObject {
   Q_OBJECT
 public:
@@ -18,7 +17,7 @@ public:
 
 Q_SIGNALS:
   void changed(bool dark);
-  /// Emitted when the application colors were replaced from outside. A theme must then be applied
+  /// Emitted when the system has replaced the application's colors. The theme must then be applied
   /// again.
   void replaced();
 

@@ -7,9 +7,9 @@
 
 namespace dewpoint::ui {
 
-/// Returns a font for changing numbers, in which all digits have the same width so that the numbers
-/// do not jump. This is `font` if it has such digits, or else the system's fixed-width font with
-/// the same size and weight.
+/// Returns a font in which all digits have the same width, so that changing numbers do not jump.
+/// This is `font` if it has such digits; otherwise, the system's fixed-width font with the same
+/// size and weight.
 QFont tabularFont(const QFont& font);
 
 } // namespace dewpoint::ui

@@ -10,10 +10,11 @@
 
 namespace dewpoint::ui {
 
-/// Returns the ground of views and lists in a window with this palette.
+/// Returns the ground (light or dark) on which views and lists draw targets in a window with this
+/// palette.
 DisplayGround displayGround(const QPalette& palette);
-/// Returns the colors in which all views draw these targets: in every view the same hue, in a shade
-/// that is legible on its ground.
+/// Returns the colors in which views with this ground draw the targets. A target has the same hue
+/// on every ground, in a shade that is legible there.
 std::vector<QColor> targetColors(const std::vector<DisplayColorSource>& sources,
                                  DisplayGround ground);
 

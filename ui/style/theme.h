@@ -20,13 +20,14 @@ void applyTheme(bool dark);
 bool isThemeApplied();
 
 /// Returns the color of a target state, readable on the given palette. `holdText()` (ui/text)
-/// returns the words.
+/// returns the text of the state.
 QColor holdColor(HoldState state, const QPalette& palette);
-/// Returns a color by index from `displayPalette()` for images, for targets without a learned
-/// color. `targetColors()` (ui/style/target_colors.h) returns the colors in which the views draw
-/// targets.
+/// Returns the palette color for images (`displayPalette()`) of a target without a learned color,
+/// by its index. `targetColors()` (ui/style/target_colors.h) returns the colors in which the views
+/// draw targets.
 QColor targetColor(int target);
-/// Returns the same, or the identity color if `name` is the name of a person.
+/// Returns the identity color if `name` is the name of a person; otherwise, the palette color for
+/// the index `target`.
 QColor targetColor(const std::string& name, int target);
 
 } // namespace dewpoint::ui

@@ -5,7 +5,7 @@
 
 namespace dewpoint::ui {
 
-/// Names of the world axes in fields and messages. They are symbols and therefore not translated.
+/// Names of the world axes in fields and messages. They are not translated.
 inline constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
 
 } // namespace dewpoint::ui

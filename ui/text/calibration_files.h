@@ -15,15 +15,16 @@ namespace dewpoint::ui {
 /// formats, then one row per format, then all files.
 QString calibrationFileFilter();
 
-/// Returns the format names: "OpenCV, Anipose, …".
+/// Returns the names of all calibration formats as a list: "OpenCV, Anipose, …".
 QString calibrationFormatTitles();
 
 /// Returns whether a file name has a calibration suffix. When such a file is dropped, it is treated
 /// as a calibration.
 bool hasCalibrationSuffix(const QString& file);
 
-/// Returns how images can differ from those of a calibration, with the values of the option --fit;
-/// the first value is empty: they do not differ.
+/// Returns the choices for how images can differ from those of a calibration, each a text with the
+/// value of the command-line option --fit. The value of the first choice, for images that do not
+/// differ, is empty.
 std::vector<std::pair<QString, QVariant>> sizeFitChoices();
 
 } // namespace dewpoint::ui

@@ -13,10 +13,12 @@ struct DetectedFault;
 
 namespace dewpoint::ui {
 
-/// Returns the translated text "In this volume ±3.1 mm (95 %), scale ±0.10 %, up ±0.20°.".
+/// Returns a translated text about the accuracy of a calibration, for example "In this volume ±3.1
+/// mm (95 %), scale ±0.10 %, up ±0.20°."
 QString accuracyText(const CalibrationAccuracy& accuracy);
 
-/// Returns the likely cause of a fault and its remedy, translated.
+/// Returns a translated text about a fault of a calibration: its likely cause, and how to correct
+/// it.
 QString faultText(const DetectedFault& fault, const QStringList& cameraNames);
 
 } // namespace dewpoint::ui

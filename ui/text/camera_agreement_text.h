@@ -10,12 +10,13 @@
 
 namespace dewpoint::ui {
 
-/// Returns the description of a disagreement: "left is about 0.20 s late." `names` are the names of
-/// all cameras.
+/// Returns the description of a disagreement between cameras, for example "left is about 0.20 s
+/// late." `names` are the names of all cameras.
 QString disagreementText(const CameraDisagreement& found, const QStringList& names);
 
-/// Returns the text for one way to correct a disagreement (`repairChoiceCount()`): "Swap left and
-/// right". Used for a button and for the undoable step.
+/// Returns the text of one way to correct a disagreement between cameras, for example "Swap left
+/// and right". `choice` is below `repairChoiceCount()`. The text is used for a button and for the
+/// undoable step.
 QString rigCorrectionText(const CameraDisagreement& found, std::size_t choice,
                           const QStringList& names);
 

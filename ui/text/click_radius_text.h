@@ -9,11 +9,12 @@
 
 namespace dewpoint::ui {
 
-/// Returns a text about the target radius (meters) found from clicks if it differs from `given` (0
-/// if unknown). Returns an empty string if they agree or if the clicks do not determine a radius.
+/// Returns a text about the target radius found from clicks, `shown`, if it differs from the radius
+/// in the project, `given` (0 if unknown). Both are in meters. Returns an empty string if they
+/// agree, or if the clicks do not determine a radius.
 QString clickRadiusText(double given, const std::optional<double>& shown);
-/// Returns the text about a target that was marked as part of a larger object of the same color.
-/// `radius` is in meters.
+/// Returns the text for a target whose clicks mark only a part of a larger object of the same
+/// color. `radius` is the radius of this part in meters.
 QString markedPartText(double radius);
 
 } // namespace dewpoint::ui

@@ -11,7 +11,8 @@ struct Error;
 
 namespace dewpoint::ui {
 
-/// Returns the translated sentence for an error. File, field and details stay unchanged.
+/// Returns a translated sentence for an error. The file, the field and the details in the sentence
+/// are not translated.
 QString errorText(const Error& error);
 
 } // namespace dewpoint::ui

@@ -11,11 +11,11 @@ struct Finding;
 
 namespace dewpoint::ui {
 
-/// Returns what was found, as a translated sentence.
+/// Returns a finding of the project check as a translated sentence.
 QString findingText(const Finding& finding);
-/// Returns the translated recommended action; empty if there is nothing to do.
+/// Returns the translated action that a finding recommends; empty if there is nothing to do.
 QString findingAdvice(const Finding& finding);
-/// Returns the file and field that a finding is about, "room.toml: camera 1.video"; may be empty.
+/// Returns the file and field of a finding, for example "room.toml: camera 1.video"; may be empty.
 QString findingPlace(const Finding& finding);
 
 } // namespace dewpoint::ui

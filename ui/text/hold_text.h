@@ -7,7 +7,7 @@
 
 namespace dewpoint::ui {
 
-/// Returns the shape and word for a state: "● tracking".
+/// Returns a symbol and a word for a target state, for example "● tracking".
 QString holdText(HoldState state);
 
 } // namespace dewpoint::ui

@@ -9,9 +9,9 @@ namespace dewpoint::ui {
 
 /// Translated texts about a method, which help the user to select one.
 struct MethodTexts {
-  QString heading;  ///< heading of its group: what the methods in the group are for
-  QString title;    ///< what it tracks
-  QString sentence; ///< how it differs from others
+  QString heading;  ///< heading of the group of methods with the same use
+  QString title;    ///< what the method tracks
+  QString sentence; ///< how the method differs from others
   QString name;     ///< name in files and on the command line, not translated
   QString paper;    ///< paper that describes it, not translated; empty for none
 };

@@ -12,9 +12,11 @@ namespace dewpoint::ui {
 /// Returns the fraction of the background that a camera has learned (0 to 1), or nothing if it is
 /// not learning.
 std::optional<double> backgroundLearned(const TrackSnapshot& snapshot, int camera);
-/// Returns the learning progress in percent and a request to stay out of view.
+/// Returns a text about the progress of learning the background, with a request to stay out of
+/// view. `share` is 0 to 1.
 QString learningText(double share);
-/// Returns the short form: "learning: 60 %".
+/// Returns a short text about the progress of learning the background, for example "learning: 60
+/// %". `share` is 0 to 1.
 QString shortLearningText(double share);
 /// Returns the reason why a camera cannot detect people (it is learning, or too much is moving), or
 /// an empty string if it can.

@@ -19,17 +19,18 @@ enum class NumberForm {
 };
 /// Returns a number with `decimals` decimals; "∞" if it is infinite.
 QString numberText(double value, int decimals, NumberForm form = NumberForm::Plain);
-/// Returns a number in the form used in tables.
+/// Returns a number in the form used in tables (NumberForm::Table).
 QString tableText(double value, int decimals);
 /// Returns a number with `digits` significant digits, at most four decimals and no exponent.
 QString digitsText(double value, int digits);
-/// Returns a ratio with at most three digits: 1000 or 1.08.
+/// Returns a ratio with at most three significant digits, for example "1.08".
 QString ratioText(double value);
 /// Returns a parameter bound or default as declared, with at most six digits.
 QString declaredText(double value);
-/// Returns a rate with at most four digits: 30 or 29.97 per second.
+/// Returns a rate per second with at most four digits and without the unit, for example "30" or
+/// "29.97".
 QString rateText(double perSecond);
-/// Returns a rate at which frames are processed: "30.0 fps".
+/// Returns a frame rate with its unit: "30.0 fps".
 QString frameRateText(double framesPerSecond);
 
 /// Precision of a length that is written with its unit.
@@ -76,8 +77,8 @@ QString durationText(double microseconds);
 
 /// Returns a length in image pixels: "12.3 px".
 QString pixelText(double pixels, int decimals = 1);
-/// Returns an upper limit of a difference in image pixels with at most two significant digits:
-/// "0.0031 px". Smaller limits than 0.0001 px become 0.0001 px.
+/// Returns the upper limit of a difference in image pixels, with at most two significant digits:
+/// "0.0031 px". Limits below 0.0001 px are shown as 0.0001 px.
 QString pixelDifferenceText(double pixels);
 
 } // namespace dewpoint::ui

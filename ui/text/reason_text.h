@@ -11,12 +11,13 @@ namespace dewpoint::ui {
 /// Returns the reason why a camera does not confirm a target, in a few words ("hidden"), or an
 /// empty string if the camera confirms it.
 QString cameraReasonText(const CameraReport& report);
-/// Returns the reason in the form that is shown with the image of the camera ("hidden here").
+/// Returns the reason why a camera does not confirm a target, in the form shown with the image of
+/// this camera ("hidden here").
 QString cameraReasonHereText(const CameraReport& report);
-/// Returns whether this report means that the camera does not see the target at all, although the
-/// camera has an image.
+/// Returns whether a camera does not see the target at all although it has an image.
 bool isBlind(const CameraReport& report);
-/// Returns the text that replaces the target state for a camera with isBlind(): "◌ hidden here".
+/// Returns the text that replaces the target state in the view of a camera for which isBlind() is
+/// true: "◌ hidden here".
 QString cameraBlindText(const CameraReport& report);
 /// Returns the reasons of all cameras in one sentence: "left: hidden · right: …". Returns an empty
 /// string if all cameras confirm the target.

@@ -12,9 +12,9 @@ namespace dewpoint::ui {
 
 class Timeline;
 
-/// Small field on the timeline in which the user enters a frame number or a time. Enter goes to
-/// this frame, Esc closes the field. If there is no such frame, a sentence below the field says
-/// what can be entered, and the field stays open.
+/// Small field on the timeline in which the user enters a frame number or a time. Enter shows this
+/// frame, Esc closes the field. If there is no such frame, the field stays open, and a sentence
+/// below it states what can be entered.
 class FrameField : public QFrame {
   Q_OBJECT
 public:

@@ -37,33 +37,34 @@ public:
   }
   void clear();
 
-  /// Moves by this number of frames, starting at the current or the requested frame.
+  /// Shows the frame that is `frames` frames after the current frame, or after the frame requested
+  /// last.
   void step(qint64 frames);
-  /// Moves to this frame, which is one of the reachable frames.
+  /// Shows this frame, which must be in reachableFrames().
   void goTo(qint64 frame) { requestFrame(frame); }
   /// Returns the first and the last frame that can be shown.
   std::pair<qint64, qint64> reachableFrames() const {
     return {model_.live ? model_.history.first : scale_.first(), scale_.last()};
   }
-  /// Returns the current frame, or the frame requested last.
+  /// Returns the frame requested last or, if no request is pending, the current frame.
   qint64 latestFrame() const;
-  /// Moves to the next (1) or previous (-1) frame where trouble begins for the selected target, or
-  /// for any target if none is selected (nextTrouble()). Returns false if there is none.
+  /// Shows the next (1) or previous (-1) frame in which trouble begins (nextTrouble()) for the
+  /// selected target, or for any target if none is selected. Returns false if there is no such
+  /// frame.
   bool stepToTrouble(int direction);
-  /// Moves to the next (1) or previous (-1) marker.
+  /// Shows the frame of the next (1) or previous (-1) marker.
   void stepToMarker(int direction);
   /// Adds a marker at the current frame in an undoable step, and edits its name in place.
   void addMarker();
   /// Removes the marker at the current frame. Returns false if there is none.
   bool removeMarker();
-  /// Sets the frame under the pointer in another view. A negative number means that there is none.
+  /// Sets the frame under the pointer in another view; negative if there is none.
   void setHovered(qint64 frame);
   void zoomToRange();
   void zoomOut();
 
   const TimelineModel& model() const { return model_; }
-  /// Returns the point at the center of a frame's time span, in the row of the first target, in
-  /// widget coordinates.
+  /// Returns the center of a frame in the row of the first target, in widget coordinates.
   QPoint positionOf(qint64 frame) const;
 
   QSize sizeHint() const override { return {600, std::max(110, minimumHeight_)}; }

@@ -9,7 +9,7 @@ class Timeline;
 struct Workbench;
 
 /// Adds the timeline to the window, with the actions for markers, earlier frames and tracking again
-/// from a frame. Sets the current frame in the selection.
+/// from a frame. Also keeps the current frame of the selection up to date.
 Timeline* installTimeline(const Workbench& bench);
 
 } // namespace dewpoint::ui

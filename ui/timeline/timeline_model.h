@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 
 /// Data that a timeline shows, except the selection.
 struct TimelineModel {
-  /// Records of the tracked frames, in increasing frame order. Of old frames, only some have a
+  /// Records of the tracked frames, in increasing frame order. Only some of the old frames have a
   /// record.
   std::vector<FrameRecord> records;
   QStringList targets;
@@ -29,24 +29,24 @@ struct TimelineModel {
   HistoryState history;
   std::optional<RerunState> rerun;
   bool live = false;
-  /// Frame rate, from the time stamps of the records; with fewer than two records, that of the
-  /// source.
+  /// Frame rate, computed from the time stamps of the records; if there are fewer than two records,
+  /// the frame rate of the source.
   double framesPerSecond = 30.0;
 
-  /// Sets the frame rate of the source, which is used until the records give one.
+  /// Sets the frame rate of the source, which is used until there are two records.
   void setSourceRate(double rate);
   /// Adds new log records. If a frame is repeated, the new record replaces the old one.
   void append(const std::vector<FrameRecord>& more, bool restarted);
   /// Returns the frame after the last frame that a record represents. This is the frame of the next
-  /// record, unless there are untracked frames between them.
+  /// record, unless there are untracked frames before it.
   qint64 endOf(std::size_t record) const;
-  /// Returns the record that represents a frame: its own, or that of an earlier frame if the
-  /// records are spaced that far apart there. Returns null if there is none.
+  /// Returns the record that represents a frame: the record of this frame or, where only every few
+  /// frames have a record, of the closest earlier frame. Returns null if there is none.
   const FrameRecord* at(qint64 frame) const;
   /// Returns the time of a frame in seconds, from its record or from the frame rate.
   double secondsOf(qint64 frame) const;
-  /// Returns the frame closest to a time in seconds. Beyond the records, it is computed from the
-  /// frame rate, and may be a frame that does not exist.
+  /// Returns the frame closest to a time in seconds. For a time beyond the records, the frame is
+  /// computed from the frame rate, and may not exist.
   qint64 frameAtSeconds(double seconds) const;
   /// Returns whether this camera's image is missing in any frame.
   bool hasDropouts(std::size_t camera) const { return (missing_ >> camera & 1U) != 0; }
@@ -55,7 +55,7 @@ struct TimelineModel {
   /// Returns the frame of the closest marker after (1) or before (-1) a frame, or nothing if there
   /// is none.
   std::optional<qint64> nextMarker(qint64 from, int direction) const;
-  /// Returns "Frame 132, 4.400 s: ball tracking (0.99) · …".
+  /// Returns a text about a frame: "Frame 132, 4.400 s: ball tracking (0.99) · …".
   QString describe(qint64 frame) const;
 
 private:

@@ -15,7 +15,9 @@ namespace dewpoint::ui {
 
 /// Positions of the rows in a timeline, in widget coordinates.
 struct TimelineRows {
-  /// `hasFooter`: whether there is a line of text below the rows.
+  /// Computes the positions. `hasFooter` is true if there is a line of text below the rows.
+  /// `gutter` is the width on the left for the names, and `fontHeight` the height of a line of
+  /// text, in pixels.
   explicit TimelineRows(const QSizeF& size, int targets, int cameras, double fontHeight,
                         double gutter, bool hasFooter);
   /// Returns the height at which these rows are readable. It does not increase beyond a few
@@ -26,7 +28,7 @@ struct TimelineRows {
   QRectF ribbons; ///< rows of the targets, one below the other
   /// Missing images: one thin row per affected camera, or a single row if there is not enough room.
   QRectF cameras;
-  QRectF footer; ///< progress while frames are tracked again; else of no height
+  QRectF footer; ///< progress while frames are tracked again; otherwise, its height is 0
   double ribbonHeight = 0.0;
   double cameraHeight = 0.0;
   bool camerasShareRow = false;

@@ -21,7 +21,8 @@ class BoxModel;
 class Selection;
 class FrameRowDelegate;
 
-/// Bounding boxes of a run whose method tracks boxes, in a table that follows the frame shown.
+/// Panel with the bounding boxes of a run whose method tracks boxes, in a table that follows the
+/// frame shown.
 class BoxPanel : public QWidget {
   Q_OBJECT
 public:

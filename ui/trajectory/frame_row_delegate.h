@@ -14,20 +14,21 @@ namespace dewpoint::ui {
 
 class Selection;
 
-/// Delegate for a table with one or more rows per frame. It highlights the rows of the frame shown
-/// and scrolls them into view. It does not scroll while a range is selected. If the user scrolls
-/// these rows out of view, it stops scrolling until they are scrolled back or a frame is requested.
-/// All rows have the same height.
+/// Delegate for a table with one or more rows per frame. It highlights the rows of the frame shown,
+/// and scrolls them into view unless a range is selected. If the user scrolls these rows out of
+/// view, automatic scrolling stops until the user scrolls back or requests a frame. All rows have
+/// the same height.
 class FrameRowDelegate : public QStyledItemDelegate {
   Q_OBJECT
 public:
-  /// Returns the rows [first, last) of a frame. If the frame has no rows, both values are the index
-  /// where they would be.
+  /// Function that returns the rows [first, last) of a frame. If the frame has no rows, both values
+  /// are the index where its rows would be.
   using RowsOf = std::function<std::pair<int, int>(qint64 frame)>;
 
   FrameRowDelegate(QTableView* table, Selection& selection, RowsOf rowsOf);
 
-  /// Updates after the rows of the table or the frame shown have changed.
+  /// Updates the highlight and the scroll position. Call this after the rows of the table or the
+  /// frame shown have changed.
   void refresh();
   /// Returns the highlighted rows.
   std::pair<int, int> rows() const { return rows_; }

@@ -33,9 +33,9 @@ class PlotStack;
 class FrameRowDelegate;
 class TrajectoryModel;
 
-/// Trajectory of the run: a table that follows the frame shown, plots of speed and height over
-/// time, and the gaps. A range selected in one of them is selected in all of them. For methods that
-/// track bounding boxes, the panel shows the boxes instead.
+/// Panel with the trajectory of the run: a table that follows the frame shown, plots of speed and
+/// height over time, and the gaps. A range selected in one of these is selected in all. For methods
+/// that track bounding boxes, the panel shows the boxes instead.
 class TrajectoryPanel : public QWidget {
   Q_OBJECT
 public:
@@ -53,8 +53,8 @@ public:
   void refresh();
   /// Sets the newest snapshot, which provides the targets.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  /// Handles a click on a position in a target's trajectory. Requests that frame or, if `extend` is
-  /// true, selects the range from the current frame to it.
+  /// Handles a click on a position in a target's trajectory. Requests the frame of this position
+  /// or, if `extend` is true, selects the range from the current frame to this frame.
   void choosePosition(int target, const Eigen::Vector3d& position, bool extend);
   /// Returns the panel with the bounding boxes, for methods that track boxes.
   BoxPanel& boxes() { return *boxes_; }

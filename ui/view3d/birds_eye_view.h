@@ -21,10 +21,9 @@ namespace dewpoint::ui {
 
 class ScenePicture;
 
-/// 3D view of the room. VTK renders into its own off-screen context and this widget paints the
-/// resulting image, so OpenGL is not used for the rest of the window. The view is redrawn at its
-/// own rate, slower than the cameras. Without OpenGL, it shows a message, and the program
-/// continues.
+/// 3D view of the room. VTK renders off-screen, and this widget paints the resulting image, so the
+/// rest of the window does not need OpenGL. The view is redrawn at its own rate, slower than the
+/// cameras. Without OpenGL, it shows a message.
 class BirdsEyeView : public QWidget {
   Q_OBJECT
 
@@ -32,7 +31,8 @@ public:
   explicit BirdsEyeView(QWidget* parent = nullptr);
   ~BirdsEyeView() override;
 
-  /// Must be called once before the QApplication is created.
+  /// Sets the OpenGL format that VTK requires. Must be called once before the QApplication is
+  /// created.
   static void prepareSurfaceFormat();
 
   /// Creates the OpenGL context and renders once while hidden, so that the first image appears
@@ -71,7 +71,8 @@ public:
     requestRendering();
   }
 
-  /// Highlights the selected target if it is a person. If `target` is -1, nothing is highlighted.
+  /// Highlights the target with this index if it is a person. If `target` is -1, nothing is
+  /// highlighted.
   void setChosenTarget(int target);
   /// Sets whether each target's highest-weight particle is shown.
   void setBestShown(bool shown) {
@@ -94,9 +95,9 @@ public:
   /// floor height, world z in meters.
   void setPlacing(bool placing, double floor = 0.0);
 
-  /// Shows what another view shows, except its snapshot, its highlights and its planned cameras:
-  /// the layers, the map, the selected target, and the scene from the same point of view
-  /// (`Scene3d::copyView()`). For drawing the scene elsewhere. Resize this view first.
+  /// Copies the appearance of another view, to draw the same scene elsewhere: the layers, the map,
+  /// the selected target and the point of view (`Scene3d::copyView()`), but not the snapshot, the
+  /// highlights or the planned cameras. Resize this view before the call.
   void copyLook(const BirdsEyeView& other);
   Scene3d::View currentView() const;
   /// Returns the current image with its legend but without the buttons, in device pixels; null
@@ -108,7 +109,7 @@ public:
   const SceneInset& cloudInset() const { return inset_; }
   /// Returns whether the image shows everything that was last set. Also true while hidden.
   bool isDrawn() const;
-  /// Returns false if there is no usable OpenGL. This is known after the first attempt to draw.
+  /// Returns false if the first attempt to draw has shown that there is no usable OpenGL.
   bool hasImage() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -131,11 +132,12 @@ Q_SIGNALS:
   void floorClicked(const Eigen::Vector2d& position);
   /// Emitted after a click on a person, with the person's index among the targets.
   void personClicked(int target);
-  /// Emitted when a handle was pressed.
+  /// Emitted when the user pressed the handle of a camera.
   void cameraChosen(int camera);
-  /// Emitted while a camera (`cameraDragged`), or the point it looks at (`cameraAimed`), is dragged
-  /// to this world position (meters). In the views from above, from the front and from the side,
-  /// the drag stays in the plane of the view; in the 3D view, it is parallel to the image plane.
+  /// cameraDragged() is emitted while a camera is dragged to this world position (meters),
+  /// cameraAimed() while the point at which the camera looks is dragged. In the views from above,
+  /// from the front and from the side, the drag stays in the plane of the view; in the 3D view, it
+  /// is parallel to the image plane.
   void cameraDragged(int camera, const Eigen::Vector3d& center);
   void cameraAimed(int camera, const Eigen::Vector3d& target);
   void cameraDropped();

@@ -14,8 +14,8 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Handle of a draggable camera: its position and a point it looks at, in world coordinates
-/// (meters).
+/// Handle of a draggable camera: the camera's position and a point at which it looks, in world
+/// coordinates (meters).
 struct CameraHandle {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Vector3d target = Eigen::Vector3d::Zero();
@@ -26,12 +26,12 @@ struct CameraHandle {
 class CameraHandles : public QObject {
   Q_OBJECT
 public:
-  /// `view` must show the whole rendered image of `scene`.
+  /// Creates an object without handles. `view` must show the whole rendered image of `scene`.
   CameraHandles(QWidget& view, Scene3d& scene);
 
   /// Sets the handles. If the list is empty, no camera can be dragged.
   void set(std::vector<CameraHandle> handles, int chosen);
-  /// Starts dragging the handle at a position in the view. Returns false if there is none.
+  /// Starts to drag the handle at a position in the view. Returns false if there is no handle.
   bool grab(QPointF position);
   bool isDragging() const { return drag_.has_value(); }
   void drag(QPointF position);
@@ -39,11 +39,12 @@ public:
   void paint(QPainter& painter) const;
 
 Q_SIGNALS:
-  /// Emitted when a handle was pressed.
+  /// Emitted when the user pressed the handle of a camera.
   void chosen(int camera);
-  /// Emitted while a camera (`dragged`), or the point it looks at (`aimed`), is dragged to this
-  /// world position (meters). In the views from above, from the front and from the side, the drag
-  /// stays in the plane of the view; in the 3D view, it is parallel to the image plane.
+  /// dragged() is emitted while a camera is dragged to this world position (meters), aimed() while
+  /// the point at which the camera looks is dragged. In the views from above, from the front and
+  /// from the side, the drag stays in the plane of the view; in the 3D view, it is parallel to the
+  /// image plane.
   void dragged(int camera, const Eigen::Vector3d& center);
   void aimed(int camera, const Eigen::Vector3d& target);
   void dropped();

@@ -12,7 +12,7 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Camera names next to the viewing pyramids.
+/// Labels with the camera names, next to the viewing pyramids in the bird's-eye view.
 class CameraLabels {
 public:
   explicit CameraLabels(const Scene3d& scene) : scene_(scene) {}

@@ -8,8 +8,8 @@
 
 namespace dewpoint::ui {
 
-/// OpenGL context on an off-screen surface. It is separate from the VTK code because the OpenGL
-/// headers of Qt and the VTK loader cannot be included together.
+/// OpenGL context on an off-screen surface. It is in a separate file because the OpenGL headers of
+/// Qt and of VTK cannot be included together.
 class GlContext {
 public:
   GlContext();
@@ -17,15 +17,16 @@ public:
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// Must be called once before the QApplication is created.
+  /// Sets the OpenGL format that VTK requires. Must be called once before the QApplication is
+  /// created.
   static void prepareSurfaceFormat();
 
   /// Creates the context and makes it current. Returns an empty string on success, otherwise a
   /// message for users.
   std::string start();
   bool isCurrent() const;
-  /// Makes the context current unless it already is. Making it current twice would bypass VTK's
-  /// state cache and produce empty images.
+  /// Makes the context current. Does nothing if it is current already, because VTK would otherwise
+  /// produce empty images.
   void makeCurrent();
   void doneCurrent();
 

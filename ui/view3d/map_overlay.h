@@ -13,8 +13,8 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Map of expected errors: the map in the scene, its legend over the rendered image, and its values
-/// as text.
+/// Map of expected errors in the bird's-eye view: the map in the scene, the legend over the
+/// rendered image, and values as text.
 class MapOverlay {
   Q_DECLARE_TR_FUNCTIONS(MapOverlay)
 public:
@@ -27,7 +27,7 @@ public:
   const MapLook& look() const { return look_; }
   /// Updates the scene once, no matter how many maps were set since the last update.
   void updateScene();
-  /// Returns the map value at a position in the view, or an empty string outside the map.
+  /// Returns the map value at a position in the view as text; empty outside the map.
   QString textAt(const ViewProjection& projection, QPointF position) const;
   void paintLegend(QPainter& painter, const QWidget& view) const;
 

@@ -15,8 +15,8 @@ class vtkRenderer;
 
 namespace dewpoint::ui {
 
-/// Renders a VTK scene in its own OpenGL context, which belongs to no window, and returns images.
-/// Use it only in the GUI thread. It requires no VTK or OpenGL headers.
+/// Renders a VTK scene in its own off-screen OpenGL context, and returns images. Use this class
+/// only in the GUI thread. This header includes no VTK or OpenGL headers.
 class OffscreenVtk {
 public:
   enum class Pointer {
@@ -36,8 +36,8 @@ public:
   OffscreenVtk(const OffscreenVtk&) = delete;
   OffscreenVtk& operator=(const OffscreenVtk&) = delete;
 
-  /// Creates the context. Call it once. Returns false if OpenGL is not usable. `reason()` then
-  /// explains why, in English, and no other function may be called.
+  /// Creates the OpenGL context; must be called once, first. Returns false if OpenGL is not usable.
+  /// Then only `reason()` may be called, which returns the reason in English.
   bool start();
   const std::string& reason() const;
 

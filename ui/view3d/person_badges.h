@@ -15,8 +15,7 @@ namespace dewpoint::ui {
 /// Numbered badges for people, above their heads in a rendered image of the scene.
 class PersonBadges {
 public:
-  /// Sets the snapshot that the rendered image shows. The badges are those of its people; if it is
-  /// null, there are none.
+  /// Sets the snapshot for whose people badges are drawn. If it is null, there are no badges.
   void setSnapshot(const TrackSnapshot* snapshot);
   /// Returns the person whose badge or body is at a position in the view, as an index among the
   /// targets, or -1 if there is none.

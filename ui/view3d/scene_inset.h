@@ -12,7 +12,7 @@ class QPainter;
 
 namespace dewpoint::ui {
 
-/// Inset in a corner of the view. It enlarges a particle cloud that is too small to see, and shows
+/// Inset in a corner of the bird's-eye view that enlarges a particle cloud too small to see, with
 /// its 95 % ellipsoid and a scale bar. The inset is at the lower right, or at the upper right if it
 /// covers fewer cameras and floor numbers there.
 class SceneInset {
@@ -21,8 +21,9 @@ public:
 
   /// Sets the snapshot shown in the rendered image. May be null.
   void setSnapshot(TrackSnapshotPtr snapshot) { snapshot_ = std::move(snapshot); }
-  /// Returns the enlarged target: the selected target, or else the first one whose cloud is too
-  /// small to see. Returns -1 if there is none or the view has no room.
+  /// Returns the index of the target to enlarge: the selected target `chosen`, or else the first
+  /// target whose cloud is too small to see. Returns -1 if there is none, or if the view has no
+  /// room for an inset.
   int target(const QWidget& view, int chosen) const;
   /// Returns whether the view is large enough for an inset.
   static bool hasRoom(const QWidget& view);

@@ -29,7 +29,7 @@ public:
   /// Creates the OpenGL context and renders once while hidden, so that the first visible image
   /// appears without delay.
   void prepare();
-  /// Marks the image as outdated. It is redrawn soon, or when the view becomes visible.
+  /// Marks the image as outdated. The image is redrawn soon, or when the view becomes visible.
   void request();
   /// Renders the image immediately.
   void render();
@@ -41,8 +41,8 @@ public:
   /// Returns whether the image is outdated.
   bool isStale() const { return stale_; }
   bool isUpToDate() const { return !stale_ && !timer_.isActive(); }
-  /// Returns the reason why there is no 3D view, or an empty string if the view works. It is known
-  /// after the first attempt to draw.
+  /// Returns the reason why there is no 3D view; empty if the view works, and before the first
+  /// attempt to draw.
   const std::string& failure() const { return failure_; }
 
   /// Passes a mouse event to the trackball camera. `position` is in view coordinates.

@@ -14,9 +14,9 @@ struct TailPosition {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// Of all points of the targets' tails (their drawn recent paths), returns the one whose projection
-/// is closest to `position` in the rendered image; nothing if none is closer than `reach`. `reach`
-/// and `position` are in device pixels; `position` is to the right of and above the image center.
+/// Returns the point of the targets' tails (their drawn recent paths) whose projection is closest
+/// to `position` in the rendered image; nothing if none is closer than `reach`. Both are in device
+/// pixels, and `position` is measured to the right of and above the image center.
 std::optional<TailPosition> nearestTailPosition(const TrackSnapshot& snapshot, const Scene3d& scene,
                                                 const Eigen::Vector2d& position, double reach);
 

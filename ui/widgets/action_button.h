@@ -9,9 +9,9 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Creates a button that triggers an action and shows the icon and the hint of the action. As long
-/// as the action exists, the button follows its enabled and checked states. The caller sets its
-/// text, which is shorter than the menu text.
+/// Creates a button that triggers an action and shows its icon and hint. While the action exists,
+/// the button follows the action's enabled and checked states. The caller must set the text of the
+/// button, which is shorter than the menu text.
 QToolButton* makeActionButton(const char* name, QAction* action, QWidget* parent);
 
 } // namespace dewpoint::ui

@@ -9,8 +9,8 @@ namespace dewpoint::ui {
 
 /// Number field in the format of the selected language. It accepts a point or a comma as decimal
 /// separator and immediately shows how the input is interpreted. It does not use thousands
-/// separators. The click that gives it the focus selects the number, as the Tab key does, so that
-/// typing replaces it; the next click sets the caret.
+/// separators. The click that gives the field the focus selects the number, as the Tab key does, so
+/// that typing replaces the number; the next click sets the caret.
 class DecimalField : public QDoubleSpinBox {
 public:
   explicit DecimalField(QWidget* parent = nullptr);

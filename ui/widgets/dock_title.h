@@ -25,7 +25,7 @@ public:
   void setState(HoldState state);
   /// Sets the reason for the state, in a few words. An empty string removes it.
   void setReason(const QString& reason);
-  /// Sets a reason that replaces the state, in the color used for a target that is not seen.
+  /// Shows a reason instead of the state, in the color used for a target that is not seen.
   void setReasonAlone(const QString& reason);
   /// Adds a widget (a small tool button) before the button that floats the dock.
   void addTool(QWidget* tool);

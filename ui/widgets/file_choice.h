@@ -10,16 +10,18 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-// File dialogs that start in the folder used last and remember the folder of the selected file.
-// They return an empty result if nothing was selected.
+// File dialogs that open in the folder used last and remember the folder of the selected file. The
+// functions return an empty result if the user selects nothing.
 
-/// Asks for an existing file.
+/// Asks the user for an existing file, and returns its path; empty if none was selected.
 QString askForFile(QWidget* parent, const QString& title, const QString& filter);
-/// Asks for one or more existing files.
+/// Asks the user for one or more existing files, and returns their paths; empty if none was
+/// selected.
 QStringList askForFiles(QWidget* parent, const QString& title, const QString& filter);
-/// Asks for an existing folder.
+/// Asks the user for an existing folder, and returns its path; empty if none was selected.
 QString askForFolder(QWidget* parent, const QString& title);
-/// Asks for a file to save to. `proposed` is a file name, with or without a folder.
+/// Asks the user for a file to save to, and returns its path; empty if none was selected.
+/// `proposed` is a file name, with or without a folder.
 QString askForFileToSave(QWidget* parent, const QString& title, const QString& proposed,
                          const QString& filter);
 

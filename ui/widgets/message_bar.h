@@ -18,13 +18,13 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
-/// Severity of a message. Each has a word, a color and a shape.
+/// Severity of a message. Each severity is shown by a word, a color and a shape.
 enum class Severity { Information, Warning, Error };
 
 /// Message strip across the window (MessageRow) with one sentence: an error, a notice, or a
-/// question with answers. It does not block the window. A notice disappears once there was time to
-/// read it. Other messages stay until closed, answered or replaced. When the user answers or closes
-/// a message, the keyboard focus returns to where it was before.
+/// question with answers. It does not block the window. A notice disappears after a time long
+/// enough to read it. Other messages stay until closed, answered or replaced. When the user answers
+/// or closes a message, the keyboard focus returns to its previous widget.
 class MessageBar : public QFrame {
   Q_OBJECT
 public:
@@ -38,27 +38,28 @@ public:
   using Answer = std::pair<QString, std::function<void()>>;
   /// Asks a question. Closing the bar gives no answer.
   void ask(const QString& question, const std::vector<Answer>& answers);
-  /// Asks a question until it is answered or closed. If another message replaces it, the question
-  /// is asked again when that message is gone. Several such questions can wait; the newest is asked
-  /// first.
+  /// Asks a question until the user answers or closes it. If another message replaces the question,
+  /// the question is asked again when this message is gone. Several questions can wait; the newest
+  /// is asked first.
   void askUntilAnswered(const QString& question, const std::vector<Answer>& answers);
-  /// Removes a question that needs no answer any more, whether it is shown or waits.
+  /// Removes a question that no longer needs an answer, whether it is shown or waits.
   void withdraw(const QString& question);
   /// Returns whether a question of askUntilAnswered() is shown or waits.
   bool isAsking(const QString& question) const;
   QString text() const;
   /// Removes the current message.
   void dismiss();
-  /// Removes an error or a warning that is outdated because other work has begun. If `notices` is
-  /// true, also removes a notice. Questions stay.
+  /// Removes the current error or warning, for example because other work has begun. If `notices`
+  /// is true, also removes a notice. Questions stay.
   void forget(bool notices);
   /// Adds a message to recent() without showing it, because it is shown elsewhere.
   void record(const QString& text, Severity severity);
-  /// Returns the messages in this window, oldest first, each with its time; at most the last 1000.
+  /// Returns the last messages of this window (at most 1000), oldest first, each with its time.
   const QStringList& recent() const { return recent_; }
 
 Q_SIGNALS:
-  /// Emitted for every message and question, also those that are only recorded, with its text.
+  /// Emitted with the text of every message and question, including messages that are only
+  /// recorded.
   void messageShown(const QString& text);
 
 protected:

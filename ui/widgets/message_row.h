@@ -13,27 +13,26 @@ namespace dewpoint::ui {
 class MessageBar;
 class NoticeList;
 
-/// Row under the toolbar for messages and, below them, notices. A message pushes the views down and
-/// covers nothing; without a message, the row has no height. It is a toolbar so that the window
-/// gives it a row. It is always shown, so that restoring a layout neither shows nor hides a
-/// message.
+/// Row under the toolbar of the window, for messages and, below them, notices. A message pushes the
+/// views down and covers nothing; without a message, the row has no height. The row is a toolbar so
+/// that the window reserves room for it. It is never hidden, so restoring a layout neither shows
+/// nor hides a message.
 ///
 /// While the user types in a field or holds a mouse button down, the row keeps its height, so that
-/// nothing moves under the pointer or the eyes: a message that goes leaves its room empty, and a
-/// message that comes lies over the views. The row takes its proper height when the user has left
-/// the field.
+/// nothing moves: a message that disappears leaves an empty area, and a new message covers a part
+/// of the views. The row adjusts its height when the user has left the field.
 class MessageRow : public QToolBar {
   Q_OBJECT
 public:
-  /// Makes the bar and the list children of `parent`. Add the row to the window `parent` below its
-  /// other toolbars.
+  /// Creates a row with the message bar and the list of notices, which become children of `parent`.
+  /// The caller must add the row to the window `parent` below its other toolbars.
   MessageRow(MessageBar* bar, NoticeList* notices, QWidget* parent);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
-  /// Emitted when the height is about to change.
+  /// Emitted when the height of the row is about to change.
   void heightChanging();
   void heightChanged();
 

@@ -10,7 +10,8 @@
 
 namespace dewpoint::ui {
 
-/// Creates a button with an object name. Its texts are set when the language is set.
+/// Creates a button with this object name and without a text. The caller sets its text in the
+/// current language.
 inline QPushButton* makeButton(const char* name, QWidget* parent) {
   auto* button = new QPushButton(parent);
   button->setObjectName(QLatin1String(name));

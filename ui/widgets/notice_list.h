@@ -11,33 +11,33 @@ class QToolButton;
 
 namespace dewpoint::ui {
 
-/// List of the notices whose causes exist now, one per line, below the message bar. A notice stays
-/// as long as its cause, however many there are. The user can hide the notices that are shown; a
-/// notice that comes later, or comes back, is shown again.
+/// List below the message bar of all notices whose causes currently exist, one per line. A notice
+/// is shown until its cause is gone. The user can hide the notices that are shown; new notices, and
+/// notices that come back, are shown again.
 class NoticeList : public QFrame {
   Q_OBJECT
 public:
-  /// Number of lines shown at most. If there are more notices, the last line tells how many, and
-  /// the tooltip has all of them.
+  /// Maximum number of lines. If there are more notices, the last line states how many, and the
+  /// tooltip lists all notices.
   static constexpr qsizetype kMostLines = 4;
 
   explicit NoticeList(QWidget* parent = nullptr);
 
-  /// Sets the notices whose causes exist now. Equal texts are one notice.
+  /// Sets the notices whose causes currently exist. Equal texts count as one notice.
   void setNotices(const QStringList& notices);
-  /// Returns all current notices, also those that the user has hidden.
+  /// Returns all current notices, including those that the user has hidden.
   const QStringList& notices() const { return notices_; }
   /// Returns how many of the current notices the user has hidden.
   qsizetype hiddenCount() const { return hidden_.size(); }
-  /// Hides the notices that are shown now.
+  /// Hides all notices that are currently shown.
   void hideShown();
-  /// Shows hidden notices again.
+  /// Shows all hidden notices again.
   void showAll();
 
 Q_SIGNALS:
-  /// Emitted when a notice is new.
+  /// Emitted when a notice begins, because its cause has appeared.
   void began(const QString& notice);
-  /// Emitted when the cause of a notice is gone.
+  /// Emitted when a notice ends, because its cause is gone.
   void ended(const QString& notice);
   /// Emitted when the number of hidden notices has changed.
   void hiddenCountChanged(qsizetype count);

@@ -8,7 +8,7 @@ class QWidget;
 
 namespace dewpoint::ui {
 
-/// Creates the bold heading for a part of a page.
+/// Creates an empty label for the bold heading of a part of a page.
 QLabel* makePageTitle(QWidget* parent);
 
 } // namespace dewpoint::ui

@@ -7,7 +7,8 @@ class QGridLayout;
 
 namespace dewpoint::ui {
 
-/// Lets the Tab key visit the fields of a grid row by row, whatever order they were made in.
+/// Makes the Tab key visit the fields of a grid row by row, regardless of the order in which they
+/// were created.
 void orderTabsByRows(const QGridLayout& grid);
 
 } // namespace dewpoint::ui

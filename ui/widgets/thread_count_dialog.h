@@ -9,11 +9,11 @@ class QSpinBox;
 
 namespace dewpoint::ui {
 
-/// Asks for the number of filter threads and stores it in the preferences.
+/// Dialog that asks for the number of filter threads and stores this number in the preferences.
 class ThreadCountDialog : public QDialog {
   Q_OBJECT
 public:
-  /// `most` is the number of threads that this machine runs simultaneously.
+  /// Creates the dialog. `most` is the number of threads that this computer runs simultaneously.
   explicit ThreadCountDialog(int most, QWidget* parent = nullptr);
 
 private:

@@ -14,7 +14,7 @@ namespace dewpoint::ui {
 class Document;
 
 /// Default arrangement of the docks in the window: the position of each dock, and the sizes that
-/// suit the window. It moves the docks when DockManager calls it.
+/// suit the window. DockManager decides when to apply it.
 class DockArrangement {
 public:
   DockArrangement(QMainWindow& window, const Document& document)

@@ -25,7 +25,8 @@ class SessionController;
 class DockManager : public QObject {
   Q_OBJECT
 public:
-  /// The central widget of `window` must show the pages.
+  /// Creates the manager. The central widget of `window` must show the pages that replace the
+  /// views.
   DockManager(QMainWindow& window, Document& document, const SessionController& session,
               QObject* parent = nullptr);
 
@@ -45,9 +46,9 @@ public:
   /// Resizes the views to suit the window, once the layout has settled. Does nothing if the user
   /// has rearranged the views.
   void distributeDockSizesSoon();
-  /// Call this with `kept` set to true before the height of the area above the views changes, and
-  /// with false afterward. The images then shrink or grow, and the docks below them keep their
-  /// heights.
+  /// Keeps the heights of the docks below the images while the height of the area above the views
+  /// changes, so that only the images shrink or grow. Call this with true before the change, and
+  /// with false afterward.
   void keepHeightsBelow(bool kept);
   /// Stores the layout of all views in the document, even while one is maximized or a page hides
   /// them.
@@ -55,8 +56,8 @@ public:
 
   /// Shows the views, or the page in the center of the window.
   void showViews(bool shown);
-  /// Discards the layout saved while a page hides the views, because another project's views
-  /// follow.
+  /// Discards the layout that was saved when a page replaced the views. Call this before the views
+  /// of another project are shown.
   void forgetLayoutBehindPages() { layoutBehindPages_.clear(); }
 
   /// Maximizes a dock, or restores all views. A floating dock is docked again.
@@ -67,9 +68,11 @@ public:
 
 Q_SIGNALS:
   void made(ViewDock* dock);
-  /// Emitted when the docks have been arranged again. Window modes then show their docks.
+  /// Emitted when the docks have been arranged again. Modes such as calibration must then show
+  /// their docks.
   void laidOut();
-  /// Emitted before (`viewsShowing`) and after (`viewsShown`) the views or the page are shown.
+  /// viewsShowing() is emitted before the views are shown (true) or replaced by a page (false),
+  /// viewsShown() afterward.
   void viewsShowing(bool shown);
   void viewsShown(bool shown);
 

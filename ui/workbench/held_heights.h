@@ -14,9 +14,9 @@ class QMainWindow;
 
 namespace dewpoint::ui {
 
-/// Keeps the heights of the docks at the bottom of a window while the height above them changes, so
-/// that only the views in between shrink and grow. The same heights are kept until they are
-/// forgotten, so that rounding in the window layout does not accumulate.
+/// Keeps the heights of the docks at the bottom of a window while the height above the views
+/// changes, so that only the views in between shrink and grow. The stored heights are used until
+/// forget() is called, so that rounding in the window layout does not accumulate.
 class HeldHeights : public QObject {
   Q_OBJECT
 public:
@@ -24,10 +24,10 @@ public:
 
   /// Forgets the heights after the docks were rearranged.
   void forget() { heights_.clear(); }
-  /// Fixes the heights of the docks until `release()`, unless the views in between have no room to
-  /// shrink.
+  /// Fixes the heights of the docks at the bottom until `release()`, unless the views in between
+  /// have no room to shrink.
   void hold();
-  /// Updates the window layout and releases the heights.
+  /// Updates the window layout, and allows the heights of the docks to change again.
   void release();
 
 private:

@@ -11,11 +11,11 @@
 namespace dewpoint::ui {
 
 /// Grid of image views. View k is in column k % columns, below the earlier views of this column.
-/// Within a column, the height is divided so that all images have the same width. The width is
-/// divided among the columns so that all columns have the same height.
+/// Within a column, all images have the same width. The columns have widths at which all are
+/// equally high.
 struct ImageGrid {
   int columns = 1;
-  double area = 0.0;                ///< area covered by images, in square units of the room
+  double area = 0.0; ///< area covered by images, in square units of the available room
   double maximumUsefulWidth = 0.0;  ///< width beyond which no image grows
   std::vector<double> columnShares; ///< fraction of the width, one per column; the sum is 1
   std::vector<double> heightShares; ///< fraction of the column height, one per view
@@ -27,9 +27,9 @@ struct ImageGrid {
 ImageGrid imageGridOf(std::span<const double> aspects, const QSizeF& room, double title,
                       int columns);
 
-/// Returns the grid in which images cover the largest area. A grid with `current` columns (0 if
-/// there is none yet) is kept until another grid covers at least a tenth more, so that views do not
-/// jump while the window is resized.
+/// Returns the grid in which images cover the largest area. The grid with `current` columns (0:
+/// none yet) is kept unless another grid covers at least a tenth more, so that views do not jump
+/// while the window is resized. The other arguments are as in imageGridOf().
 ImageGrid bestImageGrid(std::span<const double> aspects, const QSizeF& room, double title,
                         int current = 0);
 

@@ -30,11 +30,12 @@ struct DockDeclaration {
   DockArea area = DockArea::Inspector;
   int rank = 100;              ///< order among the docks at this position, lowest first
   bool hiddenAtFirst = false;  ///< hidden until the user opens it
-  bool openedByAction = false; ///< an action shows it, so the palette lists the action instead
+  bool openedByAction = false; ///< an action shows the dock, so the command palette lists this
+                               ///< action instead of the dock
 };
 
-/// Dock in the window with the common title. In addition to Qt's state, it stores whether the user
-/// hid it and whether it is behind another tab.
+/// Dock in the window with a DockTitle. In addition to Qt's state, it stores whether the user hid
+/// the dock and whether the dock is behind another tab.
 class ViewDock : public QDockWidget {
   Q_OBJECT
 public:
@@ -44,8 +45,8 @@ public:
   DockArea area() const { return area_; }
   int rank() const { return rank_; }
   bool isOpenedByAction() const { return openedByAction_; }
-  /// Returns whether the user or the method hid the dock. Such a dock stays hidden when the other
-  /// views are shown.
+  /// Returns whether the user hid the dock, or the current method does not use it. Such a dock
+  /// stays hidden when the other views are shown.
   bool isHiddenByUser() const { return hiddenByUser_; }
   void setHiddenByUser(bool hidden) { hiddenByUser_ = hidden; }
   /// Shows or hides the dock, and stores this as the user's choice.

@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 
 class ViewDock;
 
-/// Sizes of each kind of view for a given window size, in pixels. Images have priority.
+/// Sizes of each kind of view for a given window size, in pixels. Camera images have priority.
 struct ViewShares {
   QSize cameras;              ///< maximum size of all camera views together
   int minimumCameraWidth = 0; ///< minimum width for two or more cameras
@@ -30,8 +30,9 @@ struct ViewShares {
 /// Approximate width of the separator between two docks, pixels.
 inline constexpr int kDockSeparator = 6;
 
-/// Returns the sizes for a window. `inspectors` are all docks at that position; the widest visible
-/// one counts, or the names of their tabs if these need more room.
+/// Returns the sizes of the views for the current size of a window. `inspectors` are all docks at
+/// the right edge; their width is that of the widest visible one, or more if the names of their
+/// tabs need more room.
 ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>& inspectors,
                         const ViewDock& scene, const ViewDock& timeline);
 

@@ -12,9 +12,9 @@ namespace dewpoint::ui {
 
 struct Workbench;
 
-/// Calls `show` with the volume of interest, once now and after every change, for as long as `view`
-/// exists. The argument is the project's volume; it is empty if the method does not use one or the
-/// layer is switched off.
+/// Calls `show` with the project's volume of interest, now and after every change, as long as
+/// `view` exists. The volume is empty if the project has none, if the method does not use it, or if
+/// the user has hidden it.
 void connectVolume(const Workbench& bench, QObject* view,
                    const std::function<void(const std::optional<WorldBox>&)>& show);
 

@@ -20,15 +20,15 @@ class MessageBar;
 class Selection;
 class TargetListModel;
 
-/// Shared parts of the window, which views and features use. A feature receives them in its
-/// constructor or install function, creates its dock, connects its actions and subscribes to
-/// snapshots. No other part of the window knows about the feature.
+/// Shared parts of the window. Every feature of the window receives them in its constructor or
+/// install function, and uses them to create its dock, connect its actions and receive snapshots.
+/// No other part of the window knows about the feature.
 struct Workbench {
   QMainWindow& window; ///< parent of docks, views and dialogs
   ActionRegistry& actions;
   Document& document;
-  CameraListModel& cameras; ///< document cameras, for all lists of cameras
-  TargetListModel& targets; ///< document targets, for all lists of targets
+  CameraListModel& cameras; ///< list model of the project's cameras
+  TargetListModel& targets; ///< list model of the project's targets
   Selection& selection;
   SessionController& session;
   DockManager& docks;
@@ -40,19 +40,19 @@ struct Workbench {
   void onToggled(ActionId id, QObject* context, std::function<void(bool)> run) const;
   /// Enables these actions only while a project is open and no page covers it.
   void requireRun(std::initializer_list<ActionId> ids) const;
-  /// Like requireRun(ids), but the actions are enabled only if `suits` also returns true. It is
-  /// called again when a run begins or ends, and when the method changes.
+  /// Enables these actions only while a project is open, no page covers it, and `suits` returns
+  /// true. `suits` is called again when a run begins or ends, and when the method changes.
   void requireRun(std::initializer_list<ActionId> ids, const std::function<bool()>& suits) const;
   /// Shows a dialog in front of the window.
   static void present(QWidget* dialog);
 
-  /// Connects a view to the snapshots. Its setSnapshot(const TrackSnapshotPtr&) is called with each
-  /// snapshot, and with null when there is nothing to show.
+  /// Connects a view to the snapshots: calls view->setSnapshot(const TrackSnapshotPtr&) with each
+  /// new snapshot, and with null when there is nothing to show.
   template <class View> void connectView(View* view) const {
     QObject::connect(&session, &SessionController::snapshotChanged, view, &View::setSnapshot);
   }
-  /// Connects a view of images to the snapshots like connectView(), but live cameras whose image is
-  /// delayed keep their last one.
+  /// Connects a view of images to the snapshots like connectView(). In these snapshots, live
+  /// cameras whose image is delayed keep their last image.
   template <class View> void connectImageView(View* view) const {
     QObject::connect(&session, &SessionController::snapshotChanged, view,
                      [view, run = &session](const TrackSnapshotPtr& snapshot) {

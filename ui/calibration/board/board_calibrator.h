@@ -27,13 +27,13 @@ class BackgroundJob;
 class BoardCalibrator : public QObject {
   Q_OBJECT
 public:
-  /// Opens the recording of the document a second time. Called from another thread.
+  /// Function that opens the recording of the document a second time. Called from another thread.
   using Opener = std::function<Result<SessionInputs>(const SessionRequest&)>;
   BoardCalibrator(Document& document, Opener open, QObject* parent = nullptr);
   ~BoardCalibrator() override;
 
-  /// Returns the settings. All are saved in the preferences except the frame in which the board
-  /// lies on the floor.
+  /// Returns the user's settings. All settings are saved in the preferences, except the frame in
+  /// which the board lies on the floor.
   const BoardGuideRequest& request() const { return request_; }
   void setRequest(const BoardGuideRequest& request);
   const Project& project() const;
@@ -47,7 +47,8 @@ public:
 
   // Calibration from a recording.
   void calibrate();
-  /// Like calibrate(), but searches all frames even if a few of them show only another board.
+  /// Calibrates like calibrate(), but searches all frames of the recording, even if those searched
+  /// first show another board than the one in the settings.
   void searchAllFrames();
   void cancel();
   /// Returns whether a computation is running, either on a recording or on views from live cameras.
@@ -57,16 +58,17 @@ public:
   bool isSearching() const { return *searching_; }
 
   // Any board.
-  /// Finds out which board the recording, or the newest live images, show. Emits boardProposed(),
-  /// boardConfirmed(), or a failure.
+  /// Determines which board the recording, or the newest live images, show. The result is
+  /// boardProposed(), boardConfirmed(), mirroredVideosFound(), or a sentence in failure().
   void findBoard();
   /// Returns the board that the images show instead of the one in the settings, if one was found.
   const std::optional<BoardGuess>& proposal() const { return proposal_; }
   /// Sets the board in the settings to the proposed one.
   void useProposal();
-  /// Returns the cameras that show the board only mirrored, as far as the last search found out.
+  /// Returns the cameras in whose images the last search found the board only mirrored.
   const MirroredVideos& mirrored() const { return mirrored_; }
-  /// Mirrors the images of these cameras in the project, as one step, and uses the proposed board.
+  /// Mirrors the images of the cameras in mirrored() in the project, in one undoable step, and uses
+  /// the proposed board.
   void mirrorImages();
 
   // Live cameras.
@@ -84,11 +86,11 @@ public:
   bool hasViews() const;
 
   // The result.
-  /// Returns the last calibration, or null before the first one and after a failure.
+  /// Returns the result of the last calibration; null before the first one and after a failure.
   std::shared_ptr<const BoardOutcome> outcome() const { return outcome_; }
   /// Returns one sentence that explains why the last calibration failed.
   const QString& failure() const { return failure_; }
-  /// Returns whether the project's cameras are those of the outcome.
+  /// Returns whether the project's cameras are those of the last calibration.
   bool isApplied() const;
   void apply();
   /// Writes the HTML report in another thread; emits `saved()` or `failed()` afterwards.
@@ -98,19 +100,19 @@ public:
 
 Q_SIGNALS:
   void requestChanged();
-  void changed(); ///< anything else has changed
+  void changed(); ///< anything except the settings and the guidance has changed
   void guideChanged();
   void progressChanged(double part); ///< 0 to 1; negative if unknown
   void calibrated();                 ///< the computation has ended, with or without a result
   /// Emitted when images show the board in proposal() instead of the one in the settings. `stopped`
-  /// is true if a calibration ended for this reason before it had searched all frames.
+  /// is true if a calibration ended early for this reason.
   void boardProposed(bool stopped);
   void mirroredVideosFound();                    ///< see mirrored()
   void boardConfirmed(int images, int searched); ///< the images show the board in the settings
   void playRequested();                          ///< live images are needed
   void boardShown(bool shown); ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
-  /// Emitted after saved() if a board was printed that is split on several sheets.
+  /// Emitted after saved() if the printed board is split over several sheets of paper.
   void splitOnSheets(const QString& file, int sheets);
   void failed(const QString& sentence);
 

@@ -18,8 +18,8 @@ class BoardMap : public QWidget {
 public:
   explicit BoardMap(QWidget* parent = nullptr);
 
-  /// Shows the state of a camera. If `lens` is true, the regions and tilts for calibrating the
-  /// intrinsics are also drawn.
+  /// Shows the state of a camera. If `lens` is true, also draws the regions and tilts that are
+  /// needed to calibrate the intrinsics.
   void setCamera(const BoardGuideState::PerCamera& camera, bool lens);
 
   QSize sizeHint() const override { return {148, 140}; }

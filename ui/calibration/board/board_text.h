@@ -9,9 +9,9 @@ namespace dewpoint::ui {
 
 class BoardCalibrator;
 
-/// Returns the name of a `BoardCoverage` region: "upper left".
+/// Returns the name of a `BoardCoverage` region of the image, for example "upper left".
 QString regionText(int region);
-/// Returns the description of a tilt: "its left side nearer".
+/// Returns the description of a tilt of the board, for example "its left side nearer".
 QString tiltText(BoardTilt tilt);
 
 /// Returns one line that tells the user which view to show to a camera next.
@@ -25,23 +25,25 @@ QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSe
 QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
                          const GuidanceSettings& settings);
 
-/// Returns a text about whether a camera sees the board, for the phase in which poses are
-/// calibrated.
+/// Returns a text that tells whether a camera sees the board, for the phase in which camera poses
+/// are calibrated.
 QString visibilityText(const BoardGuideState::PerCamera& camera);
 /// Returns how often a camera saw the board together with other cameras, and how accurate its
 /// position is so far.
 QString positionAccuracyText(const BoardGuideState::PerCamera& camera);
 
-/// Returns the description of a board that was found: "a ChArUco board with 4 × 5 squares,
-/// DICT_4X4_50, black and white exchanged".
+/// Returns the description of a board that was found in images, for example "a ChArUco board with 4
+/// × 5 squares, DICT_4X4_50, black and white exchanged".
 QString guessedBoardText(const BoardGuess& guess);
-/// Returns the question whether to use a board that was found.
+/// Returns the question to the user whether to use a board that was found in images.
 QString proposalQuestion(const BoardGuess& guess);
 
-/// Returns the question whether to mirror the images of the cameras that show the board mirrored.
+/// Returns the question to the user whether to mirror the images of the cameras that show the board
+/// mirrored.
 QString mirroredQuestion(const BoardCalibrator& calibrator);
 
-/// Returns the result in sentences: what was found for each camera, the quality, and remarks.
+/// Returns the result of a calibration in sentences: what was found for each camera, the quality,
+/// and remarks.
 QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outcome);
 
 } // namespace dewpoint::ui

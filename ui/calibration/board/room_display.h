@@ -12,9 +12,8 @@ namespace dewpoint::ui {
 
 class BoardCalibrator;
 
-/// Window that shows, in letters large enough to be read from across the room, how to hold the
-/// board next. It is for the person who holds the board in front of the cameras. A sound is played
-/// when a view is captured. Esc closes it.
+/// Window that shows the person who holds the board, in letters large enough to be read from across
+/// the room, how to hold it next. A sound is played when a view is captured. Esc closes the window.
 class RoomDisplay : public QWidget {
   Q_OBJECT
 public:

@@ -8,8 +8,8 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Dialog that writes the project's cameras in the format of another tool. A preview shows the
-/// choices made and any information that is lost.
+/// Dialog that exports the calibration of the project's cameras in the format of another tool. A
+/// preview shows the choices made and any information that is lost.
 class CalibrationExportDialog : public ExchangeDialog {
   Q_OBJECT
 public:

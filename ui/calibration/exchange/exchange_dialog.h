@@ -20,9 +20,9 @@ namespace dewpoint::ui {
 
 class BackgroundJob;
 
-/// Base class of the dialogs that import and export calibrations: a file, some questions, a
-/// preview, and a button to accept. The preview is recomputed in another thread whenever an answer
-/// changes. Not modal.
+/// Base class of the dialogs that import and export calibrations. They consist of a file, some
+/// questions, a preview, and a button to accept. The preview is recomputed in another thread
+/// whenever an answer changes. Not modal.
 class ExchangeDialog : public QDialog {
   Q_OBJECT
 public:
@@ -32,8 +32,8 @@ public:
   void setFile(const QString& file);
   /// Returns whether the previewed operation can be carried out.
   bool isReady() const { return ready_; }
-  /// Returns whether the preview is of a text that is still being typed. Errors in it are shown in
-  /// the preview only.
+  /// Returns whether the preview was computed while the user is still typing. Errors are then shown
+  /// in the preview only.
   bool isTyping() const { return typing_; }
 
 Q_SIGNALS:
@@ -58,8 +58,8 @@ protected:
   /// Runs a long task in another thread. The dialog cannot be accepted until the task ends.
   void runTask(const Preview& task);
   void showPreview(const QString& text, bool ready);
-  /// Shows the result of the task in place of the preview. The dialog cannot be accepted again
-  /// before a new preview.
+  /// Shows the result of a task in place of the preview. The dialog cannot be accepted again until
+  /// there is a new preview.
   void showResult(const QString& text);
   QComboBox* addChoice(const char* name);
   QLabel* addRow(QWidget* field);

@@ -12,23 +12,24 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// The way in which the user calibrates the project, and the current step. Progress follows from
-/// the calibration status of the project, no matter how it was reached.
+/// State of the calibration guide: the way (procedure) that the user has chosen to calibrate the
+/// project, and its current step. The progress of a step follows from what is known about the
+/// calibration, no matter how it was obtained.
 class CalibrationGuide : public QObject {
   Q_OBJECT
 public:
   explicit CalibrationGuide(Document& document, QObject* parent = nullptr);
 
   const CalibrationStatus& status() const { return status_; }
-  /// Returns the chosen way; nothing until the user has chosen one, or the project records how its
-  /// cameras were calibrated (setup::wayTaken()).
+  /// Returns the chosen way to calibrate. Returns nothing if the user has not chosen a way and the
+  /// project does not record how its cameras were calibrated (setup::wayTaken()).
   std::optional<CalibrationWay> way() const { return way_; }
-  /// Chooses a way on behalf of the user, and goes to its first step that is not done.
+  /// Sets the way that the user has chosen, and makes its first unfinished step the current one.
   void setWay(CalibrationWay way);
-  /// Returns whether the user follows the guide: has chosen a way, or has seen the guide (follow())
-  /// while a way was known.
+  /// Returns whether the user follows the guide. This is true after the user has chosen a way, or
+  /// has seen the guide (follow()) while a way was known.
   bool isFollowed() const { return isFollowed_; }
-  /// Records that the user sees the guide. Has no effect while no way is known.
+  /// Records that the user has seen the guide. Has no effect while no way is known.
   void follow();
   /// Returns the steps of the chosen way.
   std::vector<GuideStep> steps() const;
@@ -41,7 +42,7 @@ public:
 
 Q_SIGNALS:
   void changed();
-  /// Emitted when the user wants to work on a step.
+  /// Emitted when the user wants to work on a step, so that its page must be opened.
   void openRequested(dewpoint::setup::GuideStep step);
 
 private:

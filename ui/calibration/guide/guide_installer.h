@@ -8,8 +8,8 @@ namespace dewpoint::ui {
 class CalibrationMode;
 struct Workbench;
 
-/// Adds the page "Guide" and the strip of steps to the calibration panel, and asks for a
-/// calibration while the camera positions are only guesses.
+/// Adds the page "Guide" and the strip of steps to the calibration panel. Also asks the user to
+/// calibrate while the camera positions are only guesses.
 void installCalibrationGuide(const Workbench& bench, CalibrationMode& mode);
 
 } // namespace dewpoint::ui

@@ -19,7 +19,7 @@ class CalibrationGuide;
 class CameraListModel;
 
 /// First page of the calibration panel. It shows what is known about each camera's calibration, the
-/// ways to calibrate, and the current step of the chosen way.
+/// ways (procedures) to calibrate, and the current step of the chosen way.
 class GuidePage : public QWidget {
   Q_OBJECT
 public:

@@ -7,36 +7,38 @@
 
 namespace dewpoint::ui {
 
-/// Texts about a way to calibrate.
+/// Texts about a way (procedure) to calibrate.
 struct WayText {
   QString title;
-  QString needs; ///< what is needed for this way, and what it is good for
+  QString needs; ///< what this way requires, and when to use it
 };
 WayText wayText(CalibrationWay way);
 
-/// Texts about a step.
+/// Texts about a step of the calibration guide.
 struct StepText {
-  QString name;  ///< one short word for the strip
+  QString name;  ///< one short word for the row of steps
   QString title; ///< what to do, in a few words
   QString how;   ///< how to do it
   QString open;  ///< text of the button that opens the page for the step
 };
 StepText stepText(GuideStep step);
 
-/// Returns the progress of a step: "2 of 4 cameras, largest error 0.4 px".
+/// Returns the progress of a step as text, for example "2 of 4 cameras, largest error 0.4 px".
 QString progressText(GuideStep step, const StepProgress& progress);
-/// Returns the progress of a step as one number for the strip: "2/4", "0.4 px"; empty if there is
-/// none.
+/// Returns the progress of a step as one number for the row of steps, for example "2/4" or "0.4
+/// px"; empty if there is no number.
 QString progressNumber(GuideStep step, const StepProgress& progress);
 
-/// Returns what is known about a lens or a position: "board, ±0.4 px".
+/// Return what is known about the intrinsics and about the position of a camera, for example
+/// "board, ±0.4 px".
 QString lensText(const PartStatus& lens);
 QString poseText(const PartStatus& pose);
-/// Returns what is known about the scale, and about the floor.
+/// Return what is known about the scale and about the floor of the room.
 QString scaleText(const PartStatus& scale);
 QString floorText(const PartStatus& floor, bool isUpright);
 
-/// Returns a symbol for the knowledge of a part: "✓" measured, "○" given, "⚠" missing or poor.
+/// Returns a symbol for how a part of the calibration is known: "✓" measured, "○" given, "⚠"
+/// missing or poor.
 QString knowledgeMark(const PartStatus& part);
 
 } // namespace dewpoint::ui

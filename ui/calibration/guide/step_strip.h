@@ -14,9 +14,9 @@ namespace dewpoint::ui {
 
 class CalibrationGuide;
 
-/// The steps of the chosen way in one row above the pages of the calibration panel, each with a
-/// check mark or another symbol, and one number. A click on a step opens the page for it. Hidden
-/// until the user follows the guide.
+/// Row above the pages of the calibration panel with the steps of the chosen way to calibrate. Each
+/// step has a symbol, such as a check mark, and a number for its progress. A click on a step opens
+/// its page. Hidden until the user follows the guide.
 class StepStrip : public QWidget {
   Q_OBJECT
 public:

@@ -17,8 +17,8 @@ namespace dewpoint::ui {
 class ManualCalibration;
 
 /// Fields for the selected camera: position in meters or centimeters; orientation as a target point
-/// plus roll, or as yaw, pitch and roll; focal length or field of view. Also sets what the mouse
-/// and keys do.
+/// plus roll, or as yaw, pitch and roll; focal length or field of view. Also lets the user choose
+/// what the mouse and keys change.
 class CameraForm : public QWidget {
   Q_OBJECT
 public:

@@ -18,10 +18,9 @@ class PointCalibrator;
 
 /// Camera view overlay for calibration by hand. Draws the reference grid, pins and measured points
 /// over the image, and handles mouse and keyboard input. A drag moves the grid. A click pins a grid
-/// point or removes its pin. A double click away from pins and from crossings of grid lines fits a
-/// zoomed image. Arrows, W A
-/// S D, Q and E move or rotate the camera. Shift takes coarse steps. Ctrl (with arrows, page keys,
-/// plus and minus) takes fine steps.
+/// point or removes its pin. A double click away from pins and from crossings of grid lines fits
+/// the image into the view. Arrows, W A S D, Q and E move or rotate the camera. Shift takes coarse
+/// steps. Ctrl (with arrows, page keys, plus and minus) takes fine steps.
 class GridLayer : public QWidget {
   Q_OBJECT
 public:
@@ -29,10 +28,11 @@ public:
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   int camera() const { return camera_; }
-  /// Returns the text in the corner while earlier cameras are shown; otherwise nothing.
+  /// Returns the text that is shown in the corner while the view shows earlier cameras; otherwise
+  /// an empty string.
   QString shownLabel() const;
-  /// Returns whether the edges drawn over the image were detected in the newest image. Also true
-  /// while no edges are shown.
+  /// Returns whether the edges drawn over the image come from the newest image. Also true while no
+  /// edges are shown.
   bool isDrawn() const;
 
 protected:

@@ -26,11 +26,11 @@ void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacemen
 
 /// Draws a fixed point as a pin with a ring, which can be recognized without its color.
 void paintPin(QPainter& painter, QPointF place);
-/// Draws the point being dragged.
+/// Draws the point that the user is dragging.
 void paintGrip(QPainter& painter, QPointF place);
 
-/// Measured point: a cross where the user clicked it, a ring at its projection, and a line between
-/// them. Positions are in widget coordinates.
+/// Measured point to draw: a cross where the user clicked the point, a ring at its projection, and
+/// a line between them. Positions are in widget coordinates.
 struct PaintedPoint {
   QString name;
   std::optional<QPointF> click;

@@ -15,18 +15,20 @@ namespace dewpoint::ui {
 /// another label. All coordinates are those of the widget.
 class LabelPlaces {
 public:
-  /// Labels stay inside `area`.
+  /// Creates an object for labels inside `area`.
   explicit LabelPlaces(const QRectF& area) : area_(area) {}
 
-  /// Keeps labels away from a line.
+  /// Adds a line that labels must not cover.
   void avoid(const QLineF& line) { lines_.push_back(line); }
-  /// Finds a place beside `point` for a label of this size, and reserves it. Of the eight
-  /// directions around the point, takes the one closest to `outward` that has room. Returns nothing
-  /// if none has room, or if the point is outside the area.
+  /// Finds a place beside `point` for a label of this size, reserves the place, and returns it. Of
+  /// the eight directions around the point, takes the one closest to `outward` that has room.
+  /// Returns nothing if no direction has room, or if the point is outside the area.
   std::optional<QRectF> take(QPointF point, QSizeF size, QPointF outward);
-  /// Same for a label that must not be left out: if there is no other room, it may cover a line.
+  /// Finds a place like take(), for a label that must not be left out: if there is no other room,
+  /// the label may cover a line.
   std::optional<QRectF> takeNeeded(QPointF point, QSizeF size, QPointF outward);
-  /// Same for a label that may be left out: tries only the direction `outward`.
+  /// Finds a place like take(), for a label that may be left out: tries only the direction
+  /// `outward`.
   std::optional<QRectF> takeIfFree(QPointF point, QSizeF size, QPointF outward);
 
 private:

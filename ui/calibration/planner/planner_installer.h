@@ -10,8 +10,8 @@ class CalibrationMode;
 class ManualCalibration;
 class RigPlanner;
 
-/// Connects the rig planner to the window: its page and actions and, in the bird's-eye view, the
-/// map, the planned cameras, and handles for all project and planned cameras.
+/// Adds the rig planner to the window: its page and its actions. In the bird's-eye view, adds the
+/// map, the planned cameras, and handles for dragging all cameras.
 class PlannerInstaller : public QObject {
   Q_OBJECT
 public:

@@ -36,21 +36,22 @@ public:
   void choose(int point);
   void add();
   void remove();
-  /// Renames a point, or sets its world position (meters). Both functions return false if the
-  /// change is rejected because the name is empty or already used, or a coordinate is not a number.
+  /// Rename a point, and set its world position (meters). Both functions return false and change
+  /// nothing if the name is empty or already used, or a coordinate is not a number.
   bool rename(int point, const QString& name);
   bool setWorld(int point, const Eigen::Vector3d& world);
 
   /// Returns whether the next click in an image marks the position of the selected point.
   bool isClicking() const { return clicking_; }
   void setClicking(bool clicking);
-  /// Sets the pixel at which a camera sees the selected point. `frame`: number of the recorded
-  /// frame in whose image the user clicked; empty for live images.
+  /// Sets the pixel at which a camera sees the selected point. `frame` is the number of the
+  /// recorded frame in whose image the user clicked; empty for live images.
   void setClick(int camera, const Eigen::Vector2d& pixel, std::optional<std::int64_t> frame);
   /// Removes the selected point's click in a camera.
   void removeClick(int camera);
 
-  /// Returns the residuals of all clicks with the current cameras.
+  /// Returns, for each click on a point, its distance from the projection of the point by the
+  /// current cameras.
   std::vector<ClickResidual> residuals() const;
 
   bool isSolving() const { return job_.isRunning(); }
@@ -61,10 +62,10 @@ public:
   /// Returns the index of the point that does not fit the others in the last solution; nothing if
   /// all fit, or if that solution is no longer valid.
   std::optional<int> misfit() const { return misfit_; }
-  /// Returns the camera whose images are rotated or mirrored according to the last solution, if the
-  /// project can correct this.
+  /// Returns the camera whose images are rotated or mirrored according to the last solution;
+  /// nothing if there is none, or if the project cannot correct this.
   std::optional<int> proposedCamera() const;
-  /// Returns the text of the button that corrects these images.
+  /// Returns the text of the button that corrects the images of proposedCamera().
   QString proposalText() const;
   void acceptProposal();
 
@@ -95,8 +96,8 @@ private:
   BackgroundJob job_;
 };
 
-/// Returns "camera 2 is rotated: turn its images clockwise by 90 degrees", "camera 2 is mirrored",
-/// or both.
+/// Returns a text about the rotated or mirrored images of a camera, for example "camera 2 is
+/// rotated: turn its images clockwise by 90 degrees".
 QString symmetryText(const QString& camera, const ImageSymmetry& symmetry);
 
 } // namespace dewpoint::ui

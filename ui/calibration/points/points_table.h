@@ -15,8 +15,8 @@ namespace dewpoint::ui {
 class ManualCalibration;
 class PointCalibrator;
 
-/// Table of the measured points: editable names and positions, residuals in pixels and millimeters,
-/// and buttons to click the points in images and to solve for the cameras.
+/// Table of the measured points, with editable names and positions and with residuals in pixels and
+/// millimeters. Has buttons to click the points in images and to compute the cameras from them.
 class PointsTable : public QWidget {
   Q_OBJECT
 public:

@@ -13,7 +13,8 @@ class CoverageMap : public QWidget {
 public:
   explicit CoverageMap(QWidget* parent = nullptr);
 
-  /// Shows the wand sightings of a camera. `shape` is the image width divided by the image height.
+  /// Shows where a camera has seen the wand. `shape` is the image width divided by the image
+  /// height.
   void setCamera(const QString& camera, const CameraSightings& seen, double shape);
   QSize sizeHint() const override { return {112, 84}; }
   QSize minimumSizeHint() const override { return {72, 54}; }

@@ -31,7 +31,7 @@ public:
     ManualCalibration& manual;
     Selection& selection;
     TargetListModel& targets;
-    /// Opens the recording of the document a second time. Called from another thread.
+    /// Function that opens the recording of the document a second time. Called from another thread.
     std::function<Result<SessionInputs>(const SessionRequest&)> open;
     std::function<Session*()> session; ///< returns the running session, or null
   };
@@ -43,11 +43,11 @@ public:
   const Project& project() const;
   TargetListModel& targets() const { return dependencies_.targets; }
 
-  // Returns the frames in which the ball touched the floor, touched one end of a known distance, or
-  // fell freely.
+  // Returns the frames that the user marked because the ball touched the floor, touched one end of
+  // a known distance, or fell freely.
   const std::vector<MarkedInstant>& touchedInstants() const { return touchedInstants_; }
-  /// Marks the frame shown as a frame in which this event happens. If the event is an end of the
-  /// known distance or of the fall, the frame replaces the one that was marked as this end before.
+  /// Marks the frame shown as a frame in which the event `role` happens. For an end of the known
+  /// distance or of the fall, the frame replaces the one that was marked before.
   void addTouchedInstant(WandEvent role);
   void removeTouchedInstant(std::size_t index);
   /// Shows the images of the marked frame with this index in touchedInstants().
@@ -61,19 +61,19 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   bool isLive() const { return live_; }
   bool isWaving() const { return waving_ != nullptr; }
-  /// Restarts collecting from scratch.
+  /// Starts to collect views of the wand from live cameras, from scratch.
   void startWaving();
   void stopWaving();
   /// Returns the views collected so far, or nothing if there are none.
   std::optional<WandCollector::State> collected() const;
 
   // Refinement.
-  /// Returns why the refinement cannot start, or an empty string if it can.
+  /// Returns the reason why the refinement cannot start, or an empty string if it can.
   QString obstacleText() const;
   void refine();
   void cancel();
   bool isRefining() const;
-  /// Returns the last refinement, or null before the first one and after a failure.
+  /// Returns the result of the last refinement; null before the first one and after a failure.
   std::shared_ptr<const WandRefinement> refinement() const { return refinement_; }
   /// Returns one sentence that explains why the last refinement produced no calibration.
   const QString& failure() const { return failure_; }

@@ -11,7 +11,7 @@
 
 namespace dewpoint::ui {
 
-/// Returns what happens to the ball at a marked time, in words: "touches the floor".
+/// Returns what happens to the ball in a marked frame, for example "touches the floor".
 QString touchText(WandEvent role);
 
 /// Returns a sentence that explains why a calibration with these settings cannot start
@@ -19,10 +19,11 @@ QString touchText(WandEvent role);
 QString validationMessage(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                           const Project& project);
 
-/// Returns the translated motionGapText(). `cameraNames`: of all cameras of the project.
+/// Returns the translated text of motionGapText() about a gap. `cameraNames` are the names of all
+/// cameras of the project.
 QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames);
 
-/// Returns the translated knownBetterText().
+/// Returns the translated text of knownBetterText() about a refinement.
 QString knownBetterMessage(const WandRefinement& refinement);
 
 } // namespace dewpoint::ui

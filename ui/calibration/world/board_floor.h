@@ -13,14 +13,15 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Sets the floor and the origin from a board that lies on the floor in the images shown. The board
-/// is the one that the page *Board* describes. The change is one step of the document.
+/// Sets the floor and the origin of the world frame from a board that lies on the floor in the
+/// images shown. The page *Board* describes the board. The change is one undoable step of the
+/// document.
 class BoardFloor : public QObject {
   Q_OBJECT
 public:
   explicit BoardFloor(Document& document, QObject* parent = nullptr);
 
-  /// Sets the frame shown, whose images are used.
+  /// Sets the snapshot whose images are searched for the board.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Returns whether images are shown and no search is running.
   bool canApply() const { return frames_ != nullptr && !job_->isRunning(); }
@@ -29,7 +30,7 @@ public:
   void apply();
   /// Returns a sentence about the last search, or an empty string.
   const QString& resultText() const { return resultText_; }
-  /// Returns the description of the board, as on the command line.
+  /// Returns the description of the board, in the form used on the command line.
   static QString boardName();
 
 Q_SIGNALS:

@@ -9,7 +9,8 @@ class CalibrationMode;
 class CameraDocks;
 struct Workbench;
 
-/// Adds the page "Floor" to the calibration panel, and its marks to the camera views.
+/// Adds the page "Floor" to the calibration panel, and the marks that the user places for it to the
+/// camera views.
 void installWorldPage(const Workbench& bench, CalibrationMode& mode, const CameraDocks& cameras);
 
 } // namespace dewpoint::ui

@@ -14,9 +14,9 @@ class CameraView;
 class ImagePickOverlay;
 class WorldMarks;
 
-/// Mouse and keyboard input for the marks of the page "Floor". While marking, a click or a drag in
-/// a camera image places the selected mark there, and the other images show the ray through it. All
-/// marks are shown with their letters.
+/// Mouse and keyboard input for the marks A, B and C of the page "Floor". While marking, a click or
+/// a drag in a camera image places the selected mark there, and the other images show the ray
+/// through it. All marks are shown with their letters.
 class WorldMarkTool : public QObject {
   Q_OBJECT
 public:

@@ -24,13 +24,15 @@ public:
 
   explicit WorldMarks(Document& document, QObject* parent = nullptr);
 
-  /// Returns the clicks on a mark.
+  /// Returns the clicks with which the user placed a mark in camera images.
   const std::vector<PointClick>& clicks(int mark) const;
   /// Returns the letter of a mark: "A", "B" or "C".
   static QString letter(int mark);
-  /// Returns the position of a mark (world frame, meters), or the reason why it is unknown.
+  /// Returns the position of a mark (world frame, meters) computed from its clicks, or the reason
+  /// why it is unknown.
   Result<Gaussian3> position(int mark) const;
-  /// Returns the distance between A and B in meters, or nothing while one of them is unknown.
+  /// Returns the distance between the marks A and B in meters, or nothing while the position of A
+  /// or B is unknown.
   std::optional<double> distance() const;
 
   int chosen() const { return chosen_; }
@@ -43,23 +45,23 @@ public:
   /// Removes all clicks on all marks.
   void clear();
 
-  /// Returns the marks that a step uses.
+  /// Returns the indices of the marks that a step uses.
   static std::vector<int> marksOf(WorldStep step);
-  /// Returns whether all marks of a step are known.
+  /// Returns whether the positions of all marks of a step are known.
   bool canApply(WorldStep step) const;
-  /// Changes the world frame of the project. `meters` is the distance between A and B, for Length
-  /// only.
+  /// Changes the world frame of the project by a step that uses the marks. `meters` is the true
+  /// distance between A and B, used only by the step Length.
   void apply(WorldStep step, double meters = 0.0);
-  /// Compares the distance from A to B with the measured one (meters), and keeps both in the
-  /// project.
+  /// Compares the computed distance between the marks A and B with the one that the user measured
+  /// (`meters`), and stores both in the project.
   void check(double meters);
-  /// Changes the poses of all cameras together. turn() rotates them by 90 degrees about a world
-  /// axis. move() shifts them by `shift` (meters) and rotates them by `turn` (radians) about the z
-  /// axis.
+  /// Change the poses of all cameras together. turn() rotates the cameras by 90 degrees about a
+  /// world axis. move() shifts them by `shift` (meters) and rotates them by `turn` (radians) about
+  /// the z axis.
   void turn(WorldAxis axis);
   void move(const Eigen::Vector3d& shift, double turn);
-  /// Returns whether the images are not upright, but quarter turns of the world frame would make
-  /// them so.
+  /// Returns whether the images are not upright, and quarter turns of the world frame would make
+  /// them upright.
   bool canTurnUpright() const;
 
   /// Returns a sentence about the last change or the reason why it was impossible, or an empty
