@@ -10,7 +10,7 @@
 
 namespace dewpoint::app {
 
-/// A project as a Python object.
+/// Project as a Python object.
 struct ProjectHandle {
   Project project;
   /// File or name with which the project was opened, for error messages; may be empty.

@@ -35,8 +35,9 @@ public:
     const std::lock_guard lock(mutex_);
     return commands_.empty();
   }
-  /// Removes and returns the next command. Waits for one until `deadline`, or indefinitely if no
-  /// deadline is given. Returns nothing if the deadline passes or a stop is requested.
+  /// Removes the next command from the queue and returns it. If the queue is empty, waits until
+  /// `deadline`, or indefinitely if there is no deadline. Returns nothing if the deadline passes or
+  /// a stop is requested.
   std::optional<Command> pop(const std::stop_token& stop,
                              std::optional<std::chrono::steady_clock::time_point> deadline) {
     std::unique_lock lock(mutex_);

@@ -10,7 +10,7 @@
 
 namespace dewpoint::session {
 
-// The corrections passed to these functions are ordered by `frame`.
+// The functions below require corrections that are ordered by `frame`.
 
 /// Returns the first frame in which two lists of corrections differ; nothing if the lists are
 /// equal.

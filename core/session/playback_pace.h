@@ -21,8 +21,8 @@ struct Pace {
   bool operator==(const Pace&) const = default;
 };
 
-/// Decides when a playing session takes its next step, and how large the step is. The pace never
-/// changes the results: they are bit-identical at any pace.
+/// Decides when a playing session takes its next step, and how large the step is. The results are
+/// bit-identical at any pace.
 class PlaybackPace {
 public:
   using Seconds = std::chrono::duration<double>;

@@ -50,7 +50,8 @@ struct RecordRunOptions {
   FrameObservers observers{}; ///< receive each tracked frame
 };
 
-/// Receives the number of finished frames and, if known, their total; returning false ends the run.
+/// Function that receives the number of finished frames and, if known, the total number. If it
+/// returns false, the run ends.
 using RunProgress = std::function<bool(std::int64_t, std::optional<std::int64_t>)>;
 
 /// Tracks a recording and returns the results, which are bit-identical to those of `dewpoint-cli

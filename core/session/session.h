@@ -40,9 +40,8 @@ private:
   Status saveTables(const std::filesystem::path& folder) const;
 };
 
-/// A running session with one tracking thread, which takes frame sets, iterates the filters and
-/// publishes snapshots. Every call returns immediately; commands are queued and executed at the
-/// next step.
+/// Running session with one tracking thread, which takes frame sets, iterates the filters and
+/// publishes snapshots. Commands return immediately: they are queued and executed at the next step.
 class Session {
 public:
   explicit Session(SessionInputs inputs);

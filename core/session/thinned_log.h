@@ -37,7 +37,8 @@ public:
       entries_.pop_back();
     }
   }
-  /// Changes every record in place; removes those for which `change` returns false.
+  /// Calls `change` to change every record in place, and removes the records for which it returns
+  /// false.
   template <class Change> void changeAll(const Change& change) {
     std::erase_if(entries_, [&](Entry& entry) { return !change(entry.record); });
   }

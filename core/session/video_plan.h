@@ -18,7 +18,7 @@ struct FrameTime {
   double seconds = 0.0;
 };
 
-/// How fast an exported video shows a run.
+/// Playing speed and frame rate of an exported video.
 struct VideoTiming {
   static constexpr double kSlowest = 0.01;
   static constexpr double kFastest = 100.0;

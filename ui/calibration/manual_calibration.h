@@ -20,12 +20,11 @@ class CameraListModel;
 class Document;
 class Selection;
 
-/// Selects whether the arrow and letter keys change the camera position or its orientation.
+/// Whether the arrow and letter keys change the camera's position (Move) or its orientation (Turn).
 enum class KeyMode { Move, Turn };
 
-/// Selects the earlier cameras of the before/after comparison: as they were when the calibration
-/// panel was opened, before the last step that changed a camera, or before the last refinement with
-/// a wand.
+/// Earlier state of the cameras for the before/after comparison: when the calibration panel was
+/// opened, before the last step that changed a camera, or before the last refinement with a wand.
 enum class EarlierCameras { PanelOpened, LastChange, WandRefinement };
 
 /// Lets the user adjust the selected camera by hand. Stores the fixed points (pins), and records

@@ -12,8 +12,8 @@ class QLabel;
 
 namespace dewpoint::ui {
 
-/// Combo boxes for the pixel format, image size and frame rate to request from a device, among
-/// those that the device offers. Each can also be left to the device.
+/// Combo boxes with the pixel formats, image sizes and frame rates that a device offers, from which
+/// the user selects what to request. Each choice can also be left to the device.
 class FormatChoice : public QWidget {
   Q_OBJECT
 public:

@@ -12,9 +12,9 @@ struct TrackSnapshot;
 
 namespace dewpoint::ui {
 
-/// Window options for a method, in addition to those of its family (`tracking::MethodFamily`).
-/// There is one set of options per kind of target. No other part of the window depends on the kind
-/// of target.
+/// Options that determine how the window presents a method, in addition to the properties of its
+/// family (`tracking::MethodFamily`). There is one set of options per kind of target. No other part
+/// of the window depends on the kind of target.
 struct MethodPresentation {
   /// True if a click or a drag in an image sets a target's box; otherwise it sets the color.
   bool takesBoxes = false;
@@ -27,9 +27,10 @@ struct MethodPresentation {
   bool countsPeople = false; ///< lists people and shows how many are present
 };
 
-/// Returns the options for a project's method. The reference stays valid until the program ends.
+/// Returns how the window presents the project's method. The reference stays valid until the
+/// program ends.
 const MethodPresentation& presentationOf(const Project& project);
-/// Returns the options for a snapshot's method.
+/// Returns how the window presents the method of a snapshot.
 const MethodPresentation& presentationOf(const TrackSnapshot& snapshot);
 
 } // namespace dewpoint::ui

@@ -67,8 +67,8 @@ private:
   void formatChanged();
   void chooseFile();
   void start();
-  /// Asks before replacing existing files. Any change of the choices withdraws the question. The
-  /// export checks in its own thread whether the files exist. If the choices change before this
+  /// Asks the user before existing files are replaced. Any change of the choices withdraws the
+  /// question. Another thread checks whether the files exist. If the choices change before this
   /// check ends, the question is not shown, and the dialog reports that nothing was written.
   void askToReplace(const QString& file);
   void withdrawQuestion();

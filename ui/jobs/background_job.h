@@ -11,8 +11,8 @@
 
 namespace dewpoint::ui {
 
-/// Runs one long computation at a time in its own thread, so that the window stays responsive.
-/// Nothing waits for the thread; the destructor only cancels.
+/// Runs one long computation at a time in another thread, so that the window stays responsive. The
+/// window never waits for this thread; the destructor only cancels the work.
 class BackgroundJob : public QObject {
   Q_OBJECT
 public:

@@ -45,7 +45,7 @@ public:
 
   /// Opens a project in the background. An empty path opens the demo.
   void openProject(const std::filesystem::path& file);
-  /// Sets whether a project starts to play as soon as it is open.
+  /// Sets whether projects start to play as soon as they are open.
   void setPlayOnOpen(bool play);
   void setTheme(Theme theme);
   Theme theme() const;

@@ -8,12 +8,12 @@ namespace dewpoint::ui {
 
 class SystemColors;
 
-/// Manages the window colors: those of the theme selected in the menu, or those of the system,
-/// which may change while the program runs.
+/// Manages the colors of the window: the colors of the theme selected in the menu, or the system
+/// colors, which may change while the program runs.
 class WindowThemes : public QObject {
   Q_OBJECT
 public:
-  /// The theme actions must already exist in the workbench.
+  /// Connects the theme actions, which must already exist in the workbench.
   explicit WindowThemes(const Workbench& bench);
 
   void set(Theme theme);

@@ -42,8 +42,8 @@ private:
   std::int64_t frame_ = -1;
 };
 
-/// Returns the rows [first, last) of a frame in a series; if the frame has none, those of the last
-/// earlier frame.
+/// Returns the rows [first, last) of a frame in a series; if the frame has no rows, the rows of the
+/// last earlier frame.
 std::pair<std::size_t, std::size_t> rowsOfFrame(const PlotSeries& run, std::int64_t frame);
 /// Returns whether this frame, or a frame shortly before, has more than one iteration. Earlier
 /// frames are included so that the plot does not flicker while the run continues.

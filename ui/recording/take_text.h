@@ -17,8 +17,8 @@ namespace dewpoint::ui {
 QString takeLine(const TakeStatus& take);
 /// Returns one line for each camera of a take: recorded images, frame rate and dropped images.
 QString takeDetails(const TakeStatus& take);
-/// Returns a text that tells how much was recorded from before the start of a take, and whether
-/// memory limited this; empty if nothing was recorded.
+/// Returns a text about how much was recorded from before the start of a take, and whether memory
+/// limited this; empty if nothing was recorded.
 QString preRollText(const TakeStatus& take);
 /// Returns sentences that describe how a take compares with the live run (describeReplay()).
 QString replayText(const ReplayComparison& comparison);

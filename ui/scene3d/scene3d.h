@@ -80,7 +80,7 @@ public:
   /// Shows a line of sight through the room (points in meters), or hides it if `line` is empty.
   /// Stays in effect until the next call. The view is never fitted to it.
   void showLineOfSight(const std::vector<Eigen::Vector3d>& line);
-  /// Shows planned cameras, which look different from those of the rig.
+  /// Shows planned cameras, which are drawn differently from the cameras of the rig.
   void showPlanned(const CameraRig& cameras);
   /// Removes everything except the empty grid.
   void clear();
@@ -103,7 +103,8 @@ public:
 
   /// Returns the color in which a target is drawn, or the palette color if the target is not shown.
   SceneColor colorOf(std::size_t target) const;
-  /// Returns the cameras as drawn: those of the rig and the planned ones.
+  /// Returns the viewing pyramids of all cameras in the scene: the cameras of the rig and the
+  /// planned cameras.
   std::vector<CameraGlyph> cameraGlyphs() const;
   /// Returns the areas of the axis numbers and names in the rendered image, as of the last
   /// `prepareFrame()`. Coordinates are as in `projectToImage()`.

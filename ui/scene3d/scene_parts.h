@@ -23,7 +23,7 @@
 
 namespace dewpoint::ui {
 
-/// Parts of a Scene3d, and the functions that fit the view to them.
+/// Parts of a Scene3d, and the functions that fit the view to these parts.
 class SceneParts {
 public:
   using View = Scene3d::View;

@@ -57,7 +57,7 @@ public:
   void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
   const RigMap* map() const { return map_.map(); }
   const MapLook& mapLook() const { return map_.look(); }
-  /// Shows planned cameras, which look different from those in the snapshots.
+  /// Shows planned cameras, which are drawn differently from the cameras in the snapshots.
   void showPlanned(const CameraRig& cameras);
 
   /// Shows the volume of interest, or hides it if `volume` is empty.

@@ -12,15 +12,16 @@
 
 namespace dewpoint::experiment {
 
-/// Blobs of one color in one camera image.
+/// Blobs (connected regions) of one color in the image of one camera.
 struct CameraBlobs {
   bool hasImage = false;
   std::vector<Blob> blobs; ///< ordered as by findBlobs(); only the largest ones are paired
 };
 
-/// Position on which blobs of several cameras agree. The higher the cost, the less the blobs look
-/// like the target. The cost is the sum of the squared standardized deviations of the residual and
-/// of the blob sizes, plus kMissingCost for each camera that should show the target but does not.
+/// Position on which blobs of several cameras agree, with a cost that is higher the less the blobs
+/// look like the target. The cost is the sum of the squared standardized deviations of the residual
+/// and of the blob sizes, plus kMissingCost for each camera that should show the target but does
+/// not.
 struct PairedBlobs {
   TriangulatedPoint point;
   double cost = 0.0;
@@ -31,29 +32,31 @@ struct PairedBlobs {
 struct ExpectedPosition {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
-  /// Squared Mahalanobis distance beyond which a position is accepted only if there is no other. If
-  /// empty, every position is accepted, and all positions beyond kFarSquared have the same cost.
+  /// Squared Mahalanobis distance beyond which a position is accepted only if there is no other
+  /// position. If empty, every position is accepted, and all positions beyond kFarSquared have the
+  /// same cost.
   std::optional<double> gate;
 };
 
 /// Largest accepted distance between a blob's ray and the triangulated position, pixels in the
 /// camera's image.
 inline constexpr double kMaxResidualPx = 4.0;
-/// The same limit in radii of the blob. The larger of the two limits applies, so this one applies
-/// to large blobs. The center of mass of a half-hidden ball is off by 0.42 radii.
+/// Largest accepted distance between the ray of a large blob and the triangulated position, in
+/// radii of the blob. It applies where it is larger than kMaxResidualPx. For comparison, the center
+/// of mass of a half-hidden ball is off by 0.42 radii.
 inline constexpr double kMaxResidualRadii = 0.5;
-/// Largest accepted ratio between the apparent and the expected radius of a blob, and between the
-/// expected and the apparent radius. A ball of which three quarters are hidden appears to have half
-/// its radius.
+/// Largest factor by which the apparent radius of a blob may be larger or smaller than the expected
+/// radius. For comparison, a ball appears to have half its radius when three quarters of it are
+/// hidden.
 inline constexpr double kMaxSizeRatio = 2.0;
-/// Standard deviation of the logarithm of a blob's apparent radius. If half of a disk is hidden,
-/// this logarithm changes by 1.7 standard deviations.
+/// Standard deviation of the natural logarithm of a blob's apparent radius. For comparison, hiding
+/// half of a disk changes this logarithm by 1.7 standard deviations.
 inline constexpr double kSizeSigma = 0.2;
-/// Cost for each camera that has an image and sees the position, but has no blob there. It equals
-/// the cost of a deviation by two standard deviations.
+/// Cost for each camera that has an image and sees the position, but has no blob there. It is as
+/// high as the cost of a deviation by two standard deviations.
 inline constexpr double kMissingCost = 4.0;
-/// For an ExpectedPosition without a gate: squared Mahalanobis distance beyond which the cost of a
-/// position does not increase.
+/// Squared Mahalanobis distance from an ExpectedPosition without a gate beyond which the cost of a
+/// position no longer increases.
 inline constexpr double kFarSquared = 9.0;
 
 /// Finds blobs of different cameras that show the same object, by the distances between their rays

@@ -16,9 +16,9 @@
 
 namespace dewpoint::experiment {
 
-/// Target of a clip, with the click or box (`click`) from which its color is learned. If the click
-/// or box marks only a part of a larger object, the sample also contains the radius of this part.
-/// ColorSample::frame is an index into CalibratedClip::instants.
+/// Target of a clip, with the click or box from which its color is learned. If `click` marks only a
+/// part of a larger object, it also contains the radius of this part. Its field `frame` is an index
+/// into CalibratedClip::instants.
 struct ClipTarget {
   std::string name;
   ColorSample click;
@@ -32,8 +32,8 @@ struct ClipPosition {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// Half the side length of the box in which the search starts, meters. The same value is used in
-/// rendered scenarios that start near the truth.
+/// Default half side length of the box in which the search starts, in meters. Rendered scenarios
+/// that start near the truth use the same value.
 inline constexpr double kClipStartHalfSize = 0.1;
 /// Default of CalibratedClip::markGate, pixels. Chosen from the range of 5 to 30 pixels: it is
 /// about half the width of the colored bands that are tracked in the clip tapes2_limbs.
@@ -51,14 +51,14 @@ struct CalibratedClip {
   /// Target centers marked in the images. The field `frame` of each mark is an index into
   /// `instants`. If empty, the projections of `positions` are used as marks.
   std::vector<MarkedCenter> marks;
-  /// An estimate counts as being on its target if its projection is closer to each mark than this
-  /// distance, pixels.
+  /// Limit, in pixels, for the distance between the projection of an estimate and each mark of its
+  /// target, below which the estimate counts as being on the target.
   double markGate = kClipMarkGatePx;
   /// Initial position of each target, near which the search starts (world, meters). If empty, the
   /// first entry of each target in `positions` is used.
   std::vector<Eigen::Vector3d> starts;
-  /// The search starts in a box that extends by this margin beyond the initial positions of all
-  /// targets, meters. Clips with uncertain initial positions have a larger margin.
+  /// Margin, in meters, by which the box in which the search starts extends beyond the initial
+  /// positions of all targets. Clips with uncertain initial positions have a larger margin.
   double startHalfSize = kClipStartHalfSize;
 };
 

@@ -28,9 +28,9 @@ enum class TruthOrigin {
 
 /// Use of a clip during the development of methods.
 enum class TunedOn {
-  No,     ///< not viewed during development, as far as is recorded
-  Viewed, ///< viewed or used for tests; no constant is recorded as chosen on it
-  Yes     ///< constants or defaults were chosen on it
+  No,     ///< not known to have been viewed during development
+  Viewed, ///< viewed or used for tests, but no constant is known to have been chosen on it
+  Yes     ///< constants or defaults were chosen on this clip
 };
 
 /// Declaration of a real clip: one row of the catalog. Either `calibrated` or `images` is set.

@@ -51,13 +51,13 @@ std::optional<std::int64_t> framesToReacquire(std::span<const TargetFrame> frame
 std::optional<std::int64_t> framesToDeclareLoss(std::span<const TargetFrame> frames,
                                                 std::int64_t vanished);
 
-/// Counts the frames in which the target is present and visible (total), and those of them in which
-/// it is not followed (count).
+/// Returns the proportion of lost frames: of the frames in which the target is present and visible
+/// (total), the number in which it is not followed (count); see TargetFrame::isFollowed().
 Proportion lostFrames(std::span<const TargetFrame> frames, double gate);
 
-/// Counts all frames (total), and the frames in which an estimate has a distance of at least `gate`
-/// (meters) from every true target (count). In frames without a target, every estimate is such a
-/// false alarm.
+/// Returns the proportion of frames with a false alarm: of all frames (total), the number in which
+/// an estimate is at least `gate` (meters) away from every true target (count). In a frame without
+/// a target, every estimate is a false alarm.
 Proportion falseAlarmFrames(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

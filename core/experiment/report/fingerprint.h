@@ -9,9 +9,8 @@
 
 namespace dewpoint::experiment {
 
-/// Checksum of rounded results. It is the same for two programs whose numbers differ only by
-/// rounding errors, and different if they compute different results. (FNV-1a, 64 bits, by G.
-/// Fowler, L. C. Noll and K.-P. Vo, folded to 32.)
+/// Checksum of rounded results (64-bit FNV-1a hash, folded to 32 bits). Two programs whose results
+/// differ only by rounding errors have the same checksum.
 class Fingerprint {
 public:
   /// Adds a number, rounded to the nearest multiple of `step` (> 0). A value that is not finite is

@@ -20,8 +20,8 @@ inline constexpr double kFullTurn = 2.0 * std::numbers::pi; ///< radians
 class RandomDraws {
 public:
   explicit RandomDraws(const RandomStream& stream) : stream_(stream) {}
-  /// Starts the sequence for a seed and a name. Each name, for example that of a scenario, has its
-  /// own sequence.
+  /// Starts the random sequence for a seed and a name, for example the name of a scenario.
+  /// Different names have independent sequences.
   RandomDraws(std::uint64_t seed, const std::string& name);
 
   double uniform(double low, double high);

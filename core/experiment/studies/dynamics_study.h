@@ -32,9 +32,9 @@ struct DynamicsRun {
   /// Root mean square distance of the particles from their mean after the prediction, meters. The
   /// particles are not weighted; `clouds` contains the same particles.
   std::vector<double> cloudSpreads;
-  /// Like `cloudSpreads`, but after the particles are weighted by the observation: the spread of
-  /// the belief. While the cloud is far from the object, one particle has almost all the weight, so
-  /// the spread is almost zero.
+  /// Weighted root mean square distance of the particles from their mean after the observation,
+  /// meters: the spread of the belief. While the cloud is far from the object, one particle has
+  /// almost all the weight, so this spread is almost zero.
   std::vector<double> beliefSpreads;
   std::vector<Eigen::ArrayXXd>
       clouds; ///< particles at the requested iterations, one row per particle: x y z

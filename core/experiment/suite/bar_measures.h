@@ -32,7 +32,8 @@ using ResultColumn = SuiteRow::Value SuiteRow::*;
 
 /// Returns a measure that computes a quantile of a column over the runs. `fraction` is in [0, 1].
 RequirementMeasure quantileOverRuns(ResultColumn column, double fraction);
-/// Returns a measure that computes the largest value of a column, that of the worst run.
+/// Returns a measure that computes the largest value of a column over the runs (the value of the
+/// worst run).
 RequirementMeasure worstRun(ResultColumn column);
 /// Returns a measure that computes the median of a column over the runs of each scenario, and then
 /// the largest of these medians.

@@ -90,8 +90,8 @@ struct SuiteColumn {
 /// Returns the columns in the order of runs.csv.
 std::span<const SuiteColumn> suiteColumns();
 
-/// Number of estimates whose P(exists) is within one bin, and number of those that were on the
-/// target.
+/// Counts for one bin of the reliability diagram: the estimates whose P(exists) is within the bin,
+/// and how many of these were on the target.
 struct ReliabilityCount {
   std::int64_t count = 0;
   double probabilitySum = 0.0;

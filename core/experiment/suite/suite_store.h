@@ -15,10 +15,10 @@ namespace dewpoint::experiment {
 /// Results of the suite, indexed by run key.
 using SuiteResults = std::map<RunKey, SuiteResult>;
 
-/// Files in a suite's folder: runs.csv, traces.csv, and skipped.csv with the runs that could not be
-/// created. The result of each run is appended and flushed as soon as the run has finished, so a
-/// killed suite loses only unfinished runs. Opening the folder again restores the results; an
-/// incomplete last line is dropped.
+/// Stores the results of a suite in the files of a folder: runs.csv, traces.csv, and skipped.csv
+/// with the runs that could not be created. The result of each run is written as soon as the run
+/// has finished, so an interrupted suite loses only unfinished runs. Opening the folder again
+/// restores the results; an incomplete last line is dropped.
 class SuiteStore {
 public:
   /// Opens or creates the folder. Returns FileUnwritable if this fails, Mismatch if its files have

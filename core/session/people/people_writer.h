@@ -24,7 +24,8 @@ TrajectorySample sampleOf(const PersonEstimate& person, std::int64_t frame, doub
 ///   smallest areas of the floor that contain 25, 50, 75 and 95 % of the occupancy density.
 class PeopleWriter {
 public:
-  /// Creates the folder and truncates the files. Returns FileUnwritable if this fails.
+  /// Creates the folder and its files, and empties existing files. Returns FileUnwritable if this
+  /// fails.
   static Result<PeopleWriter> create(const std::filesystem::path& folder,
                                      const TrajectoryHeader& header);
 

@@ -20,7 +20,7 @@ struct BackwardRequest {
   std::vector<TrajectorySample> estimates;
 };
 
-/// Receives the progress, 0 to 1; returning false cancels the work.
+/// Function that receives the progress, 0 to 1. If it returns false, the work is canceled.
 using BackwardProgress = std::function<bool(double)>;
 
 /// Finds the positions of a target before a correction made by the user. A separate run tracks the

@@ -21,7 +21,7 @@ public:
   /// and TrackingRun::create().
   static Result<FrameFeed> create(const Project& project, int threads);
 
-  /// Tracks one frame, captured at `time` (seconds), which must be later than that of the frame
+  /// Tracks one frame, captured at `time` (seconds), which must be later than the time of the frame
   /// before. `images` has one image per camera in project order: CV_8UC3 (blue, green, red), of the
   /// size in the calibration, or empty for a camera without an image. The images are not copied, so
   /// their pixels must not be changed afterward. Returns BadValue, which names "images" or "time",

@@ -16,11 +16,11 @@ namespace dewpoint::session {
 class FrameObserver {
 public:
   virtual ~FrameObserver() = default;
-  /// Called when a frame set has been taken from the source, before the run uses it.
+  /// Called when a frame set was taken from the source, before the run uses the set.
   virtual void taken(const FrameSet& /*frames*/) {}
-  /// Called after an iteration, with its duration in microseconds per target.
+  /// Called after each filter iteration, with its duration in microseconds per target.
   virtual void iterated(const TrackingRun& /*run*/, double /*microseconds*/) {}
-  /// Called after all iterations of a frame. An error ends the loop.
+  /// Called after all iterations of a frame. If it returns an error, the loop ends with this error.
   virtual Status tracked(const TrackingRun& /*run*/) { return {}; }
 };
 using FrameObservers = std::span<FrameObserver* const>;
@@ -55,8 +55,9 @@ struct FrameRange {
   std::optional<std::int64_t> count(const FrameSetSource& source) const;
 };
 
-/// Tracks frames of a source until the range is finished, an error occurs, or `shouldContinue`
-/// returns false. `shouldContinue` is called before each frame.
+/// Tracks the frames of a source in a range, and calls the observers. Ends when the range is
+/// finished, an error occurs, or `shouldContinue`, which is called before each frame, returns
+/// false. Returns the error, if any.
 Status trackFrames(FrameSetSource& source, const FrameRange& range, TrackingRun& run,
                    FrameObservers observers, const std::function<bool()>& shouldContinue);
 

@@ -36,7 +36,7 @@ struct RunDefinition {
   /// Returns the definition given by a project. `backgroundImages` has one image per camera, as
   /// returned by loadBackgroundImages(), or is empty.
   static RunDefinition of(const Project& project, std::vector<cv::Mat> backgroundImages = {});
-  /// Returns the project with the values of this definition in place of its own.
+  /// Returns the project with its settings replaced by those of this definition.
   Project appliedTo(Project project) const;
 
   /// Sets the parameters that the user has not set to values that suit the cameras

@@ -37,8 +37,8 @@ struct DefinitionChange {
 /// Change to a run in progress.
 using RunChange = std::variant<DefinitionChange, PeopleChange, PositionCorrection>;
 
-/// A tracker of all targets that processes frame sets. Both the window's tracking thread and the
-/// command line use it. Not thread-safe.
+/// Run of a tracking method: tracks all targets, frame set by frame set. Both the window's tracking
+/// thread and the command line use this class. Not thread-safe.
 class TrackingRun {
 public:
   /// Creates a run with `threadCount` threads; the result does not depend on their number. Returns
@@ -104,7 +104,8 @@ public:
   std::vector<Error> takeCorrectionErrors() { return std::exchange(correctionErrors_, {}); }
 
   std::int64_t iterations() const { return iterations_; }
-  /// Returns the tracked targets: those of the project, or the persons found so far.
+  /// Returns the tracked targets: the targets of the project or, for methods that find people, the
+  /// persons found so far.
   const std::vector<Target>& targets() const;
   /// Returns the method's implementation of an optional interface, such as ClockEstimating; null if
   /// the method does not implement it.

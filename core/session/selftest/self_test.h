@@ -28,7 +28,7 @@ struct SelfTestInputs {
   /// Folder for test files. The self-test creates the folder and removes it afterward with all its
   /// contents.
   std::filesystem::path scratch = {};
-  /// Called between the tests; returning false ends the self-test.
+  /// Called between the tests. If it returns false, the self-test ends.
   std::function<bool()> shouldContinue = [] { return true; };
 };
 

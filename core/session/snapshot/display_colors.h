@@ -14,7 +14,7 @@ namespace dewpoint::session {
 /// Display color: sRGB red, green and blue, each 0 to 1.
 using DisplayColor = Eigen::Vector3d;
 
-/// What a target is drawn on.
+/// Background on which a target is drawn.
 enum class DisplayGround {
   Light, ///< light window
   Dark,  ///< dark window

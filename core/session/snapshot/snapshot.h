@@ -73,8 +73,8 @@ struct RerunState {
   std::int64_t to = 0;   ///< last frame tracked again
 };
 
-/// How well a run meets its time budget per iteration (parameter `time_budget`), since the budget
-/// was set or the run began.
+/// Statistics of how well a run meets its time budget per iteration (parameter `time_budget`),
+/// since the budget was set or the run began.
 struct BudgetStatistics {
   double milliseconds = 0.0;   ///< time budget per iteration; 0: none
   std::int64_t iterations = 0; ///< number of iterations
@@ -118,7 +118,7 @@ struct TrackSnapshot {
   std::int64_t droppedFrames = 0;
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;
-  /// When the newest estimate of the run was finished; zero before the first.
+  /// Instant at which the newest estimate of the run was finished; zero before the first estimate.
   std::chrono::steady_clock::time_point estimated{};
   std::vector<Error> notices;
   /// Cameras that have moved since the run began. Each also has a notice, at the end of `notices`.

@@ -40,7 +40,8 @@ struct ReplayComparison {
 /// Returns whether the folder of a take contains the results of a live run.
 bool hasLiveRun(const std::filesystem::path& take);
 
-/// Receives the number of frames done and their total; returning false cancels.
+/// Function that receives the number of finished frames and their total. If it returns false, the
+/// comparison is canceled.
 using ReplayProgress = std::function<bool(std::int64_t, std::int64_t)>;
 
 /// Tracks the images of a take again, grouped into the same frames as in the live run, and compares

@@ -14,10 +14,10 @@ QString regionText(int region);
 /// Returns the description of a tilt of the board, for example "its left side nearer".
 QString tiltText(BoardTilt tilt);
 
-/// Returns one line that tells the user which view to show to a camera next.
+/// Returns one line of advice for the user: which view of the board to show to a camera next.
 QString adviceText(const BoardGuideState::PerCamera& camera);
-/// Returns one line that tells the user which view to show next so that the camera positions can be
-/// determined.
+/// Returns one line of advice for the user: which view of the board to show next so that the camera
+/// positions can be determined.
 QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state);
 /// Returns "sharp" or "soft", with the edge width in pixels.
 QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings);

@@ -12,7 +12,7 @@
 namespace dewpoint::ui {
 
 /// Finds places for labels beside points of an image, so that no label covers its point, a line or
-/// another label. All coordinates are those of the widget.
+/// another label. All coordinates are widget coordinates.
 class LabelPlaces {
 public:
   /// Creates an object for labels inside `area`.

@@ -22,15 +22,15 @@ struct CameraTiming {
   std::int64_t freezeEnd = 0;
 };
 
-/// Frame as it arrives: the image that it shows, and the error of its time stamp.
+/// What arrives for a frame of a camera: which image, and the error of its time stamp.
 struct FrameDelivery {
   std::int64_t shown = 0;  ///< number of the frame whose image arrives
   double stampError = 0.0; ///< error of the time stamp, seconds
 };
 
-/// Returns how frame `frame` of a camera arrives, or nothing if the frame is dropped. This is a
-/// pure function. `chances` supplies the random numbers; it is the random stream of this camera and
-/// frame. Frame 0 always arrives and shows its own image.
+/// Returns what arrives for frame `frame` of a camera, or nothing if the frame is dropped. Frame 0
+/// always arrives and shows its own image. `chances` is the random stream of this camera and frame.
+/// This is a pure function.
 std::optional<FrameDelivery> deliveryOf(const CameraTiming& timing, std::int64_t frame,
                                         const RandomStream& chances);
 

@@ -28,7 +28,7 @@ struct Detour {
   Eigen::Vector3d operator()(double time) const;
 };
 
-/// How much of a ball an image shows. The rest of the ball is outside the image, or hidden by
+/// Visible part of a ball in an image. The rest of the ball is outside the image, or hidden by
 /// objects at rest in the room.
 enum class Visibility { Nothing, Part, Whole };
 /// Returns how much of a ball (world frame, meters) is visible in the image of `view`.
