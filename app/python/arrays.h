@@ -18,7 +18,8 @@ namespace dewpoint::app {
 /// the memory of `owner`.
 pybind11::capsule keepAliveCapsule(std::shared_ptr<const void> owner);
 
-/// Returns a read-only array, without a copy, over memory that `base` keeps alive.
+/// Returns a read-only NumPy array that refers to the memory `data` without a copy. `base` is a
+/// Python object that keeps this memory alive.
 template <class T>
 pybind11::array_t<T> viewOf(const T* data, std::vector<pybind11::ssize_t> shape,
                             const pybind11::object& base) {
@@ -30,7 +31,8 @@ pybind11::array_t<T> viewOf(const T* data, std::vector<pybind11::ssize_t> shape,
 /// Returns a NumPy array with a copy of the values.
 pybind11::array_t<double> arrayOf(const Eigen::Vector3d& vector);
 pybind11::array_t<double> arrayOf(const Eigen::Matrix3d& matrix);
-/// Returns particles as (positions, weights), with shapes N x 3 (meters) and N.
+/// Returns particles as a Python tuple (positions, weights) of arrays with shapes N x 3 (meters)
+/// and N.
 pybind11::tuple arraysOf(ParticleSample particles);
 
 /// Returns the pixels of an image as a read-only array (height x width x 3; blue, green, red)

@@ -63,16 +63,19 @@ public:
   const State& state() const { return state_; }
   /// Returns the state in the form that snapshots contain.
   PlayState playState() const;
-  /// Returns the frame that is shown instead of the head; nothing if the head is shown.
+  /// Returns the frame that is shown instead of the head (the current frame of the run); nothing if
+  /// the head is shown.
   std::optional<std::int64_t> viewedFrame() const;
-  /// Returns the range of the current rerun, including one that is on hold.
+  /// Returns the range of past frames that are being tracked again (rerun), including a rerun on
+  /// hold; nothing if there is none.
   std::optional<RerunState> rerunRange() const;
   /// Returns whether the session is playing, replaying or rerunning.
   bool isRunning() const { return playState() == PlayState::Playing; }
   /// Returns whether the end of the input was reached.
   bool hasInputEnded() const;
 
-  /// Starts playing at the head, replaying elsewhere, or resumes a rerun.
+  /// Starts playing if the head (the current frame of the run) is shown, and replaying if another
+  /// frame is shown. Resumes a rerun that is on hold.
   void play();
   void pause(); ///< abandons the rest of a rerun
   void hold();  ///< like pause(), but a rerun can be resumed
@@ -88,7 +91,7 @@ public:
   /// new one continues to the later of the two last frames. `viewAfterwards` is the frame to show
   /// after the rerun; if empty, the head (the current frame of the run) is shown.
   void rerun(const RerunState& range, std::optional<std::int64_t> viewAfterwards);
-  /// Starts tracking at a frame that was not tracked before.
+  /// Continues tracking at a frame that was not tracked before.
   void continueTrackingAt(std::int64_t frame);
   /// Notes that the input has ended.
   void endInput();

@@ -27,7 +27,8 @@ namespace dewpoint::session {
 /// continue from there with the current settings. Used by the tracking thread only.
 class RunDriver {
 public:
-  /// `tap`, `log` and `truth` must outlive this object.
+  /// Creates the run of `inputs`. Frames are passed to `tap` and results written to `log`; position
+  /// errors are computed from `truth`. All three must outlive this object.
   RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth);
   RunDriver(const RunDriver&) = delete;
   RunDriver& operator=(const RunDriver&) = delete;
@@ -94,7 +95,8 @@ public:
   /// nothing is added.
   void addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                const TimeTravel::ShouldContinue& shouldContinue);
-  /// Fills in a snapshot of any frame (SnapshotBuilder::describe()). What is shown does not change.
+  /// Fills in a snapshot of any frame that can be shown, without changing the frame that is shown.
+  /// Returns the errors of SnapshotBuilder::describe().
   Status describe(const SnapshotBuilder& builder, std::int64_t frame,
                   const TimeTravel::ShouldContinue& shouldContinue, TrackSnapshot& snapshot) {
     SnapshotBuilder::showDefinition(definition(), snapshot);

@@ -22,7 +22,7 @@ namespace dewpoint::session {
 /// copy from it.
 class RunLog {
 public:
-  /// Maximum number of iteration records; about 40 MB with four cameras.
+  /// Maximum number of iteration records in the log, which take about 40 MB with four cameras.
   static constexpr std::size_t kMaxRecords = 100000;
   RunLog();
   /// Clears the log. The records appended next are results of `project`, tracked with `threads`
@@ -75,7 +75,8 @@ public:
   /// Returns the records of tracked frames, as since() does for iterations. At most kMaxFrames are
   /// kept.
   LogUpdate<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Appends one frame, or replaces the last one if it is the same frame.
+  /// Appends the record of one frame. If this frame is already the last one in the log, its former
+  /// record is replaced.
   void append(const FrameRecord& record);
   /// Appends the people of one frame. If this frame is already the last one in the log, its former
   /// people are replaced. At most kMaxPeopleFrames frames are kept (about 100 MB with two people):
@@ -100,7 +101,7 @@ public:
   OldResults oldResults() const;
   Latency latency() const;
   LiveLatency liveLatency() const;
-  /// Returns the data for run.json.
+  /// Returns the data from which runReport() makes run.json.
   std::pair<Project, RunStatistics> runReportData() const;
 
 private:

@@ -38,7 +38,7 @@ public:
   /// Returns the definition (all settings) with which new frames are tracked; never null.
   const RunDefinitionPtr& definition() const { return definition_; }
   int threads() const { return threads_; }
-  /// Returns the frame that the run is at; -1 before the first.
+  /// Returns the number of the current frame of the run; -1 before the first frame.
   std::int64_t head() const { return run_ && run_->frames() ? run_->frames()->index : -1; }
 
   /// Begins a frame of the run and records its images in the history.

@@ -31,7 +31,8 @@ public:
       thin();
     }
   }
-  /// Removes records from the end as long as `unwanted` returns true for them.
+  /// Removes records from the end of the log as long as `unwanted` returns true for the last
+  /// record.
   template <class Predicate> void removeBack(const Predicate& unwanted) {
     while (!entries_.empty() && unwanted(entries_.back().record)) {
       entries_.pop_back();

@@ -40,7 +40,7 @@ private:
     Throttled, ///< at most as often as the screen is refreshed
     Not        ///< nothing has changed
   };
-  /// Executes a command. A command type without its own handle() does not compile.
+  /// Executes a command by calling the handle() for its type.
   void execute(const Command& command);
   Publish handle(const command::Play& request);
   Publish handle(const command::Pause& request);

@@ -73,7 +73,7 @@ public:
   /// the preferences.
   void addAlternative(ActionId id, const QKeySequence& shortcut);
 
-  /// Redraws all icons in the colors of `palette`.
+  /// Redraws the icons of all actions in the colors of `palette`.
   void drawIcons(const QPalette& palette);
   /// Translates all texts again after a language change.
   void retranslateUi();

@@ -26,9 +26,9 @@ public:
   /// Adds a page to the calibration panel. The objectName of the page identifies it. `title`
   /// returns the page's title, and is called again when the language changes.
   void addPage(QWidget* page, const std::function<QString()>& title);
-  /// Sets the widget above the pages.
+  /// Sets a widget that is shown above the pages of the calibration panel.
   void setHeader(QWidget* header);
-  /// Starts the mode with the page that has this objectName.
+  /// Starts the calibration mode with the page that has this objectName.
   void open(const QString& page);
 
 Q_SIGNALS:

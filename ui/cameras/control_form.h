@@ -21,7 +21,7 @@ class ControlForm : public QWidget {
 public:
   explicit ControlForm(QWidget* parent = nullptr);
 
-  /// Shows these controls with their values.
+  /// Shows the controls of a device with their current values.
   void show(const std::vector<capture::DeviceControl>& controls);
 
 Q_SIGNALS:

@@ -24,7 +24,7 @@ class CameraDocks : public QObject {
 public:
   explicit CameraDocks(const Workbench& bench);
 
-  /// Returns the mouse and keyboard input of all camera images.
+  /// Returns the tool that handles mouse and keyboard input of all camera images.
   ImagePickTool& pick() const { return *pick_; }
   /// Returns the context menu of all camera images. Features add their entries to it.
   ImageMenu& menu() const { return *menu_; }

@@ -40,7 +40,7 @@ struct CameraImageSource {
   bool operator==(const CameraImageSource& other) const;
 };
 
-/// Drawn pixels of a camera view.
+/// Drawn pixels of a camera view, with the input from which they were drawn.
 struct CameraImage {
   CameraImageSource source;
   QImage image;

@@ -32,7 +32,7 @@ class LearnModes;
 class ColorPanel : public QWidget {
   Q_OBJECT
 public:
-  /// `pick` provides the clicks in the images.
+  /// Creates the panel. `pick` provides the clicks in the camera images.
   ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent = nullptr);
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);

@@ -21,7 +21,7 @@ public:
 
   explicit LearnModes(QWidget* parent = nullptr);
 
-  /// Shows a mode without emitting `modeChosen()`.
+  /// Shows the button of a mode as pressed, without emitting `modeChosen()`.
   void setMode(Mode mode);
   /// Enables or disables the buttons. `canAdd` is true if there is a target to which samples can be
   /// added, `canExclude` if this target already has samples.

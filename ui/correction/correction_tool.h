@@ -31,7 +31,7 @@ public:
   /// Adds a camera view, which may be deleted at any time.
   void attach(int camera, CameraView* view);
   void setActive(bool active);
-  /// Sets the frame shown, with the estimates that can be dragged.
+  /// Sets the snapshot shown, whose estimates can be dragged.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Updates the tool after the corrections or the selection have changed.
   void refresh();

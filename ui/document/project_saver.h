@@ -19,7 +19,7 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Writes a project to a file, as `saveProject()` does.
+/// Function that writes a project to a file, like `saveProject()`.
 using ProjectWriter =
     std::function<Status(const Project& project, const std::filesystem::path& file)>;
 
@@ -28,7 +28,8 @@ using ProjectWriter =
 class ProjectSaver : public QObject {
   Q_OBJECT
 public:
-  /// `write` is the function that writes the project; `saveProject()` by default.
+  /// Creates an object that saves `document`. `write` is the function that writes the project;
+  /// `saveProject()` by default.
   explicit ProjectSaver(Document& document, QObject* parent = nullptr, ProjectWriter write = {});
 
   void setWriter(ProjectWriter write) { write_ = std::move(write); }

@@ -50,7 +50,8 @@ public:
   static std::filesystem::path standardFolder();
 
 Q_SIGNALS:
-  /// Emitted before a copy is written. Pending changes must enter the document now.
+  /// Emitted before a copy is written. Receivers must now apply their pending changes to the
+  /// document.
   void writing();
   /// Emitted when a copy is safely on the disk.
   void backedUp();

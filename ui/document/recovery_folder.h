@@ -23,7 +23,7 @@ struct RecoverableWork {
   QString time;               ///< time of the last write, formatted for display
 };
 
-/// Writes text to a file, as `writeTextFile()` does.
+/// Function that writes text to a file, like `writeTextFile()`.
 using TextWriter =
     std::function<Status(const std::filesystem::path& file, const std::string& text)>;
 

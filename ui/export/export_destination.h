@@ -18,7 +18,7 @@ struct Workbench;
 class ExportDestination : public QObject {
   Q_OBJECT
 public:
-  /// Returns the destination that all dialogs of a window share.
+  /// Returns the object that all export dialogs of a window share.
   static ExportDestination* of(const Workbench& bench);
 
   QString folder() const;

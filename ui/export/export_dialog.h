@@ -34,7 +34,7 @@ public:
   /// GUI thread.
   explicit ExportDialog(std::function<Trajectory()> trajectory, QWidget* parent = nullptr);
 
-  /// Reads and shows the current state of the run.
+  /// Reads the current trajectory of the run, and updates the dialog.
   void refresh();
   /// Proposes to export only this time range (seconds). If `seconds` is empty, the proposal is
   /// withdrawn.

@@ -26,7 +26,7 @@ public:
   void request();
   /// Returns whether a preview is requested or in progress.
   bool isBusy() const;
-  /// Cancels the preview because it is no longer visible.
+  /// Cancels the preview. Call this when the pane is no longer visible.
   void abandon();
   /// Cancels the preview on the user's request and shows a note in its place.
   void stop();

@@ -47,7 +47,7 @@ public:
   /// Proposes to export only this time range (seconds). If `seconds` is empty, the proposal is
   /// withdrawn, unless the user has edited the range.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
-  /// Resets the range for another project.
+  /// Resets the time range to the whole run, for another project.
   void resetRange();
   void retranslateUi();
 

@@ -13,7 +13,7 @@
 
 namespace dewpoint::ui {
 
-/// View in an exported video.
+/// One view in the images of an exported video: a camera view or the bird's-eye view.
 struct VideoView {
   std::optional<int> camera; ///< index in the rig; empty for the bird's-eye view
   QString title;

@@ -9,7 +9,7 @@ namespace dewpoint::ui {
 
 struct Workbench;
 
-/// Connects the actions in the *Help* menu.
+/// Connects the actions in the *Help* menu to the dialogs that they open.
 void installHelp(const Workbench& bench);
 
 /// Opens the dialog *Report a problem* with the crash report `crash`.

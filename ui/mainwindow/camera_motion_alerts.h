@@ -35,7 +35,7 @@ private:
   void showAlert(const CameraMotionReport& report, CameraMotionStage stage, const QString& camera);
   void ask(int camera, const QString& question, const QString& answer,
            void (CameraMotionAlerts::*answered)(int));
-  /// Withdraws the questions about all cameras, or about one of them.
+  /// Withdraw the questions about all cameras, and about one camera.
   void withdraw();
   void withdraw(int camera);
 

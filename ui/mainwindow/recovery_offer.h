@@ -19,7 +19,7 @@ class RecoveryOffer : public QObject {
 public:
   RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder, TextWriter write);
 
-  /// Asks about the newest copy of unsaved work, if there is one.
+  /// Asks the user whether to recover the newest copy of unsaved work, if there is one.
   void offer();
   /// Sets how often the folder is searched until work is found.
   void setInterval(std::chrono::milliseconds interval) { searchTimer_.setInterval(interval); }

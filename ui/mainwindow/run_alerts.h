@@ -24,7 +24,7 @@ private:
   /// Adds a button to the status bar that shows hidden notices again.
   void addHiddenButton();
   void applyFirstNewPose();
-  /// Applies the pose found by the run for a moved camera to the project.
+  /// Stores the new pose that the run has found for a moved camera in the project.
   void applyNewPose(int camera);
   void calibrate(int camera);
   /// Suppresses the alerts about cameras that disagree while a page for calibration is shown.

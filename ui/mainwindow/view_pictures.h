@@ -18,7 +18,7 @@ public:
   /// Creates an object that handles all docks created from now on.
   explicit ViewPictures(const Workbench& bench);
 
-  /// Writes an image as PNG in another thread. The message bar shows the result.
+  /// Writes an image to a PNG file in another thread. The message bar shows whether this succeeded.
   void write(const QImage& picture, const QString& file);
 
 private:

@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 class WindowMenus : public QObject {
   Q_OBJECT
 public:
-  /// Window functions that the menus call.
+  /// Functions of the window that the menus call.
   struct Owners {
     std::function<void(QMenu*)> fillRecent; ///< fills a menu with the recent projects
     std::function<void(const QString&)> setLanguage;

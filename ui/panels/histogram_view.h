@@ -17,7 +17,7 @@ class HistogramView : public QWidget {
 public:
   explicit HistogramView(QWidget* parent = nullptr);
 
-  /// Sets the histograms; null shows nothing.
+  /// Sets the histograms to compare; for null, the view is empty.
   void setHistograms(const std::shared_ptr<const ColorHistograms>& histograms);
 
   QSize sizeHint() const override { return {220, 72}; }

@@ -42,7 +42,7 @@ class TargetPanel : public QWidget {
 public:
   TargetPanel(Document& document, TargetListModel& targets, QWidget* parent = nullptr);
 
-  /// Adds buttons for these actions above the list.
+  /// Adds buttons for the actions that add, remove and learn a target above the list.
   void addTools(QAction* add, QAction* remove, QAction* learn);
 
   /// Returns the index of the selected target, or -1 without targets.
@@ -68,7 +68,7 @@ private:
   void retranslateUi();
   void refresh();
   void showRows();
-  /// Adds the frame shown to the speeds of the targets.
+  /// Updates the speeds of the targets with the frame shown.
   void addSpeeds();
   /// Returns the speed of a target that is tracked in the frame shown; empty if it is unknown.
   QString speedText(std::size_t target) const;

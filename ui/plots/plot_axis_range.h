@@ -28,7 +28,8 @@ public:
   Range advance(const PlotSeries* series);
   bool showsAll() const { return !shownRange_.has_value(); }
   void showAll();
-  /// Shows this range, clamped to the run and to a readable minimum length.
+  /// Shows the range from `lower` to `upper`, limited to the run and extended to a readable minimum
+  /// length if necessary.
   void show(const PlotSeries* series, double lower, double upper);
 
 private:

@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 class PlotCursor;
 class PlotRow;
 
-/// Plots as drawn, ready to be written to a file.
+/// Drawn plots, as SVG or as pixels, ready to be written to a file.
 struct PlotImage {
   QByteArray drawing; ///< SVG; if empty, `pixels` is used
   QImage pixels;

@@ -26,13 +26,14 @@ public:
   void setSeries(const PlotSeries* series) { series_ = series; }
   const PlotSeries* series() const { return series_; }
   void setMinIterations(int least) { range_.setMinIterations(least); }
-  /// Changes the axis. Returns false if the axis is already set.
+  /// Changes the quantity on the shared axis (iterations or time). Returns false if the axis
+  /// already has this quantity.
   bool setAxis(PlotAxis axis) { return range_.setAxis(axis); }
   PlotAxis axis() const { return range_.axis(); }
 
   /// Returns the visible part of the axis.
   std::pair<double, double> shownRange() const { return range_.shown(series_); }
-  /// Follows the newest data and returns the visible part of the axis.
+  /// Moves a visible part that follows the newest data, and returns the visible part of the axis.
   std::pair<double, double> advance() { return range_.advance(series_); }
   bool showsAll() const { return range_.showsAll(); }
   /// Shows the whole run again.

@@ -34,7 +34,7 @@ using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 class PlotPanel : public QWidget {
   Q_OBJECT
 public:
-  /// Connects the plot actions in the registry.
+  /// Creates the panel, and connects the plot actions in the registry to it.
   PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* parent = nullptr);
   ~PlotPanel() override;
 

@@ -32,7 +32,7 @@ public:
     std::vector<double> values;
   };
 
-  /// Removes all rows. Later rows have this many values.
+  /// Removes all rows, and sets the number of values per row.
   void reset(std::size_t columns);
   void append(const Row& row, std::span<const float> values);
   /// Removes the rows of this frame and of all later frames.
@@ -54,7 +54,7 @@ public:
   /// Returns the index of the last row of this frame or, if it has none, of the closest earlier
   /// frame.
   std::optional<std::size_t> atFrame(std::int64_t frame) const;
-  /// Returns the rows [first, last) whose keys are within [lower, upper].
+  /// Returns the indices [first, last) of the rows whose axis positions are within [lower, upper].
   std::pair<std::size_t, std::size_t> within(PlotAxis axis, double lower, double upper) const;
   /// Returns whether a row is drawn. On the time axis, only the last iteration of a frame is drawn.
   bool isDrawn(std::size_t index, PlotAxis axis) const;

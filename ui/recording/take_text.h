@@ -22,7 +22,7 @@ QString takeDetails(const TakeStatus& take);
 QString preRollText(const TakeStatus& take);
 /// Returns sentences that describe how a take compares with the live run (describeReplay()).
 QString replayText(const ReplayComparison& comparison);
-/// Returns the first problem of a take as a sentence; empty if there is none.
+/// Returns a sentence about the first problem while recording a take; empty if there was none.
 QString takeProblem(const TakeStatus& take);
 /// Returns a duration as text, in minutes and seconds ("0:07") or hours, minutes and seconds
 /// ("1:02:03").

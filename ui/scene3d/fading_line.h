@@ -28,7 +28,7 @@ public:
   /// Shows positions in meters, oldest first. A position that is not finite leaves a gap, because
   /// the path is unknown there.
   void show(const std::vector<Eigen::Vector3d>& points);
-  /// Sets the colors at the newest position.
+  /// Sets the colors of the line and its outline at the newest position.
   void setColors(const SceneColor& line, const SceneColor& outline);
   void prepareFrame(const ScreenScale& scale);
 

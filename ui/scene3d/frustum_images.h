@@ -28,7 +28,7 @@ public:
   FrustumImages(const FrustumImages&) = delete;
   FrustumImages& operator=(const FrustumImages&) = delete;
 
-  /// Shows the images in `frames` (null for none) for the cameras that have a glyph.
+  /// Shows the images in `frames` (null for none) at the viewing pyramids `glyphs`.
   void show(const std::vector<CameraGlyph>& glyphs, const FrameSetPtr& frames);
   void hide();
 

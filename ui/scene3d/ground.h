@@ -26,7 +26,8 @@ public:
   void setDecimalPoint(const std::string& sign);
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);
-  /// Adds the areas of the texts; see `SceneLabels::appendTextAreas()`.
+  /// Appends the approximate areas of the numbers and axis names in the rendered image: device
+  /// pixels to the right of and above the center.
   void appendTextAreas(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;
   /// Returns the rectangle covered by the floor after rounding, in meters.
   const Eigen::AlignedBox2d& extent() const { return extent_; }

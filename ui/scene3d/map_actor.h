@@ -24,7 +24,7 @@ public:
   MapActor(const MapActor&) = delete;
   MapActor& operator=(const MapActor&) = delete;
 
-  /// Shows a map; null shows nothing.
+  /// Shows a map, or hides it if `map` is null.
   void show(std::shared_ptr<const RigMap> map, const MapLook& look);
   const MapLook& look() const { return look_; }
   /// Returns the volume of the map in meters; empty without a map.

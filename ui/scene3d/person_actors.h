@@ -25,7 +25,7 @@ public:
   PersonActors(const PersonActors&) = delete;
   PersonActors& operator=(const PersonActors&) = delete;
 
-  /// Shows a person; null shows nothing.
+  /// Shows the body of a person, or hides it if `shape` is null.
   void show(const PersonShape* shape);
   void setChosen(bool chosen);
   void setColor(const SceneColor& color, const ScenePalette& palette);

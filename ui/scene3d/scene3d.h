@@ -88,7 +88,7 @@ public:
   View view() const;
   /// Fits the current view to the whole scene again.
   void resetView();
-  /// Keeps the view that the user has chosen: new rigs no longer change it.
+  /// Keeps the current view, as if the user had chosen it: new rigs no longer change the view.
   void keepCamera();
   /// Shows the layers and the selected target of another scene, in the same colors and from the
   /// same point of view. If the user has not moved the view of the other scene, this view is fitted

@@ -67,7 +67,7 @@ public:
   void line(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
   void polyline(const std::vector<Eigen::Vector3d>& points);
   void face(const std::vector<Eigen::Vector3d>& corners);
-  /// Replaces the content of `data`.
+  /// Replaces the content of `data` by the collected lines and faces.
   void writeTo(vtkPolyData* data) const;
 
 private:
@@ -83,7 +83,8 @@ public:
   SceneLabels(const SceneLabels&) = delete;
   SceneLabels& operator=(const SceneLabels&) = delete;
   void clear();
-  /// Adds a text. `right` and `up` are its offset from the point, in text heights.
+  /// Adds a text at a world point. `right` and `up` are the offset of the text from the point, in
+  /// text heights; `sizePx` is the text size in logical pixels.
   void add(const std::string& text, const Eigen::Vector3d& point, double sizePx, double right = 0.0,
            double up = 0.0);
   void setVisible(bool visible) { visible_ = visible; }

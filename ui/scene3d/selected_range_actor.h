@@ -17,7 +17,7 @@ public:
   SelectedRangeActor(const SelectedRangeActor&) = delete;
   SelectedRangeActor& operator=(const SelectedRangeActor&) = delete;
 
-  /// Shows one line per list of positions (meters).
+  /// Shows the selected part: one line per list of positions (meters).
   void show(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   void setPalette(const ScenePalette& palette);
   void prepareFrame(const ScreenScale& scale);

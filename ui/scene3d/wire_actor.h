@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 /// Thin single-color lines with constant width on the screen.
 class WireActor {
 public:
-  /// `widthPx` is the line width in logical pixels.
+  /// Creates an actor without lines. `widthPx` is the line width in logical pixels.
   WireActor(vtkRenderer* renderer, double widthPx);
   ~WireActor();
   WireActor(const WireActor&) = delete;

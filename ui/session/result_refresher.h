@@ -34,7 +34,8 @@ public:
   /// Processes the newest snapshot. `wentBack` is true if the run has gone back to an earlier frame
   /// or restarted since the last one.
   void processSnapshot(const TrackSnapshot& snapshot, bool wentBack);
-  /// Tracks again from the first old result on. The frame shown stays the same.
+  /// Tracks frames again from the first result of earlier settings on. The frame shown stays the
+  /// same.
   void trackAgain();
 
   /// Returns the results that do not match the current settings; none for live cameras.

@@ -28,7 +28,8 @@ public:
   ~SessionBridge() override;
 
   Session& session() { return *session_; }
-  /// Returns a snapshot as camera views show it; see LiveFrameFiller.
+  /// Returns a snapshot for camera views, in which cameras without an image keep their last one for
+  /// a while; see LiveFrameFiller.
   TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
   /// Releases the session and stops its wake-ups, so that the caller can destroy the session in
   /// another thread.

@@ -67,7 +67,8 @@ public:
   /// Returns the encoded images of each live camera of the run, which TakeRecorder can record;
   /// empty for recordings.
   const std::vector<std::shared_ptr<capture::EncodedFeed>>& feeds() const { return feeds_; }
-  /// Returns a snapshot as camera views show it: delayed live cameras keep their last image.
+  /// Returns a snapshot for camera views, in which live cameras whose image is delayed keep their
+  /// last image.
   TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
 
   /// Plays or pauses the run. At the end, plays from the beginning.
@@ -82,7 +83,7 @@ public:
   void restart(bool newSeed);
   /// Applies the number of filter threads in the preferences to the run.
   void useFilterThreads();
-  /// Tracks again from the current frame.
+  /// Tracks frames again, from the frame shown on.
   void rerun();
   /// Returns the object that keeps results consistent with the settings, and that knows which
   /// results are from earlier settings.

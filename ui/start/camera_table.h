@@ -36,7 +36,7 @@ public:
   /// Clears the table and discards reads in progress.
   void begin();
   void add(const FootageLocation& place);
-  /// Adds a row in which the user types the source.
+  /// Adds an empty row in which the user can type the address of a camera.
   void addAddress();
   void removeSelected();
   bool isListed(const QString& location) const;

@@ -16,7 +16,7 @@ class CardGrid : public QWidget {
 public:
   explicit CardGrid(QWidget* parent = nullptr);
 
-  /// Adds a card and becomes its parent.
+  /// Adds a card to the grid and takes ownership of the card.
   void add(GalleryCard* card);
 
   QSize sizeHint() const override;

@@ -17,7 +17,7 @@ inline QFont smallerFont(QFont font) {
   return font;
 }
 
-/// Returns the font for the name of one item among several.
+/// Returns a semi-bold font, for the name of an item in a list.
 inline QFont mediumFont(QFont font) {
   font.setWeight(QFont::DemiBold);
   return font;

@@ -15,7 +15,7 @@ struct MethodTexts {
   QString name;     ///< name in files and on the command line, not translated
   QString paper;    ///< paper that describes it, not translated; empty for none
 };
-/// Returns the texts about a method.
+/// Returns the translated texts about a method.
 MethodTexts methodTexts(const Method& method);
 
 /// Returns why a method cannot be used here and what to do, or an empty string if it can be used.

@@ -44,7 +44,7 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
                    const TimelineRows& rows, const Selection& selection, qint64 hovered,
                    const QPalette& palette);
 
-/// Returns the area of a marker's flag in the widget.
+/// Returns the area of the flag that shows a marker, in widget coordinates.
 QRectF markerFlag(const ProjectMarker& marker, const TimelineScale& scale, const TimelineRows& rows,
                   const QFontMetricsF& metrics);
 

@@ -46,7 +46,8 @@ public:
     length_ = static_cast<double>(last - first + 1);
     keepInside();
   }
-  /// Zooms by `factor` (above 1 zooms in). The frame at position `x` stays there.
+  /// Zooms by `factor` (above 1 zooms in). The frame at the position `x` (widget units) stays at
+  /// this position.
   void zoom(double factor, double x) {
     const double frame = begin_ + (x - left_) / pixelsPerFrame();
     const double share = (x - left_) / width_;

@@ -19,7 +19,7 @@ public:
 
   const std::vector<BoxSample>& samples() const { return samples_; }
   void clear() { replaceFrom(0, {}); }
-  /// Replaces the samples from index `first` onward.
+  /// Replaces all samples from index `first` on by `samples`.
   void replaceFrom(std::size_t first, const std::vector<BoxSample>& samples);
   /// Sets the target names, in target order.
   void setNames(const QStringList& names);

@@ -20,7 +20,7 @@ public:
   explicit GapList(QWidget* parent = nullptr);
 
   void setGaps(std::vector<TrajectoryGap> gaps);
-  /// Highlights the gap that is equal to this range.
+  /// Highlights the gap whose frames are exactly this range, if there is one.
   void setSelectedRange(std::optional<SelectedRange> selectedRange);
 
 Q_SIGNALS:

@@ -21,7 +21,7 @@ public:
   const PlotSeries& series() const { return series_; }
   /// Returns the target name, or an empty string while nothing has been tracked.
   const std::string& target() const { return target_; }
-  /// Selects a target and fills the series from all log rows.
+  /// Selects a target, and fills the series with its speed and height from all rows of the log.
   void setTarget(const std::string& target, const std::vector<MotionLog::Row>& rows);
   /// Updates the series after the log rows from `firstChanged` onward have changed.
   void update(const std::vector<MotionLog::Row>& rows, std::size_t firstChanged);

@@ -43,7 +43,7 @@ public:
   using Source =
       std::function<LogUpdate<TrajectorySample>(std::uint64_t& generation, std::size_t& position)>;
 
-  /// Connects the trajectory actions in the registry.
+  /// Creates the panel, and connects the trajectory actions in the registry to it.
   TrajectoryPanel(ActionRegistry& actions, Selection& selection, QWidget* parent = nullptr);
   ~TrajectoryPanel() override;
 

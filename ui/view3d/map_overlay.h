@@ -25,7 +25,8 @@ public:
   const RigMap* map() const { return map_.get(); }
   std::shared_ptr<const RigMap> shared() const { return map_; }
   const MapLook& look() const { return look_; }
-  /// Updates the scene once, no matter how many maps were set since the last update.
+  /// Shows the newest map in the scene. Call this before rendering, so that only the last of
+  /// several maps is drawn.
   void updateScene();
   /// Returns the map value at a position in the view as text; empty outside the map.
   QString textAt(const ViewProjection& projection, QPointF position) const;

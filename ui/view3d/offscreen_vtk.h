@@ -47,7 +47,7 @@ public:
   /// Passes a mouse event to the trackball camera. `position` is in device pixels from the top left
   /// corner.
   void pointer(Pointer what, QPoint position, bool shift, bool control);
-  /// Called when the trackball has moved the camera.
+  /// Function that is called when the user has moved the view with the mouse.
   std::function<void()> onCameraMoved;
 
 private:

@@ -49,7 +49,7 @@ public:
   void movePointer(OffscreenVtk::Pointer what, QPointF position, bool shift);
 
 Q_SIGNALS:
-  /// Emitted before the image is rendered. The scene must be updated now.
+  /// Emitted before the image is rendered. The receiver must now update the scene.
   void drawing();
   /// Emitted after the image was rendered.
   void drawn();

@@ -18,7 +18,7 @@ class CollapsibleSection : public QWidget {
 public:
   explicit CollapsibleSection(const QString& title, QWidget* parent = nullptr);
 
-  /// Adds a widget below the others.
+  /// Adds a widget to the section, below the widgets added before.
   void addWidget(QWidget* widget);
   bool isOpen() const;
   void setOpen(bool open);

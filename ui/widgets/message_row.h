@@ -50,11 +50,12 @@ private:
   /// Returns where the row is in the window, or where it would be if it had a height.
   QRect place() const;
   void placeParts();
-  /// Takes the height that the parts need.
+  /// Sets the height of the row to the height that its parts need.
   void takeNeededHeight();
   /// Returns whether the row should keep its height for now, although the parts need another one.
   bool keepsHeight(int wanted) const;
-  /// Typing goes on in the next field of a form, and ends elsewhere.
+  /// Follows the keyboard focus: the user continues typing in the next field of a form, and stops
+  /// elsewhere.
   void followFocus(QWidget* before, QWidget* now);
   /// Waits until the row may take its proper height.
   void waitForQuiet(bool waits);

@@ -54,13 +54,14 @@ public:
   /// them.
   void storeLayout();
 
-  /// Shows the views, or the page in the center of the window.
+  /// Shows the views if `shown` is true, or the page in the center of the window instead.
   void showViews(bool shown);
   /// Discards the layout that was saved when a page replaced the views. Call this before the views
   /// of another project are shown.
   void forgetLayoutBehindPages() { layoutBehindPages_.clear(); }
 
-  /// Maximizes a dock, or restores all views. A floating dock is docked again.
+  /// Maximizes a dock or, if a dock is maximized, restores all views. A floating dock is only put
+  /// back into the window.
   void toggleMaximized(ViewDock* dock);
   void restoreMaximized();
   /// Returns the dock that fills the window, or null if there is none.

@@ -16,7 +16,7 @@ public:
   /// only the count is shown.
   Progress(std::string label, std::int64_t total);
   void show(std::int64_t done);
-  /// Removes the bar, so that later output starts on a clean line.
+  /// Removes the progress bar, so that later output starts on an empty line.
   void finish();
 
 private:

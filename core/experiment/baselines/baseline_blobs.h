@@ -22,7 +22,7 @@ struct Blob {
   double radiusPx() const;
 };
 
-/// Minimum region area (pixels). Smaller regions are noise.
+/// Minimum area of a blob, in pixels. Smaller regions are considered noise.
 inline constexpr int kMinBlobArea = 4;
 
 /// Finds the 8-connected regions of nonzero pixels in `mask` (CV_8UC1, nonzero where the color

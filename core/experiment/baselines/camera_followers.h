@@ -8,7 +8,7 @@
 
 namespace dewpoint::experiment {
 
-/// Followers of one target, at most one per camera.
+/// Followers of one target: each follows the target through the images of one camera.
 class CameraFollowers {
 public:
   /// Creates an object without followers for this number of cameras. If `make` is null, no camera

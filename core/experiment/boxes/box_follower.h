@@ -24,7 +24,8 @@ struct BoxConfidence {
 class BoxFollower {
 public:
   virtual ~BoxFollower() = default;
-  /// Starts with the target inside `box` (pixels) of an image (CV_8UC3).
+  /// Starts to follow the target that is inside `box` (pixels) in an image (CV_8UC3). Returns an
+  /// error if the method cannot start there.
   virtual Status start(const cv::Mat& bgr, const ImageBox& box) = 0;
   /// Returns the box in the next image, or nothing if the method reports that it has lost the
   /// target.

@@ -13,7 +13,8 @@ struct BoxMetrics {
   /// Root mean square distance between found and true centers, pixels. In frames in which the
   /// tracker has given up, its last box is used.
   double rmse = 0.0;
-  /// Area under the success curve (Wu, Lim and Yang 2013), see measureBoxes().
+  /// Area under the success curve (Wu, Lim and Yang 2013): the mean, over overlap thresholds from 0
+  /// to 1, of the fraction of frames whose overlap with the true box is above the threshold.
   double success = 0.0;
   /// Fraction of frames in which the found center is within `radius` of the true center.
   double precision = 0.0;

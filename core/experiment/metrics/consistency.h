@@ -30,7 +30,7 @@ struct Consistency {
   std::int64_t unusable =
       0; ///< number of samples that are not finite, or whose covariance is not positive definite
   Interval nees; ///< mean NEES, with the bounds for a consistent filter, see consistency()
-  /// Mean of error² / variance for each world axis.
+  /// Mean of error² / reported variance for each world axis; 1 is expected.
   Eigen::Vector3d axisNees = Eigen::Vector3d::Zero();
   /// Expected value of each element of axisNees (1), with the bounds for a consistent filter.
   Interval axisBounds;
@@ -44,8 +44,8 @@ struct Consistency {
 /// NaN and bounds are infinite.
 Consistency consistency(std::span<const StateError> errors, double level = 0.95);
 
-/// Returns the NEES of a sample, error^T covariance^-1 error. Returns NaN if the sample is
-/// unusable.
+/// Returns the NEES (normalized estimation error squared) of a sample: error^T covariance^-1 error.
+/// Returns NaN if the error is not finite or the covariance is not positive definite.
 double normalizedErrorSquared(const StateError& sample);
 
 } // namespace dewpoint::experiment

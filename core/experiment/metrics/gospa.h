@@ -7,7 +7,7 @@
 
 namespace dewpoint::experiment {
 
-/// Parameters of GOSPA.
+/// Parameters of the GOSPA metric.
 struct GospaSetup {
   /// Largest distance of an assigned pair, meters; a pair farther apart counts as one missed and
   /// one false target.

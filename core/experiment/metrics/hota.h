@@ -21,7 +21,8 @@ struct HotaAtThreshold {
   std::int64_t misses = 0;
   std::int64_t falsePositives = 0;
   double detection = 0.0; ///< DetA = TP / (TP + FN + FP)
-  /// AssA: mean over the TP of TPA / (TPA + FNA + FPA); 0 if there are no TP.
+  /// AssA (association accuracy): mean over the matches (TP) of TPA / (TPA + FNA + FPA); 0 if there
+  /// are no matches.
   double association = 0.0;
   double localization = 0.0; ///< LocA: mean similarity of the TP
   double hota = 0.0;         ///< sqrt(DetA * AssA)

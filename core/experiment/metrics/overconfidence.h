@@ -20,7 +20,7 @@ struct ReportedBelief {
   std::optional<Eigen::Vector3d> truth; ///< empty: the target is absent
 };
 
-/// Reported P(exists) above which a method counts as confident.
+/// Reported existence probability P(exists) above which a method counts as confident.
 inline constexpr double kConfidentProbability = 0.95;
 /// Largest acceptable error of a confident estimate, as a multiple of reportedRadius(). Three was
 /// chosen because, with a correct covariance, the error exceeds this limit in few frames: from

@@ -55,7 +55,7 @@ public:
   /// Adds a file that write() creates next to the page. The page mentions the name of the file.
   void data(const std::string& name, std::string text);
 
-  /// Returns the complete page.
+  /// Returns the complete page as HTML.
   std::string html() const;
   /// Writes report.html and all its files into a folder, which is created. Error: FileUnwritable.
   Status write(const std::filesystem::path& folder) const;

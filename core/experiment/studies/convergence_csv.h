@@ -16,7 +16,8 @@ namespace dewpoint::experiment {
 /// along the optical axis (mm).
 std::string convergenceCsv(const std::vector<ConvergenceResult>& results);
 
-/// Drift of the particle cloud with one camera, see measureDrift().
+/// Result of measuring the drift of the particle cloud away from a single camera; see
+/// measureDrift().
 struct DriftResult {
   std::uint64_t firstSeed = kFirstTuningSeed;
   int runs = 0;

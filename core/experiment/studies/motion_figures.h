@@ -15,7 +15,8 @@ struct MaskQuality {
   double precision = 0.0; ///< fraction of the mask's pixels that are on people; 1 for an empty mask
 };
 
-/// Minimum region area (pixels). Smaller regions are noise. Chosen by judgment.
+/// Minimum area, in pixels, of a region of a motion mask. Smaller regions are considered noise.
+/// Chosen by judgment.
 inline constexpr int kMinRegionArea = 20;
 
 /// Compares a motion mask (CV_8UC1, 0 or 255) with the pixels of people (CV_8UC1, nonzero on a

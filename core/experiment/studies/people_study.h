@@ -39,7 +39,8 @@ struct PeopleTrial {
   double hota = 0.0;
   double gospa = 0.0; ///< mean GOSPA distance over the frames, meters; the cutoff is kPeopleGate
   int identitySwitches = 0;
-  /// Longest time during which an estimate has no person nearby, seconds.
+  /// Longest time, in seconds, during which an estimated person has no true person nearby (within
+  /// kPeopleGate).
   double longestGhost = 0.0;
   /// Longest time during which a person has no estimate although at least two cameras see the
   /// person, seconds.

@@ -25,7 +25,7 @@ struct BeliefMetric {
 
 /// Returns all belief metrics in table order.
 std::span<const BeliefMetric> beliefMetrics();
-/// Returns the metric with this name, which must exist (asserted).
+/// Returns the belief metric with this name, which must exist.
 const BeliefMetric& beliefMetric(const std::string& name);
 
 /// Summary of a metric that has one value per scenario: the median and the worst value.

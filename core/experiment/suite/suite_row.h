@@ -16,7 +16,8 @@ namespace dewpoint::experiment {
 /// Error limit in meters. A target counts as followed if it is declared present and its error is
 /// below this limit.
 inline constexpr double kFollowGate = 0.03;
-/// Gate of CLEAR MOT and HOTA, and cutoff of GOSPA, meters.
+/// Largest distance, in meters, at which the metrics match an estimate to a true target: the gate
+/// of CLEAR MOT and HOTA, and the cutoff of GOSPA.
 inline constexpr double kMatchGate = 0.1;
 /// Largest number of frames until convergence at which a run counts as quick.
 inline constexpr double kQuickFrames = 5.0;

@@ -23,7 +23,8 @@ struct SuiteRequest {
   std::uint64_t firstSeed = kFirstReportingSeed;
 };
 
-/// Job for one scenario, grade and seed. Its methods share the rendered frames.
+/// Job that runs several methods on one scenario, grade and seed. The methods share the rendered
+/// frames.
 struct SuiteJob {
   const ScenarioDeclaration* scenario = nullptr;
   Grade grade = Grade::Ideal;

@@ -58,7 +58,7 @@ public:
   /// the same method and image sizes, and the same number of targets unless the method can change
   /// this number. Otherwise, a new run is needed.
   bool accepts(const RunDefinition& definition) const;
-  /// Discards all tracks; they start from scratch with this seed.
+  /// Discards all tracks and starts to track from scratch, with this random seed.
   void restart(std::uint64_t seed);
   /// Applies another definition from the next iteration on; tracks continue. accepts() must return
   /// true for this definition. A new seed takes effect at the next restart().
@@ -82,7 +82,7 @@ public:
   bool canBeCopied() const;
   /// Returns whether the method can apply corrections of positions by the user.
   bool supportsCorrections() const { return capability<PositionCorrecting>() != nullptr; }
-  /// Sets the iteration count.
+  /// Sets the number of iterations counted so far.
   void setIterationCount(std::int64_t iterations) { iterations_ = iterations; }
   /// Sets the number of threads from the next iteration on; it never changes the result.
   void setThreadCount(int threadCount) { team_ = std::make_unique<ThreadTeam>(threadCount); }

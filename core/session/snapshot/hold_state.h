@@ -5,7 +5,7 @@
 
 namespace dewpoint::session {
 
-/// State of a target, a camera or a frame, shown as one word.
+/// Tracking state of a target, of the view of a camera, or of a frame, shown as one word.
 enum class HoldState {
   NoImages,
   NoTarget,

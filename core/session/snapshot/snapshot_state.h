@@ -12,7 +12,7 @@
 
 namespace dewpoint::session {
 
-/// Returns a camera of a snapshot's rig; null if the index is out of range.
+/// Returns the camera with this index in a snapshot's rig; null if the index is out of range.
 const Camera* cameraOf(const TrackSnapshot& snapshot, int camera);
 
 /// Returns the state that views show for a target's status.

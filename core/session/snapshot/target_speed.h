@@ -21,7 +21,8 @@ public:
   /// changes.
   void add(const TrackSnapshot& snapshot, const TargetSnapshot& target);
   void clear() { track_.clear(); }
-  /// Returns the speed at the frame shown last, in meters per second; nothing if unknown.
+  /// Returns the speed of the target in the frame added last, in meters per second; nothing if
+  /// unknown.
   std::optional<double> now() const;
 
 private:

@@ -46,7 +46,7 @@ struct StoredSet {
 std::vector<StoredSet> storedSets(const std::vector<LiveSet>& sets,
                                   const std::vector<std::vector<std::int64_t>>& stamps);
 
-/// Folder in a take for the results of the live run.
+/// Name of the folder in a take that contains the results of the live run.
 inline constexpr const char* kLiveFolder = "live";
 /// Project file in a take, beside the videos, with the settings at the end of the live run.
 inline constexpr const char* kLiveProject = "live.toml";

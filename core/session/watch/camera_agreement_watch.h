@@ -29,7 +29,7 @@ public:
   /// Pauses or resumes the check. The check is paused while a calibration board is shown to live
   /// cameras.
   void setPaused(bool paused) { paused_ = paused; }
-  /// Discards all measurements.
+  /// Discards all measurements, for a restart of the run.
   void restart() { agreement_.restart(); }
 
 private:

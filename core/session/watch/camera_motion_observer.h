@@ -10,7 +10,7 @@ namespace dewpoint::session {
 /// whose camera may move.
 class CameraMotionObserver final : public FrameObserver {
 public:
-  /// `watch` must outlive this object.
+  /// Creates an observer that passes frames to `watch`, which must outlive this object.
   explicit CameraMotionObserver(CameraMotionWatch& watch) : watch_(watch) {}
 
   Status tracked(const TrackingRun& run) override {

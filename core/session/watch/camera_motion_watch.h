@@ -32,7 +32,8 @@ class CameraMotionWatch {
 public:
   explicit CameraMotionWatch(const CameraRig& rig);
 
-  /// Processes a frame after its iterations.
+  /// Searches the images of a frame for camera motions. Call this after all iterations of the
+  /// frame, whose estimates are `estimates`.
   void watch(const FrameSet& frames, const std::vector<Target>& targets,
              const std::vector<SphereEstimate>& estimates);
   /// Pauses or resumes the detection. It must be paused while a calibration board is shown to live

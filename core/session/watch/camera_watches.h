@@ -9,7 +9,7 @@ namespace dewpoint::session {
 /// Checks during a run whether a camera has moved, and whether the cameras agree with each other.
 class CameraWatches final : public FrameObserver {
 public:
-  /// `rig` is the calibration at the start of the run.
+  /// Creates the checks for cameras whose calibration at the start of the run is `rig`.
   explicit CameraWatches(const CameraRig& rig) : motion_(rig), agreement_(rig, motion_) {}
   CameraWatches(const CameraWatches&) = delete;
   CameraWatches& operator=(const CameraWatches&) = delete;

@@ -20,7 +20,8 @@ class Document;
 class CalibrationImportDialog : public ExchangeDialog {
   Q_OBJECT
 public:
-  /// `cameras` is the document's list of cameras, from which the user selects one.
+  /// Creates the dialog. The user can select a camera from `cameras`, the list of the document's
+  /// cameras.
   CalibrationImportDialog(Document& document, const CameraListModel& cameras,
                           QWidget* parent = nullptr);
 

@@ -49,7 +49,7 @@ protected:
   virtual void chooseFile() = 0;
   virtual void retranslateFields() = 0;
 
-  /// Completes the dialog. Call it after adding all questions.
+  /// Completes the layout of the dialog. Call this after adding all questions.
   void begin();
   /// Sets the proposed file without computing a preview.
   void proposeFile(const QString& file);

@@ -44,7 +44,7 @@ public:
   /// Returns the newest map, or null before the first one.
   const std::shared_ptr<const RigMap>& map() const { return map_; }
   const MapLook& look() const { return look_; }
-  /// Sets the appearance of the map. The height is clamped to the volume.
+  /// Sets the appearance of the map. The height of the map's layer is limited to the volume.
   void setLook(const MapLook& look);
   double pixelSigma() const { return pixelSigma_; }
   void setPixelSigma(double pixels);

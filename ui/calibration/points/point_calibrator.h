@@ -47,7 +47,7 @@ public:
   /// Sets the pixel at which a camera sees the selected point. `frame` is the number of the
   /// recorded frame in whose image the user clicked; empty for live images.
   void setClick(int camera, const Eigen::Vector2d& pixel, std::optional<std::int64_t> frame);
-  /// Removes the selected point's click in a camera.
+  /// Removes the pixel at which a camera sees the selected point.
   void removeClick(int camera);
 
   /// Returns, for each click on a point, its distance from the projection of the point by the

@@ -24,7 +24,7 @@ public:
 
   /// Adds a camera view, which may be deleted at any time.
   void attach(int camera, CameraView* view);
-  /// Sets the snapshot in whose images clicks snap to corners.
+  /// Sets the snapshot whose images are shown. Clicks snap to corners in these images.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
 
 private:

@@ -40,7 +40,7 @@ public:
   /// Returns whether the next click in an image marks the selected point.
   bool isClicking() const { return clicking_; }
   void setClicking(bool clicking);
-  /// Marks the selected point in a camera image.
+  /// Places the selected mark at a pixel of a camera image.
   void setClick(int camera, const Eigen::Vector2d& pixel);
   /// Removes all clicks on all marks.
   void clear();

@@ -24,7 +24,7 @@ struct CameraClock {
   double offset = 0.0;
 };
 
-/// Run of a scenario while it is being built.
+/// Draft of a run of a scenario, which the scenario's recipe completes step by step.
 struct ScenarioDraft {
   std::string name;
   Grade grade = Grade::Ideal;

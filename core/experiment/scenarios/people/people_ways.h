@@ -17,7 +17,8 @@ struct DistanceRange {
   double most = 0.0;
 };
 
-/// Returns a unit vector on the floor. `angle` is measured from world x toward y, in radians.
+/// Returns the unit vector on the floor (world x and y) in a direction. `angle` is measured from x
+/// toward y, in radians.
 Eigen::Vector2d headingVector(double angle);
 
 /// Returns whether a person can stand at `position` (world x and y, meters), outside the furniture

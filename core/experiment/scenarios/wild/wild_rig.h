@@ -10,7 +10,7 @@ namespace dewpoint::experiment::scenarios {
 /// Cameras of grade `wild`, and the scene scales that they require.
 struct WildRig {
   CameraRig rig;
-  /// Scale factor for ball radii; below 1 if balls are to look small in the images.
+  /// Scale factor for ball radii; below 1 if balls should appear small in the images.
   double radiusScale = 1.0;
   double pathScale = 1.0; ///< scale factor for smooth paths, which must stay inside the images
 };
