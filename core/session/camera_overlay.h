@@ -43,7 +43,7 @@ double cloudRadius(const CameraOverlay& overlay);
 /// Candidate position of a target, as a circle in a camera image.
 struct ProposedOutline {
   Eigen::Vector2d center;
-  double radius = 0.0; ///< pixels
+  double radius = 0.0; ///< radius of the circle, pixels
   CandidatePosition::Kind kind = CandidatePosition::Kind::Existing;
   double probability = 0.0;
 };

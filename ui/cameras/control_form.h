@@ -31,7 +31,7 @@ Q_SIGNALS:
   void dragEnded();
 
 protected:
-  void changeEvent(QEvent* event) override; ///< the texts of the controls
+  void changeEvent(QEvent* event) override; ///< translates the texts of the controls
 
 private:
   QWidget* makeField(const capture::DeviceControl& control);

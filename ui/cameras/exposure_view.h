@@ -33,7 +33,7 @@ private:
   /// Last measurement in the images of one camera.
   struct Measured {
     std::vector<ExposureInView> exposures;
-    QElapsedTimer age; ///< since this measurement
+    QElapsedTimer age; ///< time since this measurement
   };
 
   void take(std::vector<std::vector<ExposureInView>> measured, const FrameSet& frames);

@@ -18,9 +18,9 @@ namespace dewpoint::ui {
 /// State of a preview: its image, or the reason why there is none.
 struct PreviewState {
   QImage image;
-  QSize size;                   ///< of the images as the source sends them, pixels
+  QSize size;                   ///< size of the images that the source sends, pixels
   double framesPerSecond = 0.0; ///< measured; 0 while it is not known
-  QString problem;              ///< one sentence; empty while the source delivers
+  QString problem; ///< reason why there is no image, as one sentence; empty while images arrive
 };
 
 /// Reads small images from several live sources for previews, a few images per second. Each source

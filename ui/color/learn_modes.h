@@ -17,7 +17,8 @@ namespace dewpoint::ui {
 class LearnModes : public QWidget {
   Q_OBJECT
 public:
-  using Mode = std::optional<ColorLearner::SampleAction>; ///< empty if a click selects
+  using Mode = std::optional<ColorLearner::SampleAction>; ///< effect of a click; empty if a click
+                                                          ///< only selects
 
   explicit LearnModes(QWidget* parent = nullptr);
 

@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 
 /// Unsaved work of a window that was not closed properly.
 struct RecoverableWork {
-  std::filesystem::path file; ///< the copy, a complete project
+  std::filesystem::path file; ///< file with the copy, a complete project
   QString name;               ///< project name
   QString time;               ///< time of the last write, formatted for display
 };

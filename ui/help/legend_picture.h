@@ -11,11 +11,11 @@ namespace dewpoint::ui {
 /// of each.
 enum class LegendSign {
   Particles,
-  Estimate, ///< the cross
-  Belief,   ///< the solid ellipse
-  Outline,  ///< the dashed ellipse
-  Truth,    ///< the diamond
-  Best,     ///< the triangle
+  Estimate, ///< drawn as a cross
+  Belief,   ///< drawn as a solid ellipse
+  Outline,  ///< drawn as a dashed ellipse
+  Truth,    ///< drawn as a diamond
+  Best,     ///< drawn as a triangle
   Ray,
   Mask,
   Inset, ///< the enlarged cloud in a corner

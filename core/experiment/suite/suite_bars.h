@@ -14,7 +14,7 @@ inline constexpr double kNoLowerLimit = -std::numeric_limits<double>::infinity()
 
 /// Requirement for the `dewpoint` method in one grade.
 struct SuiteRequirement {
-  int item = 0;         ///< number in the list of requirements
+  int item = 0;         ///< number of the requirement in the list
   std::string sentence; ///< what is measured, and in which scenarios
   std::string unit;
   double low = 0.0; ///< lower limit of the value

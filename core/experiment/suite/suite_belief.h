@@ -32,7 +32,8 @@ const BeliefMetric& beliefMetric(const std::string& name);
 struct ScenarioSummary {
   double median = 0.0; ///< NaN without a value
   double worst = 0.0;
-  std::string worstScenario; ///< the first one if there are ties; empty without a value
+  std::string worstScenario; ///< scenario with the worst value (the first if several have it);
+                             ///< empty if there is no value
 };
 
 /// Value of a metric in one scenario.

@@ -18,7 +18,7 @@ struct LiveSet {
 
   std::int64_t index = 0;                   ///< FrameSet::index
   TimeStamp time{};                         ///< FrameSet::time
-  std::vector<std::optional<Image>> images; ///< per camera; empty: the camera had no image
+  std::vector<std::optional<Image>> images; ///< one per camera; empty if the camera had no image
 };
 
 } // namespace dewpoint::session

@@ -78,7 +78,7 @@ struct RerunState {
 struct BudgetStatistics {
   double milliseconds = 0.0;   ///< time budget per iteration; 0: none
   std::int64_t iterations = 0; ///< number of iterations
-  std::int64_t late = 0;       ///< number of iterations that took longer
+  std::int64_t late = 0;       ///< number of iterations that took longer than the budget
 };
 
 /// Everything that views can show of one frame. Immutable once published.

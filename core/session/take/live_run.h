@@ -37,7 +37,8 @@ struct StoredImage {
 struct StoredSet {
   std::int64_t index = 0;
   TimeStamp time{};
-  std::vector<std::optional<StoredImage>> images; ///< per camera; empty: the camera had no image
+  /// One per camera; empty if the camera had no image.
+  std::vector<std::optional<StoredImage>> images;
 };
 
 /// Finds the images of a live run in the videos of a take, and returns their locations, frame by

@@ -36,12 +36,12 @@ struct TakeStatus {
     PreRollStatus preRoll; ///< images kept from before the start of the take
   };
 
-  int number = 0; ///< from 1
+  int number = 0; ///< number of the take, at least 1
   std::filesystem::path folder;
   std::string notes;
   double seconds = 0.0; ///< time since the start, or the duration of a take that has ended
   double preRoll = 0.0; ///< recorded time before the start, in seconds
-  std::vector<CameraStatus> cameras; ///< in the order of the project
+  std::vector<CameraStatus> cameras; ///< state of each camera, in project order
   std::uint64_t freeBytes = 0;       ///< free space on the disk
   /// Error that prevented take.json or project.toml from being written; empty if there was none.
   std::optional<Error> problem;

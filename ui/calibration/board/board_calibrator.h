@@ -103,11 +103,11 @@ Q_SIGNALS:
   void changed(); ///< anything except the settings and the guidance has changed
   void guideChanged();
   void progressChanged(double part); ///< 0 to 1; negative if unknown
-  void calibrated();                 ///< the computation has ended, with or without a result
+  void calibrated();                 ///< a calibration has ended, with or without a result
   /// Emitted when images show the board in proposal() instead of the one in the settings. `stopped`
   /// is true if a calibration ended early for this reason.
   void boardProposed(bool stopped);
-  void mirroredVideosFound();                    ///< see mirrored()
+  void mirroredVideosFound(); ///< some cameras show the board mirrored; see mirrored()
   void boardConfirmed(int images, int searched); ///< the images show the board in the settings
   void playRequested();                          ///< live images are needed
   void boardShown(bool shown); ///< whether the board is currently being shown to live cameras
