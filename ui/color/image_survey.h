@@ -15,8 +15,9 @@ class ImageSurvey : public QObject {
 public:
   using QObject::QObject;
 
-  /// Surveys the images of a snapshot in another thread; emits `finished()` afterwards. Does
-  /// nothing if no survey is due or the snapshot has no images.
+  /// Computes the histogram of the images of a snapshot in another thread, and emits `finished()`
+  /// afterward. Does nothing if less than a second has passed since the last time, or if the
+  /// snapshot has no images.
   void start(const TrackSnapshotPtr& snapshot);
 
 Q_SIGNALS:

@@ -23,8 +23,8 @@ class CorrectionTool;
 class TrajectoryPanel;
 
 /// Mode for correcting positions. The user drags targets in the images ("Correct position") and
-/// removes corrections. Each correction is a step of the document. The tracker then recomputes all
-/// results that depend on it.
+/// removes corrections. Each correction is an undoable step of the document, after which all
+/// results that depend on the correction are computed again.
 class CorrectionMode : public QObject {
   Q_OBJECT
 public:

@@ -27,7 +27,7 @@ private:
   /// Stores the new pose that the run has found for a moved camera in the project.
   void applyNewPose(int camera);
   void calibrate(int camera);
-  /// Suppresses the alerts about cameras that disagree while a page for calibration is shown.
+  /// Makes the alerts about cameras that disagree disappear while a calibration page is shown.
   void connectAgreement(const CalibrationMode& calibration);
   /// Changes the project in one step so that its cameras agree. `choice` is the index of the
   /// correction that the user selected.

@@ -72,7 +72,7 @@ public:
   QSize minimumSizeHint() const override { return {240, std::max(84, minimumHeight_)}; }
 
 Q_SIGNALS:
-  /// Emitted when the pointer is on this frame. A negative number means that it is on no frame.
+  /// Emitted when the pointer has moved to this frame; negative if the pointer is on no frame.
   void hovered(qint64 frame);
   /// Emitted when a menu for the current frame is requested at this screen position.
   void menuRequested(const QPoint& place);

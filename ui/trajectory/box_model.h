@@ -10,7 +10,8 @@
 
 namespace dewpoint::ui {
 
-/// Table of a run's bounding boxes, one row per target and frame, in pixels. It grows with the run.
+/// Table model of a run's bounding boxes, in pixels, with one row per target and frame. The table
+/// grows with the run.
 class BoxModel : public QAbstractTableModel {
   Q_OBJECT
 public:

@@ -10,7 +10,8 @@
 
 namespace dewpoint::ui {
 
-/// Table of a run's trajectory, one row per target and frame. It grows with the run.
+/// Table model of a run's trajectory, with one row per target and frame. The table grows with the
+/// run.
 class TrajectoryModel : public QAbstractTableModel {
   Q_OBJECT
 public:

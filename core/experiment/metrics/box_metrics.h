@@ -16,7 +16,8 @@ struct BoxMetrics {
   /// Area under the success curve (Wu, Lim and Yang 2013): the mean, over overlap thresholds from 0
   /// to 1, of the fraction of frames whose overlap with the true box is above the threshold.
   double success = 0.0;
-  /// Fraction of frames in which the found center is within `radius` of the true center.
+  /// Fraction of frames in which the found center is within `radius` pixels of the true center; see
+  /// measureBoxes().
   double precision = 0.0;
 };
 

@@ -30,8 +30,8 @@ public:
   /// Adds the estimates for one frame of the run. Frames without marks are skipped.
   void add(std::int64_t frame, const std::vector<SphereEstimate>& estimates);
 
-  /// Returns the RMS distance of the projections from the marks, pixels. For each target, it covers
-  /// the marks from the frame on in which the estimate has converged, or all marks if it never
+  /// Returns the RMS distance of the projections from the marks, pixels. For each target, the marks
+  /// from the convergence of its estimate on are used, or all marks if the estimate never
   /// converges. Frames in which the target is not declared present are left out. Returns nothing if
   /// no marks remain.
   SuiteRow::Value rmsePx() const;

@@ -65,8 +65,8 @@ public:
   void apply(const RunDefinitionPtr& definition);
   void apply(const RunChange& change);
 
-  /// Complete state of the run between two frames, from which it can continue with bit-identical
-  /// results.
+  /// Complete state of the run between two frames, from which the run can continue with
+  /// bit-identical results.
   struct State {
     std::shared_ptr<const Tracker> tracker; ///< null if the method cannot be copied
     RunDefinitionPtr definition;
@@ -121,8 +121,8 @@ public:
     return clocks != nullptr ? clocks->clockEstimates() : std::vector<ClockEstimate>();
   }
   const FrameSetPtr& frames() const { return frames_; }
-  /// Returns the estimates as trajectory samples of the current frame; for people, only those who
-  /// are present.
+  /// Returns the estimates in the current frame as trajectory samples. Methods that find people
+  /// give samples only for people present.
   std::vector<TrajectorySample> samples() const;
   /// Returns the bounding boxes of the current frame, for methods that track boxes; empty for
   /// others.
@@ -141,7 +141,8 @@ public:
   TrackedFrame trackedFrame(int particleLimit, const TrackedFrame* previous) const;
   /// Returns the number of iterations on the current frame.
   int frameIterations() const { return frameIterations_; }
-  /// Returns the number of targets being tracked; for people, those who are present.
+  /// Returns the number of targets being tracked or, for methods that find people, of people
+  /// present.
   std::size_t trackedCount() const;
 
 private:

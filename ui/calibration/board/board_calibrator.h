@@ -23,7 +23,7 @@ struct BoardPreferences;
 class BackgroundJob;
 
 /// Board calibration. Holds the user's settings, searches a recording for the board or guides the
-/// user in front of live cameras, and applies the result as one step of the document.
+/// user in front of live cameras, and applies the result to the project in one undoable step.
 class BoardCalibrator : public QObject {
   Q_OBJECT
 public:

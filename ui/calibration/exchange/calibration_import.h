@@ -15,8 +15,8 @@ class CameraListModel;
 class Document;
 
 /// Dialog that imports a calibration from another tool into the project. Asks for anything the file
-/// does not define, shows the choices made and the resulting changes, and applies them as one step
-/// of the document.
+/// does not define, shows the choices made and the resulting changes, and applies them to the
+/// project in one undoable step.
 class CalibrationImportDialog : public ExchangeDialog {
   Q_OBJECT
 public:

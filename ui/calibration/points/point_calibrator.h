@@ -22,8 +22,8 @@ class Document;
 class ManualCalibration;
 
 /// Manages the measured points in the project: selects and edits them, records where they are
-/// clicked, and solves for the cameras. Every change is a step of the document. Solving runs in
-/// another thread.
+/// clicked, and solves for the cameras. Every change is an undoable step of the document. Solving
+/// runs in another thread.
 class PointCalibrator : public QObject {
   Q_OBJECT
 public:

@@ -21,7 +21,7 @@ class TargetListModel;
 class BackgroundJob;
 
 /// Wand calibration. Holds the settings and the views collected live, runs the refinement in
-/// another thread, and applies the result as one step of the document.
+/// another thread, and applies the result to the project in one undoable step.
 class WandCalibrator : public QObject {
   Q_OBJECT
 public:

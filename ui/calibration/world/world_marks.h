@@ -14,9 +14,9 @@ namespace dewpoint::ui {
 class Document;
 
 /// Three points of the room, A, B and C, that the user marks in the images to set the floor, the
-/// origin, the axes and the scale of calibrated cameras. Each change of the world is a step of the
-/// document. The marks are not part of the project: they stay in the images when the world changes,
-/// and are removed when another project is opened.
+/// origin, the axes and the scale of calibrated cameras. Each change of the world frame is an
+/// undoable step of the document. The marks are not part of the project: they stay in the images
+/// when the world changes, and are removed when another project is opened.
 class WorldMarks : public QObject {
   Q_OBJECT
 public:

@@ -22,8 +22,8 @@ struct GradeModel {
 
   // Lens and sensor.
   Range psfSigmaPx; ///< standard deviation of the lens blur, pixels
-  /// PixelNoise::fullWell, electrons; accounts for the gain that the light in the room requires.
-  /// CameraGain::exposure, which also changes the noise, is relative to this gain.
+  /// Full well of the sensor (PixelNoise::fullWell) in electrons, at the gain that the light in the
+  /// room requires. CameraGain::exposure, which also changes the noise, is relative to this gain.
   Range fullWell;
   Range readElectrons;      ///< standard deviation of the read noise, electrons
   Range contrast;           ///< SensorModel::contrast: exponent applied to the tone curve
@@ -88,7 +88,7 @@ struct FaultContext {
       kLampDistance; ///< horizontal distance of additional lamps from targetStart, meters
 };
 
-/// Draws all faults of a run at random: those of its cameras, and those of its light.
+/// Draws all faults of a run at random: the faults of its cameras and of its light.
 SensingFaults randomFaults(const GradeModel& model, const FaultContext& context,
                            RandomDraws& draws);
 

@@ -51,7 +51,7 @@ struct ScenarioDraft {
   /// known and all frames arrive.
   std::vector<CameraTiming> timings = {};
 
-  /// Room in which the stage is. It is used to make views for additional cameras.
+  /// Room that surrounds the stage, from which views for additional cameras are made.
   std::shared_ptr<const simulation::Room> room = nullptr;
   /// Scale factor for the extent of smooth paths. It is below 1 if the cameras see a smaller volume
   /// than usual.
