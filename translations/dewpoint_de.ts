@@ -2342,12 +2342,12 @@
         <translation>Die Kameras sind nicht kalibriert: Ihre Lagen sind nur angenommen, verfolgte Positionen haben deshalb keine Bedeutung.</translation>
     </message>
     <message>
-        <source>The color of target %1 covers %2 % of the images of %3.</source>
-        <translation>Die Farbe von Ziel %1 bedeckt %2 % der Bilder von %3.</translation>
+        <source>In the images of %3, %2 % of all pixels have the color of target %1.</source>
+        <translation>In den Bildern von %3 haben %2 % aller Pixel die Farbe von Ziel %1.</translation>
     </message>
     <message>
-        <source>The color of target %1 covers %2 % of the images.</source>
-        <translation>Die Farbe von Ziel %1 bedeckt %2 % der Bilder.</translation>
+        <source>In the images, %2 % of all pixels have the color of target %1.</source>
+        <translation>In den Bildern haben %2 % aller Pixel die Farbe von Ziel %1.</translation>
     </message>
     <message>
         <source>The color of target %1 was found in none of the %2 images that were checked.</source>
@@ -2466,12 +2466,12 @@
         <translation>Schreiben Sie die Ergebnisse mit der Option --out in einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>%2 % of the pixels of target %1 in %3 were overexposed when its color was learned.</source>
-        <translation>%2 % der Pixel des Ziels %1 in %3 waren überbelichtet, als seine Farbe gelernt wurde.</translation>
+        <source>When the color of target %1 was learned, %2 % of its pixels in %3 were overexposed.</source>
+        <translation>Als die Farbe von Ziel %1 gelernt wurde, waren %2 % seiner Pixel in %3 überbelichtet.</translation>
     </message>
     <message>
-        <source>%2 % of the pixels of target %1 in %3 were too dark when its color was learned.</source>
-        <translation>%2 % der Pixel des Ziels %1 in %3 waren zu dunkel, als seine Farbe gelernt wurde.</translation>
+        <source>When the color of target %1 was learned, %2 % of its pixels in %3 were too dark.</source>
+        <translation>Als die Farbe von Ziel %1 gelernt wurde, waren %2 % seiner Pixel in %3 zu dunkel.</translation>
     </message>
     <message>
         <source>Lower the exposure of the camera, and learn the color again in new images.</source>
@@ -4004,12 +4004,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>berührt den Boden</translation>
     </message>
     <message>
-        <source>is at the first end of the distance</source>
-        <translation>ist am ersten Ende der Strecke</translation>
+        <source>is at one end of the known distance</source>
+        <translation>ist am einen Ende der bekannten Strecke</translation>
     </message>
     <message>
-        <source>is at the second end of the distance</source>
-        <translation>ist am zweiten Ende der Strecke</translation>
+        <source>is at the other end of the known distance</source>
+        <translation>ist am anderen Ende der bekannten Strecke</translation>
     </message>
     <message>
         <source>begins to fall</source>
@@ -5426,8 +5426,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Format der Blickrichtung</translation>
     </message>
     <message>
-        <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
-        <translation>Ein Punkt, auf den die Kamera blickt, oder Winkel: Gieren von x nach y, Nicken über dem Horizont, Rollen um die Blickrichtung</translation>
+        <source>Enter the direction as a point that the camera looks at, or as angles: yaw is measured from x toward y, pitch above the horizon, and roll about the line of sight</source>
+        <translation>Geben Sie die Richtung als Punkt ein, auf den die Kamera blickt, oder als Winkel: Gier von x nach y, Nick über dem Horizont, Roll um die Blickrichtung</translation>
     </message>
     <message>
         <source>Lens</source>
@@ -9487,8 +9487,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Die Aufnahme wurde beendet, weil ihre Kameras geschlossen wurden.</translation>
     </message>
     <message>
-        <source>Take %1 (%2) is in %3.</source>
-        <translation>Aufnahme %1 (%2) liegt in %3.</translation>
+        <source>Take %1 (%2) was saved in %3.</source>
+        <translation>Aufnahme %1 (%2) wurde in %3 gespeichert.</translation>
     </message>
     <message>
         <source>Problem: %1</source>

@@ -2342,12 +2342,12 @@
         <translation>Las cámaras no están calibradas: sus poses son solo supuestas, así que las posiciones seguidas no significan nada.</translation>
     </message>
     <message>
-        <source>The color of target %1 covers %2 % of the images of %3.</source>
-        <translation>El color del objetivo %1 cubre el %2 % de las imágenes de %3.</translation>
+        <source>In the images of %3, %2 % of all pixels have the color of target %1.</source>
+        <translation>En las imágenes de %3, el %2 % de todos los píxeles tiene el color del objetivo %1.</translation>
     </message>
     <message>
-        <source>The color of target %1 covers %2 % of the images.</source>
-        <translation>El color del objetivo %1 cubre el %2 % de las imágenes.</translation>
+        <source>In the images, %2 % of all pixels have the color of target %1.</source>
+        <translation>En las imágenes, el %2 % de todos los píxeles tiene el color del objetivo %1.</translation>
     </message>
     <message>
         <source>The color of target %1 was found in none of the %2 images that were checked.</source>
@@ -2466,12 +2466,12 @@
         <translation>Escriba los resultados en otra carpeta con la opción --out.</translation>
     </message>
     <message>
-        <source>%2 % of the pixels of target %1 in %3 were overexposed when its color was learned.</source>
-        <translation>El %2 % de los píxeles del objetivo %1 en %3 estaban sobreexpuestos cuando se aprendió su color.</translation>
+        <source>When the color of target %1 was learned, %2 % of its pixels in %3 were overexposed.</source>
+        <translation>Cuando se aprendió el color del objetivo %1, el %2 % de sus píxeles en %3 estaba sobreexpuesto.</translation>
     </message>
     <message>
-        <source>%2 % of the pixels of target %1 in %3 were too dark when its color was learned.</source>
-        <translation>El %2 % de los píxeles del objetivo %1 en %3 estaban demasiado oscuros cuando se aprendió su color.</translation>
+        <source>When the color of target %1 was learned, %2 % of its pixels in %3 were too dark.</source>
+        <translation>Cuando se aprendió el color del objetivo %1, el %2 % de sus píxeles en %3 estaba demasiado oscuro.</translation>
     </message>
     <message>
         <source>Lower the exposure of the camera, and learn the color again in new images.</source>
@@ -4004,12 +4004,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>toca el suelo</translation>
     </message>
     <message>
-        <source>is at the first end of the distance</source>
-        <translation>está en el primer extremo de la distancia</translation>
+        <source>is at one end of the known distance</source>
+        <translation>está en un extremo de la distancia conocida</translation>
     </message>
     <message>
-        <source>is at the second end of the distance</source>
-        <translation>está en el segundo extremo de la distancia</translation>
+        <source>is at the other end of the known distance</source>
+        <translation>está en el otro extremo de la distancia conocida</translation>
     </message>
     <message>
         <source>begins to fall</source>
@@ -5426,8 +5426,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Formato de la dirección</translation>
     </message>
     <message>
-        <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
-        <translation>Un punto al que mira la cámara, o ángulos: guiñada de x hacia y, cabeceo sobre el horizonte, alabeo alrededor de la línea de visión</translation>
+        <source>Enter the direction as a point that the camera looks at, or as angles: yaw is measured from x toward y, pitch above the horizon, and roll about the line of sight</source>
+        <translation>Indique la dirección como un punto al que mira la cámara, o como ángulos: la guiñada se mide de x hacia y, el cabeceo sobre el horizonte y el alabeo alrededor de la línea de visión</translation>
     </message>
     <message>
         <source>Lens</source>
@@ -9487,8 +9487,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>La grabación terminó porque se cerraron sus cámaras.</translation>
     </message>
     <message>
-        <source>Take %1 (%2) is in %3.</source>
-        <translation>La toma %1 (%2) está en %3.</translation>
+        <source>Take %1 (%2) was saved in %3.</source>
+        <translation>La toma %1 (%2) se ha guardado en %3.</translation>
     </message>
     <message>
         <source>Problem: %1</source>

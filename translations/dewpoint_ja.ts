@@ -2341,12 +2341,12 @@
         <translation>カメラがキャリブレーションされていません。姿勢が仮のものなので、追跡した位置に意味はありません。</translation>
     </message>
     <message>
-        <source>The color of target %1 covers %2 % of the images of %3.</source>
-        <translation>ターゲット %1 の色が %3 の画像の %2 % を占めています。</translation>
+        <source>In the images of %3, %2 % of all pixels have the color of target %1.</source>
+        <translation>%3 の画像では、全ピクセルの %2 % がターゲット %1 の色です。</translation>
     </message>
     <message>
-        <source>The color of target %1 covers %2 % of the images.</source>
-        <translation>ターゲット %1 の色は画像の %2 % を占めています。</translation>
+        <source>In the images, %2 % of all pixels have the color of target %1.</source>
+        <translation>画像では、全ピクセルの %2 % がターゲット %1 の色です。</translation>
     </message>
     <message>
         <source>The color of target %1 was found in none of the %2 images that were checked.</source>
@@ -2465,12 +2465,12 @@
         <translation>オプション --out で別のフォルダーに結果を書き出してください。</translation>
     </message>
     <message>
-        <source>%2 % of the pixels of target %1 in %3 were overexposed when its color was learned.</source>
-        <translation>色を学習したとき、%3でターゲット%1のピクセルの%2 %が露出オーバーでした。</translation>
+        <source>When the color of target %1 was learned, %2 % of its pixels in %3 were overexposed.</source>
+        <translation>ターゲット %1 の色を学習したとき、%3 ではそのピクセルの %2 % が露出オーバーでした。</translation>
     </message>
     <message>
-        <source>%2 % of the pixels of target %1 in %3 were too dark when its color was learned.</source>
-        <translation>色を学習したとき、%3でターゲット%1のピクセルの%2 %が暗すぎました。</translation>
+        <source>When the color of target %1 was learned, %2 % of its pixels in %3 were too dark.</source>
+        <translation>ターゲット %1 の色を学習したとき、%3 ではそのピクセルの %2 % が暗すぎました。</translation>
     </message>
     <message>
         <source>Lower the exposure of the camera, and learn the color again in new images.</source>
@@ -4002,12 +4002,12 @@ Effective sample size %8 of %9</source>
         <translation>床に触れている</translation>
     </message>
     <message>
-        <source>is at the first end of the distance</source>
-        <translation>距離の一方の端にある</translation>
+        <source>is at one end of the known distance</source>
+        <translation>既知の距離の一方の端にある</translation>
     </message>
     <message>
-        <source>is at the second end of the distance</source>
-        <translation>距離のもう一方の端にある</translation>
+        <source>is at the other end of the known distance</source>
+        <translation>既知の距離のもう一方の端にある</translation>
     </message>
     <message>
         <source>begins to fall</source>
@@ -5419,8 +5419,8 @@ Effective sample size %8 of %9</source>
         <translation>向きの形式</translation>
     </message>
     <message>
-        <source>A point that the camera looks at, or angles: yaw from x toward y, pitch above the horizon, roll about the line of sight</source>
-        <translation>カメラの注視点、または角度: ヨーは x から y へ、ピッチは水平より上、ロールは視線まわり</translation>
+        <source>Enter the direction as a point that the camera looks at, or as angles: yaw is measured from x toward y, pitch above the horizon, and roll about the line of sight</source>
+        <translation>方向を、カメラが向く点、または角度で入力します。ヨーは x から y へ、ピッチは水平線から上へ、ロールは視線まわりに測ります</translation>
     </message>
     <message>
         <source>Lens</source>
@@ -9468,8 +9468,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>カメラが閉じられたため、録画を終了しました。</translation>
     </message>
     <message>
-        <source>Take %1 (%2) is in %3.</source>
-        <translation>テイク %1（%2）は %3 にあります。</translation>
+        <source>Take %1 (%2) was saved in %3.</source>
+        <translation>テイク %1（%2）を %3 に保存しました。</translation>
     </message>
     <message>
         <source>Problem: %1</source>

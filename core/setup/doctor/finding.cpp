@@ -127,7 +127,7 @@ constexpr std::array kFindingTexts{
                  "No pixel can have the color of target %1: its range is too narrow.",
                  "Learn the color again."},
     FindingTexts{ColorEverywhere, "color-everywhere", kProblem,
-                 "The color of target %1 covers %2 % of the images of %3.",
+                 "In the images of %3, %2 % of all pixels have the color of target %1.",
                  "Learn the color again, with samples that do not reach beyond the target."},
     FindingTexts{ColorNowhere, "color-nowhere", kProblem,
                  "The color of target %1 was found in none of the %2 images that were checked.",
@@ -137,13 +137,13 @@ constexpr std::array kFindingTexts{
         "The color of target %1 was found in none of the images of %2 that were checked.",
         "Check that the camera sees the target, and check its exposure and white balance."},
     FindingTexts{ColorFine, "color-fine", kFine,
-                 "The color of target %1 covers %2 % of the images.", ""},
-    FindingTexts{TargetOverexposed, "target-overexposed", kNote,
-                 "%2 % of the pixels of target %1 in %3 were overexposed when its color was "
-                 "learned.",
-                 "Lower the exposure of the camera, and learn the color again in new images."},
+                 "In the images, %2 % of all pixels have the color of target %1.", ""},
+    FindingTexts{
+        TargetOverexposed, "target-overexposed", kNote,
+        "When the color of target %1 was learned, %2 % of its pixels in %3 were overexposed.",
+        "Lower the exposure of the camera, and learn the color again in new images."},
     FindingTexts{TargetTooDark, "target-too-dark", kNote,
-                 "%2 % of the pixels of target %1 in %3 were too dark when its color was learned.",
+                 "When the color of target %1 was learned, %2 % of its pixels in %3 were too dark.",
                  "Raise the exposure of the camera or add light, and learn the color again in new "
                  "images."},
     FindingTexts{RadiusUnlikely, "radius-unlikely", kProblem,

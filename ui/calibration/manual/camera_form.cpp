@@ -132,8 +132,8 @@ void CameraForm::retranslateUi() {
   aimLabel_->setText(tr("Direction"));
   setChoices(*aimMode_, {tr("point, roll"), tr("yaw, pitch, roll")});
   name(aimMode_, tr("Direction format"),
-       tr("A point that the camera looks at, or angles: yaw from x toward y, pitch above the "
-          "horizon, roll about the line of sight"));
+       tr("Enter the direction as a point that the camera looks at, or as angles: yaw is measured "
+          "from x toward y, pitch above the horizon, and roll about the line of sight"));
   lensLabel_->setText(tr("Lens"));
   setChoices(*lensMode_, {tr("focal length"), tr("field of view")});
   name(lensMode_, tr("Lens parameter"),

@@ -36,9 +36,9 @@ QString touchText(WandEvent role) {
   case WandEvent::Floor:
     return WandText::tr("touches the floor");
   case WandEvent::DistanceFrom:
-    return WandText::tr("is at the first end of the distance");
+    return WandText::tr("is at one end of the known distance");
   case WandEvent::DistanceTo:
-    return WandText::tr("is at the second end of the distance");
+    return WandText::tr("is at the other end of the known distance");
   case WandEvent::FallBegins:
     return WandText::tr("begins to fall");
   case WandEvent::FallEnds:
