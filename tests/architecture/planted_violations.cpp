@@ -69,6 +69,7 @@ const std::vector<PlantedViolation>& plantedViolations() {
       {"core/session/run/a.h", "core/session/rewind/b.h"},
       {"core/session/run/a.h", "core/session/watch/b.h"},
       {"core/session/snapshot/a.h", "core/session/run/b.h"},
+      {"core/session/view/a.h", "core/session/run/b.h"},
       {"core/session/watch/a.h", "core/session/snapshot/b.h"},
       {"core/setup/calibration/a.h", "core/setup/doctor/b.h"},
       {"core/setup/clicks/a.h", "core/setup/calibration/b.h"},

@@ -70,6 +70,7 @@ const std::map<std::string, std::map<std::string, Names>, std::less<>>& roomTabl
         {"run", {"frames", "people"}},
         {"watch", {"frames", "run"}},
         {"snapshot", {"frames", "people", "watch"}},
+        {"view", {"people", "snapshot"}},
         {"rewind", {"frames", "run", "snapshot"}},
         {"selftest", {"", "frames", "run"}},
         {"take", {"frames", "run"}},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Methods that follow boxes in a session: one camera, no calibration.
 #include "core/base/text_file.h"
-#include "core/session/camera_overlay.h"
+#include "core/session/view/camera_overlay.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "tests/session/patch_recording.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/target_exposures.h"
+#include "core/session/view/target_exposures.h"
 
 #include <QWidget>
 

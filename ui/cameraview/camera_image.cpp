@@ -2,7 +2,7 @@
 #include "ui/cameraview/camera_image.h"
 
 #include "core/session/snapshot/snapshot.h"
-#include "core/session/view_image.h"
+#include "core/session/view/view_image.h"
 #include "ui/style/image.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameraview/camera_picture.h"
 
-#include "core/session/camera_overlay.h"
 #include "core/session/snapshot/snapshot.h"
+#include "core/session/view/camera_overlay.h"
 #include "ui/cameraview/camera_motion_marker.h"
 #include "ui/cameraview/cloud_inset.h"
 #include "ui/cameraview/evidence_painter.h"

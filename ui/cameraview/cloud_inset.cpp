@@ -2,7 +2,7 @@
 #include "ui/cameraview/cloud_inset.h"
 
 #include "core/calibration/manual/click_aids.h"
-#include "core/session/camera_overlay.h"
+#include "core/session/view/camera_overlay.h"
 #include "ui/cameraview/inset_geometry.h"
 #include "ui/cameraview/overlay_painter.h"
 #include "ui/cameraview/particle_painter.h"

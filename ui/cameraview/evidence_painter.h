@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/camera_overlay.h"
+#include "core/session/view/camera_overlay.h"
 #include "ui/cameraview/overlay_painter.h"
 
 #include <QImage>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameraview/particle_painter.h"
 
-#include "core/session/camera_overlay.h"
+#include "core/session/view/camera_overlay.h"
 
 #include <QPainter>
 #include <QPixmap>

@@ -2,8 +2,8 @@
 #include "ui/cameraview/people_painter.h"
 
 #include "core/base/overloaded.h"
-#include "core/session/camera_overlay.h"
 #include "core/session/snapshot/snapshot_state.h"
+#include "core/session/view/camera_overlay.h"
 #include "ui/style/halo.h"
 #include "ui/style/identity_badge.h"
 #include "ui/style/theme.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/video_plan.h"
+#include "core/session/view/video_plan.h"
 #include "ui/export/video_picture.h"
 
 #include <QWidget>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/legend_picture.h"
 
-#include "core/session/camera_overlay.h"
 #include "core/session/snapshot/display_colors.h"
+#include "core/session/view/camera_overlay.h"
 #include "ui/cameraview/overlay_painter.h"
 #include "ui/cameraview/particle_ramp.h"
 #include "ui/style/halo.h"

@@ -2,7 +2,7 @@
 #include "ui/scene3d/scene3d.h"
 
 #include "core/geometry/projected_lines.h"
-#include "core/session/target_colors.h"
+#include "core/session/view/target_colors.h"
 #include "ui/scene3d/scene_parts.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "ui/timeline/timeline.h"
 
 #include "core/session/frames/trouble_search.h"
-#include "core/session/target_colors.h"
+#include "core/session/view/target_colors.h"
 #include "ui/document/document.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"

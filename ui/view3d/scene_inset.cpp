@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view3d/scene_inset.h"
 
-#include "core/session/cloud_closeup.h"
+#include "core/session/view/cloud_closeup.h"
 #include "ui/style/mixed_color.h"
 #include "ui/style/spacing.h"
 #include "ui/style/theme.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/video_plan.h"
+#include "core/session/view/video_plan.h"
 
 #include <gtest/gtest.h>
 

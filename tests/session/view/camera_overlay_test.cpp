@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random.h"
 #include "core/geometry/sphere_image.h"
-#include "core/session/camera_overlay.h"
+#include "core/session/view/camera_overlay.h"
 #include "tests/session/fake_recording.h"
 
 #include <Eigen/Eigenvalues>

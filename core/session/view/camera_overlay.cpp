@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/camera_overlay.h"
+#include "core/session/view/camera_overlay.h"
 
 #include "core/base/belief_region.h"
 #include "core/base/overloaded.h"

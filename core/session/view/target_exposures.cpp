@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/target_exposures.h"
+#include "core/session/view/target_exposures.h"
 
 #include "core/base/overloaded.h"
 #include "core/base/units.h"
 #include "core/color/color_region.h"
 #include "core/geometry/sphere_image.h"
-#include "core/session/camera_overlay.h"
 #include "core/session/snapshot/snapshot_state.h"
+#include "core/session/view/camera_overlay.h"
 
 #include <opencv2/imgproc.hpp>
 

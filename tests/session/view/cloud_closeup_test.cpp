@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/cloud_closeup.h"
+#include "core/session/view/cloud_closeup.h"
 
 #include <gtest/gtest.h>
 

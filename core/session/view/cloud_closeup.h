@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/camera_overlay.h"
 #include "core/session/snapshot/snapshot.h"
+#include "core/session/view/camera_overlay.h"
 
 #include <Eigen/Core>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/view_image.h"
+#include "core/session/view/view_image.h"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/people/people_overlay.h"
 #include "core/session/snapshot/snapshot.h"
-#include "core/session/target_colors.h"
+#include "core/session/view/target_colors.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/people_state.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/sphere_image.h"
-#include "core/session/target_exposures.h"
+#include "core/session/view/target_exposures.h"
 #include "tests/session/fake_recording.h"
 
 #include <gtest/gtest.h>

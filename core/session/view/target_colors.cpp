@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/target_colors.h"
+#include "core/session/view/target_colors.h"
 
 #include "core/session/people/people_overlay.h"
 #include "core/session/snapshot/snapshot.h"
