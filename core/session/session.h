@@ -4,7 +4,7 @@
 #include "core/session/command.h"
 #include "core/session/frames/frame_tap.h"
 #include "core/session/frames/live_set.h"
-#include "core/session/log_update.h"
+#include "core/session/log/log_update.h"
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/result_settings.h"

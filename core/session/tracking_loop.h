@@ -3,9 +3,9 @@
 
 #include "core/session/command_queue.h"
 #include "core/session/frames/frame_tap.h"
+#include "core/session/log/run_log.h"
 #include "core/session/playback_pace.h"
 #include "core/session/run_driver.h"
-#include "core/session/run_log.h"
 #include "core/session/snapshot_builder.h"
 #include "core/session/snapshot_publisher.h"
 

@@ -64,6 +64,7 @@ const std::vector<PlantedViolation>& plantedViolations() {
       {"core/session/a.h", "core/session/selftest/b.h"},
       {"core/session/take/a.h", "core/session/rewind/b.h"},
       {"core/session/frames/a.h", "core/session/run/b.h"},
+      {"core/session/log/a.h", "core/session/watch/b.h"},
       {"core/session/people/a.h", "core/session/rewind/b.h"},
       {"core/session/rewind/a.h", "core/session/session.h"},
       {"core/session/run/a.h", "core/session/rewind/b.h"},

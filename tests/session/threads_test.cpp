@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/command_queue.h"
-#include "core/session/run_log.h"
+#include "core/session/log/run_log.h"
 #include "core/session/snapshot_publisher.h"
 #include "tests/session/fake_recording.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/session/frames/tracked_frame.h"
-#include "core/session/log_update.h"
+#include "core/session/log/log_update.h"
 #include "core/session/snapshot/snapshot.h"
 
 namespace dewpoint::ui {

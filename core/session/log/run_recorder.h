@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/session/log/run_log.h"
 #include "core/session/run/frame_loop.h"
 #include "core/session/run/result_settings.h"
 #include "core/session/run/tracking_run.h"
-#include "core/session/run_log.h"
 #include "core/session/snapshot/snapshot.h"
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run_recorder.h"
+#include "core/session/log/run_recorder.h"
 
 #include "core/base/overloaded.h"
 #include "core/base/statistics.h"

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/session/frames/live_set.h"
-#include "core/session/log_update.h"
+#include "core/session/log/log_update.h"
+#include "core/session/log/thinned_log.h"
 #include "core/session/people/people_frame.h"
 #include "core/session/run/box_track_file.h"
 #include "core/session/run/result_settings.h"
 #include "core/session/run/run_report.h"
 #include "core/session/snapshot/snapshot.h"
-#include "core/session/thinned_log.h"
 #include "core/trajectory/trajectory.h"
 
 #include <mutex>

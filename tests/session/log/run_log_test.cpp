@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the record of a run says after a target got another name.
-#include "core/session/run_log.h"
+#include "core/session/log/run_log.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/run_log.h"
+#include "core/session/log/run_log.h"
 
 #include "core/session/run/tracking_run.h"
 
