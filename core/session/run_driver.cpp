@@ -3,9 +3,9 @@
 
 #include "core/base/thread_count.h"
 #include "core/session/box_counterparts.h"
-#include "core/session/correction_changes.h"
 #include "core/session/people/person_correction.h"
 #include "core/session/rerun_range.h"
+#include "core/session/rewind/correction_changes.h"
 #include "core/tracking/catalog/method_catalog.h"
 
 #include <algorithm>

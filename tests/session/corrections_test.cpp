@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Corrections of positions in a run: the same bits whichever way a frame is reached.
 #include "core/base/text_file.h"
-#include "core/session/correction_changes.h"
 #include "core/session/run/frame_loop.h"
 #include "core/trajectory/trajectory_reader.h"
 #include "tests/session/drawn_recording.h"
@@ -214,17 +213,6 @@ TEST_P(CorrectionsOfARun, AreInWhatItLeaves) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, CorrectionsOfARun, testing::Values("dewpoint", "barrera"));
-
-TEST(CorrectionChanges, BeginAtTheFirstFrameThatIsOtherwise) {
-  using All = std::vector<PositionCorrection>;
-  EXPECT_FALSE(firstDifferingFrame(kTwo, kTwo));
-  EXPECT_EQ(firstDifferingFrame(All{}, kTwo), 15);
-  EXPECT_EQ(firstDifferingFrame(kTwo, All{kTwo[1]}), 15);
-  EXPECT_EQ(firstDifferingFrame(All{kTwo[0]}, kTwo), 22);
-  EXPECT_EQ(appendedCorrections(All{kTwo[0]}, kTwo), All{kTwo[1]});
-  EXPECT_EQ(appendedCorrections(kTwo, kTwo), All{});
-  EXPECT_FALSE(appendedCorrections(kTwo, All{kTwo[1]}));
-}
 
 } // namespace
 } // namespace dewpoint::tests

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/change_rule.h"
+#include "core/session/rewind/change_rule.h"
 
 #include <QObject>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/change_rule.h"
+#include "core/session/rewind/change_rule.h"
 
 #include <gtest/gtest.h>
 
