@@ -2,6 +2,7 @@
 #include "core/session/view/cloud_closeup.h"
 
 #include "core/base/belief_region.h"
+#include "core/base/statistics.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -51,12 +52,7 @@ double halfOfCloud(const TargetSnapshot& target, const Eigen::Matrix<double, 2, 
       distances.push_back(distance);
     }
   }
-  if (distances.empty()) {
-    return 0.0;
-  }
-  const auto middle = distances.begin() + std::ssize(distances) / 2;
-  std::ranges::nth_element(distances, middle);
-  return *middle;
+  return upperMedianInPlace(distances);
 }
 
 ImageEllipse projectedOutline(const Eigen::Matrix2d& covariance) {
