@@ -54,7 +54,7 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
   // One thing at a time is meant by a click in an image. A color is also learned for the wand, with
   // the panel open: then the images belong to it until the color is known.
   bench_.onToggled("actionLearnColor", this, [this](bool learning) {
-    manual_->lendImages(learning);
+    manual_->setSuspended(learning);
     if (learning) {
       Q_EMIT imagesLent();
     }

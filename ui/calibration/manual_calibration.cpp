@@ -67,9 +67,9 @@ void ManualCalibration::setActive(bool active) {
   Q_EMIT changed();
 }
 
-void ManualCalibration::lendImages(bool lent) {
-  if (lent != lent_) {
-    lent_ = lent;
+void ManualCalibration::setSuspended(bool suspended) {
+  if (suspended != suspended_) {
+    suspended_ = suspended;
     Q_EMIT changed();
   }
 }

@@ -41,9 +41,9 @@ public:
   void setActive(bool active);
   /// Returns whether the grid is drawn over the images and uses their clicks. This is so while a
   /// page that shows the grid is open and no other tool uses the clicks.
-  bool takesClicks() const { return active_ && !lent_; }
-  /// Hides the grid while another tool uses the clicks in the images.
-  void lendImages(bool lent);
+  bool takesClicks() const { return active_ && !suspended_; }
+  /// If `suspended`, hides the grid and ignores clicks, because another tool uses the images.
+  void setSuspended(bool suspended);
 
   /// Returns the index of the selected camera, or 0 if none is selected.
   int camera() const;
@@ -157,7 +157,7 @@ private:
   Selection& selection_;
   CameraListModel& cameras_;
   bool active_ = false;
-  bool lent_ = false;
+  bool suspended_ = false;
   CameraRig whenOpened_;
   CameraRig beforeRefinement_;
   CameraRig beforeLastChange_;

@@ -28,9 +28,10 @@ public:
   /// with the target, so they get only a fifth of the weight. All pixels of the image count against
   /// the target, including the pixels of the target itself, so a large target gets lower values.
   ColorLikelihood likelihoodForImage(const cv::Mat& bgr, const cv::Mat& near) const;
-  /// Returns the mean log ratio (nats) of the pixels in `region`, computed as if `region` were the
-  /// target and all other pixels the rest. `region` is CV_8UC1 with the size of the image, 255
-  /// inside.
+  /// Returns the mean of log p(color | target) / p(color | not target) over the pixels of `region`,
+  /// in nats. The density of the target comes from the other camera. The density of everything else
+  /// is estimated from the pixels of `bgr` outside `region`. `near` is as for likelihoodForImage().
+  /// `region` is CV_8UC1 of the size of the image, 255 inside.
   double meanLogRatio(const cv::Mat& bgr, const cv::Mat& near, const cv::Mat& region) const;
 
 private:

@@ -39,8 +39,8 @@ Result<std::vector<const ScenarioDeclaration*>>
 selectScenarios(std::span<const ScenarioDeclaration> catalog,
                 const std::vector<std::string>& names);
 
-/// Returns the methods of all scenarios in table order, without duplicates: first suiteMethods(),
-/// then imageClipMethods(), which only follow clips of one camera.
+/// Returns the methods for all scenarios and clips without duplicates, in the order of the report's
+/// tables: first suiteMethods(), then imageClipMethods(), which need clips from a single camera.
 std::vector<std::string> allSuiteMethods();
 
 /// Returns the methods with the given names, in the order of `known` and without duplicates.

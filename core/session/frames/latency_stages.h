@@ -34,9 +34,9 @@ struct LiveLatency {
   Latency compute; ///< from when the tracking thread takes the images to the estimate
   Latency draw;    ///< from the estimate until a camera view has painted it
   Latency total;   ///< from the capture time to the estimate
-  /// Number of images by the origin of their capture times, indexed by TimeOrigin. If the capture
-  /// time of an image is unknown, its arrival time is used instead: the image does not count in
-  /// `capture`, and its `total` begins at the arrival.
+  /// Number of images for each origin of the capture time, indexed by TimeOrigin. An image whose
+  /// capture time is unknown counts under TimeOrigin::Arrival. Such images do not contribute to
+  /// `capture`, and their share of `total` is measured from the arrival.
   std::array<std::int64_t, kTimeOrigins> images{};
 };
 

@@ -53,7 +53,8 @@ public:
   void learnBackground(std::size_t camera,
                        const std::vector<BackgroundModel::ExcludedCircle>& hidden,
                        bool noTargetElsewhere);
-  /// Calls BackgroundModel::forgetFamiliarPixels() for the whole images of all cameras.
+  /// Discards, for the images of all cameras, which pixels of the background are known to have the
+  /// target color (BackgroundModel::forgetFamiliarPixels()).
   void forgetFamiliarPixels();
   /// Calls BackgroundModel::forgetFamiliarPixels() for a circle in the image of one camera.
   void forgetFamiliarPixels(std::size_t camera, const BackgroundModel::ExcludedCircle& circle);
