@@ -298,7 +298,7 @@ RunDriver::replaceCorrections(std::vector<Correction> RunDefinition::*member,
 
 void RunDriver::setPersonCorrections(const std::vector<PersonCorrection>& people) {
   const auto ofHead = replaceCorrections(&RunDefinition::people, people,
-                                         run().definition()->family().findsTargets());
+                                         run().supportsCorrections<PersonPlacing>());
   for (const PersonCorrection& correction : ofHead) { // the head needs no tracking again
     current_.change(run().effectOf(correction));
   }
@@ -309,8 +309,8 @@ void RunDriver::setPersonCorrections(const std::vector<PersonCorrection>& people
 }
 
 void RunDriver::setCorrections(const std::vector<PositionCorrection>& corrections) {
-  const auto ofHead =
-      replaceCorrections(&RunDefinition::corrections, corrections, run().supportsCorrections());
+  const auto ofHead = replaceCorrections(&RunDefinition::corrections, corrections,
+                                         run().supportsCorrections<PositionCorrecting>());
   for (const PositionCorrection& correction : ofHead) {
     current_.change(correction);
   }

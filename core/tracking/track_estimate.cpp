@@ -51,6 +51,22 @@ struct Position {
   Result operator()(const AbsentEstimate& /*absent*/) const { return std::nullopt; }
 };
 
+struct Velocity {
+  using Result = std::optional<Eigen::Vector3d>;
+  Result operator()(const SphereEstimate& /*sphere*/) const { return std::nullopt; }
+  Result operator()(const BoxEstimate& /*box*/) const { return std::nullopt; }
+  Result operator()(const PersonEstimate& person) const { return person.velocity; }
+  Result operator()(const AbsentEstimate& /*absent*/) const { return std::nullopt; }
+};
+
+struct Identity {
+  std::size_t track;
+  int operator()(const PersonEstimate& person) const { return person.identity; }
+  template <class Estimate> int operator()(const Estimate& /*estimate*/) const {
+    return static_cast<int>(track) + 1;
+  }
+};
+
 } // namespace
 
 double spreadOf(const Eigen::Matrix3d& covariance) {
@@ -93,6 +109,14 @@ int particleCountOf(const TrackEstimate& estimate) {
 
 std::optional<Gaussian3> positionOf(const TrackEstimate& estimate) {
   return std::visit(Position{}, estimate);
+}
+
+std::optional<Eigen::Vector3d> velocityOf(const TrackEstimate& estimate) {
+  return std::visit(Velocity{}, estimate);
+}
+
+int identityOf(const TrackEstimate& estimate, std::size_t track) {
+  return std::visit(Identity{track}, estimate);
 }
 
 std::optional<Eigen::Vector3d> bestParticleOf(const TrackEstimate& estimate) {

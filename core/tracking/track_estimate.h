@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -106,6 +107,12 @@ int particleCountOf(const TrackEstimate& estimate);
 /// Returns the mean and covariance of the position in the world frame (m, m²), or nothing if the
 /// position is known only in an image.
 std::optional<Gaussian3> positionOf(const TrackEstimate& estimate);
+/// Returns the velocity (m/s) of a person in the world frame; nothing for other kinds, whose
+/// methods do not estimate it.
+std::optional<Eigen::Vector3d> velocityOf(const TrackEstimate& estimate);
+/// Returns the identity of a person. Returns the number of the track, from 1 on, for other kinds.
+/// `track` is the index of the track, from 0 on.
+int identityOf(const TrackEstimate& estimate, std::size_t track);
 /// Returns the particle of highest weight (MAP) in the world frame, meters. Returns nothing for
 /// boxes and people, and if there are no particles.
 std::optional<Eigen::Vector3d> bestParticleOf(const TrackEstimate& estimate);

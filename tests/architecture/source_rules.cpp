@@ -245,18 +245,17 @@ int kindQuestions(std::string_view text) {
   return questions;
 }
 
-int findsTargetsQuestions(std::string_view text) {
-  constexpr std::string_view kQuestion = "findsTargets()";
-  int questions = 0;
+int occurrencesOf(std::string_view sought, std::string_view text) {
+  int occurrences = 0;
   std::istringstream stream{std::string(text)};
   for (std::string line; std::getline(stream, line);) {
     const std::string code = line.substr(0, line.find("//"));
-    for (std::size_t at = code.find(kQuestion); at != std::string::npos;
-         at = code.find(kQuestion, at + 1)) {
-      ++questions;
+    for (std::size_t at = code.find(sought); at != std::string::npos;
+         at = code.find(sought, at + 1)) {
+      ++occurrences;
     }
   }
-  return questions;
+  return occurrences;
 }
 
 std::set<std::string> classesDefinedIn(std::string_view text) {

@@ -27,9 +27,8 @@ std::vector<std::string> violations(const std::string& path, std::string_view te
 /// person() of a target without using at once what they return. Comments do not count.
 int kindQuestions(std::string_view text);
 
-/// How often a source file asks whether a method finds its targets, by the function of MethodFamily
-/// that compares the kind for it. Comments do not count.
-int findsTargetsQuestions(std::string_view text);
+/// How often a source file contains `sought`, such as "findsTargets()". Comments do not count.
+int occurrencesOf(std::string_view sought, std::string_view text);
 
 /// The classes of which a source file defines member functions, each once.
 std::set<std::string> classesDefinedIn(std::string_view text);

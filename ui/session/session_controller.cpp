@@ -157,9 +157,10 @@ void SessionController::storeImageSizes(const Project& opened) {
 
 void SessionController::start(const OpenRequest& request, SessionInputs inputs) {
   // Without a target a recording waits for the click instead of running away; live cameras are
-  // seen at once.
+  // seen at once. It does not wait for the box of a target that the project already has.
+  const std::vector<Target>& targets = inputs.project.targets;
   const bool wantsTarget =
-      inputs.project.targets.empty() && !methodFamily(inputs.project.method).findsTargets();
+      targets.empty() && methodFamily(inputs.project.method).lacksTargets(targets);
   const bool waits = !inputs.source->isLive() && (request.unsaved || wantsTarget);
   inputs.threads = Preferences().filterThreadCount();
   feeds_ = std::exchange(inputs.feeds, {});

@@ -114,10 +114,8 @@ void RecentPositions::add(const TrackSnapshot& snapshot) {
     if (trail.samples.size() > kPositions) {
       trail.samples.erase(trail.samples.begin());
     }
-    const auto before = std::exchange(trail.velocity, std::nullopt);
-    if (const PersonEstimate* person = std::get_if<PersonEstimate>(&target.estimate)) {
-      trail.velocity = person->velocity;
-    } else {
+    const auto before = std::exchange(trail.velocity, velocityOf(target.estimate));
+    if (!trail.velocity) {
       const std::size_t last = trail.samples.size() - 1;
       trail.velocity = trajectory::velocityAt(renumbered(trail.samples), last, kPositions - 1);
     }
@@ -152,9 +150,8 @@ FrameMessage frameMessageOf(const TrackSnapshot& snapshot, const RecentPositions
     if (isAbsent(target.estimate)) {
       continue; // a person who has left
     }
-    const PersonEstimate* person = std::get_if<PersonEstimate>(&target.estimate);
     TargetMessage& sent = message.targets.emplace_back();
-    sent.id = person != nullptr ? person->identity : static_cast<int>(k) + 1;
+    sent.id = identityOf(target.estimate, k);
     sent.name = target.target.name;
     sent.state = stateWord(session::holdState(target));
     sent.existence = existenceProbabilityOf(target.estimate);

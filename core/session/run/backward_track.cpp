@@ -169,7 +169,8 @@ Result<BackwardPositions> positionsBefore(FrameSetSource& source, const Backward
     return tl::make_unexpected(run.error());
   }
   const auto target = static_cast<std::size_t>(order.from.target);
-  if (!run->supportsCorrections() || target >= order.definition.targets.size()) {
+  if (!run->supportsCorrections<PositionCorrecting>() ||
+      target >= order.definition.targets.size()) {
     return BackwardPositions();
   }
   const std::int64_t at = order.from.frame;

@@ -250,7 +250,7 @@ void TrackingRun::correctPositions() {
 }
 
 bool TrackingRun::isCorrected(std::size_t target) const {
-  return supportsCorrections() &&
+  return supportsCorrections<PositionCorrecting>() &&
          std::ranges::any_of(definition_->corrections, [&](const PositionCorrection& correction) {
            return correction.frame == frames_->index && !correction.trackedFrom &&
                   static_cast<std::size_t>(correction.target) == target;

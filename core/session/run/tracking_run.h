@@ -80,8 +80,11 @@ public:
   void restore(const State& state);
   /// Returns whether the method can be copied, so that states returned by save() contain a tracker.
   bool canBeCopied() const;
-  /// Returns whether the method can apply corrections of positions by the user.
-  bool supportsCorrections() const { return capability<PositionCorrecting>() != nullptr; }
+  /// Returns whether the user may correct positions (PositionCorrecting) or add and remove people
+  /// (PersonPlacing).
+  template <class Correcting> bool supportsCorrections() const {
+    return capability<Correcting>() != nullptr;
+  }
   /// Sets the number of iterations counted so far.
   void setIterationCount(std::int64_t iterations) { iterations_ = iterations; }
   /// Sets the number of threads from the next iteration on; it never changes the result.

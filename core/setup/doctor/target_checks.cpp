@@ -152,6 +152,12 @@ std::int64_t endOf(const Examination& examination, int camera) {
   return index < examination.footage.size() ? examination.footage[index].frames : 0;
 }
 
+/// Whether the method can track a target only with its box.
+bool needsBox(const MethodFamily& family, Target target) {
+  target.box.reset();
+  return !family.isDefined(target);
+}
+
 void checkBoxOf(Examination& examination, std::size_t number) {
   const Target& target = examination.project.targets[number];
   if (!target.box) {
@@ -171,15 +177,14 @@ void checkBoxOf(Examination& examination, std::size_t number) {
 void checkTargets(Examination& examination) {
   const Project& project = examination.project;
   const MethodFamily family = methodFamily(project.method);
-  if (family.findsTargets()) {
-    return;
-  }
   if (family.lacksTargets(project.targets)) {
     examination.add(FindingKind::TargetsMissing, {family.noTargetsText(project.method)}, "target");
   }
   for (std::size_t k = 0; k < project.targets.size(); ++k) {
-    if (!family.masksColors()) {
+    if (needsBox(family, project.targets[k])) {
       checkBoxOf(examination, k);
+    }
+    if (!family.masksColors()) {
       continue;
     }
     if (project.targets[k].radius > kLargestRadius) {
