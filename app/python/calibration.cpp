@@ -45,7 +45,7 @@ std::optional<double> metersFrom(const std::optional<std::string>& unit) {
   }
   const auto meters = parseLengthUnit(*unit);
   if (!meters) {
-    raiseBadValue("unit", "expected m, mm, cm, in, ft, or the length of one unit in meters");
+    raiseBadValue("unit", lengthUnitProblem(*unit));
   }
   return meters;
 }

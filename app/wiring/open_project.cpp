@@ -27,10 +27,6 @@
 namespace dewpoint::app {
 namespace {
 
-bool isLive(const ProjectCamera& camera) {
-  return camera.source == SourceKind::Device || camera.source == SourceKind::Stream;
-}
-
 /// Cameras that a scene brings, with the poses that the project gives them.
 void takeCameras(Project& project, double framesPerSecond, const CameraRig& rig) {
   project.framesPerSecond = framesPerSecond;
@@ -164,7 +160,7 @@ Result<std::unique_ptr<FrameSetSource>> openRecordings(const Project& project) {
 /// `feeds` gets those of live cameras.
 Result<std::unique_ptr<FrameSetSource>> openSource(Project& project,
                                                    std::vector<EncodedFeedPtr>& feeds) {
-  const auto live = std::count_if(project.cameras.begin(), project.cameras.end(), isLive);
+  const auto live = std::ranges::count_if(project.cameras, &ProjectCamera::isLive);
   if (live == 0) {
     return openRecordings(project);
   }

@@ -58,6 +58,9 @@ struct ProjectCamera {
   /// of the camera in the project.
   void markAdjusted() { adjusted = adjusted || source == SourceKind::Simulation; }
 
+  /// Returns whether the images come from a live camera, not from a recording or a simulation.
+  bool isLive() const { return source == SourceKind::Device || source == SourceKind::Stream; }
+
   bool operator==(const ProjectCamera&) const = default;
 };
 

@@ -43,9 +43,7 @@ std::vector<ProjectFile> runInputFiles(const Project& project) {
 }
 
 bool isRepeatable(const Project& project) {
-  return std::ranges::none_of(project.cameras, [](const ProjectCamera& camera) {
-    return camera.source == SourceKind::Device || camera.source == SourceKind::Stream;
-  });
+  return std::ranges::none_of(project.cameras, &ProjectCamera::isLive);
 }
 
 std::string runInputText(const Project& project) {

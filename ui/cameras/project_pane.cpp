@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/cameras/project_pane.h"
 
-#include "core/base/angle.h"
 #include "core/project/project.h"
 #include "core/session/snapshot/snapshot.h"
 #include "core/setup/new_project/new_project.h"
@@ -23,8 +22,8 @@
 #include "ui/style/image.h"
 #include "ui/style/spacing.h"
 #include "ui/text/error_sentence.h"
-#include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/choice_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -88,9 +87,7 @@ void ProjectPane::arrange() {
   list_->setSpacing(2);
   list_->setUniformItemSizes(true);
   exchange_->setMenu(new QMenu(exchange_));
-  for (const int degrees : {0, 90, 180, 270}) {
-    rotation_->addItem(angleText(degrees * base::kDegree, 0), degrees);
-  }
+  addRotations(*rotation_);
   nameLabel_->setBuddy(name_);
   rotationLabel_->setBuddy(rotation_);
   source_->setWordWrap(true);

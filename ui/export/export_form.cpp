@@ -30,14 +30,6 @@ constexpr double kMostSeconds = 1e6;
 constexpr double kMostRate = 10000.0;
 constexpr double kMostGap = 60.0;
 
-QDoubleSpinBox* makeSpin(QWidget* parent, const char* name, double low, double high, int decimals) {
-  auto* spin = named(new DecimalField(parent), name);
-  spin->setRange(low, high);
-  spin->setDecimals(decimals);
-  spin->setKeyboardTracking(false);
-  return spin;
-}
-
 } // namespace
 
 ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
@@ -46,14 +38,14 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
   targets_ = named(new QListWidget(this), "exportTargets");
   targets_->setMaximumHeight(84);
   estimates_ = named(new QComboBox(this), "exportEstimates");
-  from_ = makeSpin(this, "exportFrom", -1.0, kMostSeconds, 3);
-  to_ = makeSpin(this, "exportTo", -1.0, kMostSeconds, 3);
+  from_ = makeDecimalField("exportFrom", -1.0, kMostSeconds, 3, this);
+  to_ = makeDecimalField("exportTo", -1.0, kMostSeconds, 3, this);
   trackedTo_ = named(new QLabel(this), "exportTrackedTo");
   trackedTo_->setForegroundRole(QPalette::PlaceholderText);
   trackedTo_->hide();
-  rate_ = makeSpin(this, "exportRate", 0.0, kMostRate, 3);
+  rate_ = makeDecimalField("exportRate", 0.0, kMostRate, 3, this);
   gaps_ = named(new QComboBox(this), "exportGaps");
-  longestGap_ = makeSpin(this, "exportLongestGap", 0.01, kMostGap, 2);
+  longestGap_ = makeDecimalField("exportLongestGap", 0.01, kMostGap, 2, this);
   longestGap_->setValue(ExportOptions().longestGap);
   axes_ = named(new QComboBox(this), "exportAxes");
   unit_ = named(new QComboBox(this), "exportUnit");

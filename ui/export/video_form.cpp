@@ -27,15 +27,6 @@ constexpr std::array<QSize, 5> kVideoSizes{QSize(640, 360), QSize(1280, 720), QS
                                            QSize(2560, 1440), QSize(3840, 2160)};
 constexpr int kUsualSize = 2; ///< row of 1280 x 720
 
-QDoubleSpinBox* makeVideoSpin(QWidget* parent, const char* name, double low, double high,
-                              int decimals) {
-  auto* spin = named(new DecimalField(parent), name);
-  spin->setRange(low, high);
-  spin->setDecimals(decimals);
-  spin->setKeyboardTracking(false);
-  return spin;
-}
-
 } // namespace
 
 VideoForm::VideoForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
@@ -56,13 +47,13 @@ VideoForm::VideoForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout(t
 void VideoForm::makeFields() {
   views_ = named(new QListWidget(this), "videoViews");
   views_->setMaximumHeight(120);
-  from_ = makeVideoSpin(this, "videoFrom", -1.0, kMostVideoSeconds, 3);
-  to_ = makeVideoSpin(this, "videoTo", -1.0, kMostVideoSeconds, 3);
-  speed_ = makeVideoSpin(this, "videoSpeed", 0.0, VideoTiming::kFastest, 2);
+  from_ = makeDecimalField("videoFrom", -1.0, kMostVideoSeconds, 3, this);
+  to_ = makeDecimalField("videoTo", -1.0, kMostVideoSeconds, 3, this);
+  speed_ = makeDecimalField("videoSpeed", 0.0, VideoTiming::kFastest, 2, this);
   speed_->setSingleStep(0.1);
   speed_->setValue(1.0);
   size_ = named(new QComboBox(this), "videoSize");
-  rate_ = makeVideoSpin(this, "videoRate", 0.0, kMostVideoRate, 3);
+  rate_ = makeDecimalField("videoRate", 0.0, kMostVideoRate, 3, this);
   encoding_ = named(new QComboBox(this), "videoEncoding");
   titles_ = named(new QCheckBox(this), "videoTitles");
   titles_->setChecked(true);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/camera_panel.h"
 
-#include "core/base/angle.h"
 #include "core/base/units.h"
 #include "core/project/project.h"
 #include "core/setup/calibration/calibrated_project.h"
@@ -12,6 +11,7 @@
 #include "ui/selection/selection.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/widgets/choice_field.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/path_field.h"
 
@@ -73,9 +73,7 @@ void CameraPanel::makeFields() {
   calibration_->setObjectName(QStringLiteral("cameraCalibration"));
   calibration_->setWordWrap(true);
   calibration_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  for (const int degrees : {0, 90, 180, 270}) {
-    rotation_->addItem(angleText(degrees * base::kDegree, 0), degrees);
-  }
+  addRotations(*rotation_);
   nameLabel_->setBuddy(name_);
   sourceLabel_->setBuddy(source_);
   rotationLabel_->setBuddy(rotation_);

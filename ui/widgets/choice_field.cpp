@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/choice_field.h"
 
+#include "core/base/angle.h"
+#include "ui/text/quantity_text.h"
 #include "ui/widgets/number_field.h"
 
 #include <QComboBox>
@@ -15,6 +17,12 @@ QComboBox* makeChoice(const char* name, QWidget* parent) {
   choice->setObjectName(QLatin1String(name));
   makeNarrow(*choice);
   return choice;
+}
+
+void addRotations(QComboBox& box) {
+  for (const int degrees : {0, 90, 180, 270}) {
+    box.addItem(angleText(degrees * base::kDegree, 0), degrees);
+  }
 }
 
 void setChoices(QComboBox& box, const QStringList& texts) {

@@ -17,6 +17,10 @@ namespace dewpoint::ui {
 /// Creates a combo box with this object name. It may be narrower than its longest text.
 QComboBox* makeChoice(const char* name, QWidget* parent);
 
+/// Adds the rotations of images, 0 to 270 degrees. Their data is the angle in degrees, as in
+/// ProjectCamera::rotateDegrees.
+void addRotations(QComboBox& box);
+
 /// Replaces the texts of a combo box without emitting signals. Keeps the selected row if it still
 /// exists; otherwise selects the last row.
 void setChoices(QComboBox& box, const QStringList& texts);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/widgets/decimal_field.h"
 
+#include "ui/widgets/named.h"
+
 #include <QFocusEvent>
 #include <QLineEdit>
 #include <QLocale>
@@ -69,6 +71,15 @@ QValidator::State DecimalField::validate(QString& text, int& position) const {
 
 double DecimalField::valueFromText(const QString& text) const {
   return QDoubleSpinBox::valueFromText(localized(text));
+}
+
+DecimalField* makeDecimalField(const char* name, double low, double high, int decimals,
+                               QWidget* parent) {
+  auto* field = named(new DecimalField(parent), name);
+  field->setRange(low, high);
+  field->setDecimals(decimals);
+  field->setKeyboardTracking(false);
+  return field;
 }
 
 } // namespace dewpoint::ui

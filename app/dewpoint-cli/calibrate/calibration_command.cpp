@@ -37,11 +37,6 @@ std::optional<double> meters(const std::string& unit) {
   return unit.empty() ? std::nullopt : parseLengthUnit(unit);
 }
 
-std::string wrongUnit(const std::string& text) {
-  return parseLengthUnit(text) ? ""
-                               : "expected m, mm, cm, in, ft, or the length of one unit in meters";
-}
-
 std::string wrongSize(const std::string& text) {
   int width = 0;
   int height = 0;
@@ -151,9 +146,9 @@ void addCalibrationCommand(CLI::App& app, int& exitCode) {
                   "Format of OUT; taken from the file name extension if omitted");
   add->add_option("--unit", options->unit,
                   "Unit of IN: m, mm, cm, in, ft, or the length of one unit in meters")
-      ->check(wrongUnit);
+      ->check(lengthUnitProblem);
   add->add_option("--out-unit", options->outUnit, "Unit of OUT, if the format does not define it")
-      ->check(wrongUnit);
+      ->check(lengthUnitProblem);
   add->add_option("--size", options->size, "WIDTHxHEIGHT of the images, if IN does not contain it")
       ->check(wrongSize);
   add->add_option("--lens", options->lens,

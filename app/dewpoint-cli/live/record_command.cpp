@@ -308,10 +308,7 @@ int record(const RecordOptions& options) {
   if (!project) {
     return report(project.error());
   }
-  const auto isLive = [](const ProjectCamera& camera) {
-    return camera.source == SourceKind::Device || camera.source == SourceKind::Stream;
-  };
-  if (project->cameras.empty() || !std::ranges::all_of(project->cameras, isLive)) {
+  if (project->cameras.empty() || !std::ranges::all_of(project->cameras, &ProjectCamera::isLive)) {
     return report({ErrorCode::Mismatch, options.project, "camera",
                    "only live cameras can be recorded (device or stream)"});
   }

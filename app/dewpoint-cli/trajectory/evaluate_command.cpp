@@ -41,11 +41,6 @@ Status saveEvaluation(const std::filesystem::path& folder,
   });
 }
 
-std::string wrongTruthUnit(const std::string& text) {
-  return parseLengthUnit(text) ? ""
-                               : "expected m, mm, cm, in, ft, or the length of one unit in meters";
-}
-
 /// The truth in meters; a note if it seems to be in another unit, which was not given.
 Result<Trajectory> readTruth(const EvaluateOptions& options, const Trajectory& estimate) {
   auto truth = readTrajectory(options.truth);
@@ -132,7 +127,7 @@ void addEvaluateCommand(CLI::App& app, int& exitCode) {
       ->add_option("--truth-unit", options->truthUnit,
                    "Unit of the positions in TRUTH: m, mm, cm, in, ft, or the length of one unit "
                    "in meters; m unless given")
-      ->check(wrongTruthUnit);
+      ->check(lengthUnitProblem);
   command->add_option("--gate", options->gate, "Error in meters above which a frame counts as lost")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -23,6 +23,11 @@ std::optional<double> parseLengthUnit(const std::string& text) {
   return meters && *meters > 0.0 && std::isfinite(*meters) ? meters : std::nullopt;
 }
 
+std::string lengthUnitProblem(const std::string& text) {
+  return parseLengthUnit(text) ? ""
+                               : "expected m, mm, cm, in, ft, or the length of one unit in meters";
+}
+
 std::filesystem::path cameraFile(const CameraRig& rig, std::size_t camera,
                                  const std::filesystem::path& out, const char* extension) {
   if (rig.size() == 1 && out.has_extension()) {

@@ -96,5 +96,8 @@ struct CalibrationFormat {
 /// Returns the size of a length unit in meters. The text is m, mm, cm, in, ft, or a positive number
 /// of meters. Returns nothing for any other text.
 std::optional<double> parseLengthUnit(const std::string& text);
+/// Returns what was expected instead of a text that parseLengthUnit() does not accept; empty if it
+/// accepts the text.
+std::string lengthUnitProblem(const std::string& text);
 
 } // namespace dewpoint::calibration

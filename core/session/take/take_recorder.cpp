@@ -45,10 +45,6 @@ std::string fileNameOf(const std::string& camera, std::set<std::string>& used) {
   return unique;
 }
 
-bool isLive(const ProjectCamera& camera) {
-  return camera.source == SourceKind::Device || camera.source == SourceKind::Stream;
-}
-
 /// The project of the recordings of a live project.
 Project recordedProject(Project project, const fs::path& folder, int number) {
   std::set<std::string> used;
@@ -79,7 +75,7 @@ Result<std::unique_ptr<TakeRecorder>> TakeRecorder::start(const Project& project
                                                           const std::vector<EncodedFeedPtr>& feeds,
                                                           const fs::path& parent,
                                                           const TakeOptions& options) {
-  if (project.cameras.empty() || !std::ranges::all_of(project.cameras, isLive)) {
+  if (project.cameras.empty() || !std::ranges::all_of(project.cameras, &ProjectCamera::isLive)) {
     return failure(ErrorCode::Mismatch, project.file.string(), "camera",
                    "only live cameras can be recorded (device or stream)");
   }

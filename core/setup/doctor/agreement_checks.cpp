@@ -22,16 +22,12 @@ bool matchesScene(const ProjectCamera& camera) {
   return camera.source == SourceKind::Simulation && !camera.adjusted;
 }
 
-bool isLiveSource(const ProjectCamera& camera) {
-  return camera.source == SourceKind::Device || camera.source == SourceKind::Stream;
-}
-
 } // namespace
 
 void checkAgreement(Examination& examination) {
   const Project& project = examination.project;
   if (!examination.options.open || examination.hasProblem() ||
-      std::ranges::any_of(project.cameras, isLiveSource)) {
+      std::ranges::any_of(project.cameras, &ProjectCamera::isLive)) {
     return; // it could not be opened, or should not be
   }
   auto source = examination.options.open(project);
