@@ -194,14 +194,14 @@ Project projectOfScene(const Scene& scene, const std::string& sceneName) {
   project.method = methodOfScene(sceneName, project.method);
   project.parameters = ParameterValues(methodParameters(project.method));
   project.parameters.markAllGiven();
-  const bool takesBoxes = !methodFamily(project.method).needsCalibration;
+  const MethodFamily family = methodFamily(project.method);
   for (const auto& ball : scene.balls) {
     Target& target = project.targets.emplace_back();
     target.name = ball.name;
     target.radius = ball.radius;
     target.color = ColorRange{ball.hueMin,        ball.hueMax,       ball.saturationMin,
                               ball.saturationMax, ball.intensityMin, ball.intensityMax};
-    if (takesBoxes) {
+    if (!family.isDefined(target)) {
       target.box = boxAround(scene, static_cast<int>(project.targets.size()) - 1);
     }
   }
