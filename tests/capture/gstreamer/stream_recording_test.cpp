@@ -13,6 +13,7 @@
 #include <opencv2/videoio.hpp>
 
 #include <fstream>
+#include <functional>
 #include <gst/gst.h>
 #include <thread>
 
@@ -54,11 +55,17 @@ private:
   std::jthread thread_;
 };
 
-RecordedCounts waitForImages(const StreamRecording& recording, std::int64_t count) {
+/// Waits until a condition holds; false when it never does.
+bool waitUntil(const std::function<bool()>& holds) {
   const auto deadline = RecordingClock::now() + 20s;
-  while (recording.counts().images < count && RecordingClock::now() < deadline) {
+  while (!holds() && RecordingClock::now() < deadline) {
     std::this_thread::sleep_for(10ms);
   }
+  return holds();
+}
+
+RecordedCounts waitForImages(const StreamRecording& recording, std::int64_t count) {
+  waitUntil([&] { return recording.counts().images >= count; });
   return recording.counts();
 }
 
@@ -258,10 +265,7 @@ TEST(StreamRecording, AFullDiskIsOneProblemAndTheCameraGoesOn) {
        {StreamFiles{"/dev/full", folder / "a.csv"}, StreamFiles{folder / "b.mkv", "/dev/full"}}) {
     StreamRecording recording(camera.feed, files, RawStorage::Jpeg, RecordingClock::now(),
                               "camera 'left'");
-    const auto deadline = RecordingClock::now() + 20s;
-    while (!recording.counts().problem && RecordingClock::now() < deadline) {
-      std::this_thread::sleep_for(10ms);
-    }
+    waitUntil([&] { return recording.counts().problem.has_value(); });
     const RecordedCounts counts = recording.counts();
     ASSERT_TRUE(counts.problem);
     EXPECT_EQ(counts.problem->code, ErrorCode::FileUnwritable);
@@ -274,8 +278,7 @@ TEST(StreamRecording, AFullDiskIsOneProblemAndTheCameraGoesOn) {
     EXPECT_LT(RecordingClock::now() - begin, 1s);
   }
   const auto before = camera.feed->imageCount();
-  std::this_thread::sleep_for(300ms);
-  EXPECT_GT(camera.feed->imageCount(), before);
+  EXPECT_TRUE(waitUntil([&] { return camera.feed->imageCount() > before; }));
 }
 
 TEST(StreamRecording, StartsAndStopsWhileTheCameraRuns) {
@@ -302,7 +305,8 @@ TEST(StreamRecording, AChangedFormatIsReportedAndKeepsTheFile) {
   waitForImages(recording, 5);
   small.feed->disconnect();
   large.feed->connect(pass);
-  std::this_thread::sleep_for(300ms);
+  EXPECT_TRUE(
+      waitUntil([&] { return recording.counts().problem && recording.counts().dropped > 0; }));
   large.feed->disconnect();
   small.feed->connect(pass);
   const auto before = recording.counts();

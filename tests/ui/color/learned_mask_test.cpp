@@ -9,7 +9,12 @@
 
 #include <QAction>
 
+#include <cstdint>
+
 namespace dewpoint::tests {
+
+/// More frames of the demo than are played until the mask of a learned color goes.
+constexpr std::int64_t kFramesOfMask = 75;
 
 class LearnedMaskTest : public QObject, private test::WindowFixture {
   Q_OBJECT
@@ -37,13 +42,14 @@ void LearnedMaskTest::theMaskOfALearnedColorGoesWhileTheRunPlays() {
   QTest::mouseClick(find<ImagePickOverlay>("cameraView0Pick"), Qt::LeftButton, Qt::ShiftModifier,
                     place.toPoint());
   QVERIFY(waitFor([this] { return action("actionShowMask")->isChecked(); }));
-  QTest::qWait(100);
+  letTimePass();
   QVERIFY(action("actionShowMask")->isChecked()); // as long as nobody plays
   action("actionPlay")->trigger();
   QVERIFY(waitFor([this] { return !action("actionShowMask")->isChecked(); }));
   // A mask that was shown before stays.
   action("actionShowMask")->setChecked(true);
-  QTest::qWait(2500);
+  const std::int64_t last = shown().frame + kFramesOfMask;
+  QVERIFY(waitFor([&] { return shown().frame >= last; }));
   QVERIFY(action("actionShowMask")->isChecked());
 }
 

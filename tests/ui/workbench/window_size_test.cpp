@@ -47,11 +47,10 @@ void WindowSizeTest::aMessageFitsASmallScreen() {
   }
   QVERIFY(fits());
   window_->workbench().messages.showError(QStringLiteral("something went wrong"));
-  QVERIFY(draws(*window_));
-  QTest::qWait(200); // layouts settle
+  QVERIFY(settles(*window_));
   QVERIFY(fits());
   window_->workbench().messages.dismiss();
-  QTest::qWait(200);
+  QVERIFY(settles(*window_));
   QVERIFY(fits());
 }
 
