@@ -354,7 +354,7 @@ void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot
   snapshot.cameraMotions = watches_.motion().reports();
   snapshot.disagreements = watches_.agreement().found(snapshot.family);
   if (input_.exists()) {
-    input_.show(snapshot);
+    input_.fillSourceFields(snapshot);
     snapshot.history = timeTravel().state();
   }
   log_.setNotices(snapshot.notices, input_.time()); // without those below, whose numbers change

@@ -46,7 +46,7 @@ public:
   bool haveNoticesChanged() const { return notices() != shownNotices_; }
   /// Stores the current problems, the number of frames, the frame rate and the number of dropped
   /// frames in a snapshot.
-  void show(TrackSnapshot& snapshot) {
+  void fillSourceFields(TrackSnapshot& snapshot) {
     shownNotices_ = notices();
     std::ranges::copy(shownNotices_, std::back_inserter(snapshot.notices));
     snapshot.frameCount = source_->frameCount();

@@ -132,7 +132,7 @@ void Document::emitChanges(const ProjectChanges& changes) {
     Q_EMIT volumeChanged();
   }
   if (changes.people) {
-    Q_EMIT peopleChanged();
+    Q_EMIT personCorrectionsChanged();
   }
   if (changes.corrections) {
     Q_EMIT correctionsChanged();

@@ -101,7 +101,7 @@ Q_SIGNALS:
   void calibrationChanged();
   void backgroundImagesChanged();
   void volumeChanged();
-  void peopleChanged();
+  void personCorrectionsChanged();
   void correctionsChanged();
   void sourcesChanged();
   void fileChanged();

@@ -90,22 +90,22 @@ void Recovery::write() {
       }
       lastFailure_ = failure;
       if (failure.isEmpty()) {
-        removeAdopted();
+        removeTakenOver();
         Q_EMIT backedUp();
       }
     });
   });
 }
 
-void Recovery::removeAdopted() {
-  for (const RecoverableWork& work : std::exchange(adopted_, {})) {
+void Recovery::removeTakenOver() {
+  for (const RecoverableWork& work : std::exchange(takenOver_, {})) {
     runInFolder([work](RecoveryFolder&) { RecoveryFolder::remove(work); });
   }
 }
 
 void Recovery::removeBackup() {
   removeOwn();
-  removeAdopted();
+  removeTakenOver();
 }
 
 void Recovery::removeOwn() {

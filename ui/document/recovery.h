@@ -38,7 +38,7 @@ public:
   void recover(const RecoverableWork& work, std::function<void(const Result<Project>&)> then);
   /// Notes that the document now contains this recovered work. Its copy is removed once this window
   /// has written its own copy, or when the work is saved or discarded.
-  void adopt(const RecoverableWork& work) { adopted_.push_back(work); }
+  void takeOver(const RecoverableWork& work) { takenOver_.push_back(work); }
   /// Discards a copy: it is no longer offered, and it is deleted after a week. `restore()` undoes
   /// the discarding.
   void discard(const RecoverableWork& work);
@@ -63,13 +63,13 @@ private:
   void runInFolder(std::function<void(RecoveryFolder&)> work);
   void schedule();
   void removeOwn();
-  void removeAdopted();
+  void removeTakenOver();
   void write();
 
   Document& document_;
   std::shared_ptr<Folder> folder_;
   QTimer timer_;
-  std::vector<RecoverableWork> adopted_; ///< removed once this window has its own copy
+  std::vector<RecoverableWork> takenOver_; ///< removed once this window has its own copy
   QString lastFailure_;
   bool writing_ = false;
   JobQueue queue_;

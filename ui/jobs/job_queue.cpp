@@ -15,10 +15,10 @@ void JobQueue::add(Work work) {
       return;
     }
   }
-  runDetached([state = state_, mailbox = mailbox_.sender()] { drain(*state, mailbox); });
+  runDetached([state = state_, mailbox = mailbox_.sender()] { runWaiting(*state, mailbox); });
 }
 
-void JobQueue::drain(State& state, const JobMailbox::Sender& mailbox) {
+void JobQueue::runWaiting(State& state, const JobMailbox::Sender& mailbox) {
   while (true) {
     Work work;
     {

@@ -30,7 +30,7 @@ private:
     std::deque<Work> waiting;
     bool running = false;
   };
-  static void drain(State& state, const JobMailbox::Sender& mailbox);
+  static void runWaiting(State& state, const JobMailbox::Sender& mailbox);
 
   JobMailbox mailbox_;
   std::shared_ptr<State> state_ = std::make_shared<State>();

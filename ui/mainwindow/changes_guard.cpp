@@ -55,7 +55,7 @@ void ChangesGuard::connectSaver() {
     Q_EMIT saved(file);
     bench_.messages.showNotice(tr("Saved %1.").arg(file));
     if (const auto next = std::exchange(afterSaving_, {})) {
-      runWhenSaved(next); // it may have been changed while it was saved
+      runAfterSaveOrDiscard(next); // it may have been changed while it was saved
     }
   });
   connect(saver_, &ProjectSaver::failed, this, [this](const QString& sentence) {
@@ -80,7 +80,7 @@ bool ChangesGuard::confirmDiscard(const std::function<void()>& then) {
   return answer == QMessageBox::Discard;
 }
 
-void ChangesGuard::runWhenSaved(const std::function<void()>& next) {
+void ChangesGuard::runAfterSaveOrDiscard(const std::function<void()>& next) {
   if (confirmDiscard(next)) {
     next();
   }

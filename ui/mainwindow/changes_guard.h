@@ -22,7 +22,7 @@ public:
   bool confirmDiscard(const std::function<void()>& then);
   /// Runs `next` immediately if there are no unsaved changes or the user discards them. If the user
   /// chooses to save, runs it after the changes are saved.
-  void runWhenSaved(const std::function<void()>& next);
+  void runAfterSaveOrDiscard(const std::function<void()>& next);
 
 Q_SIGNALS:
   /// Emitted when the project was saved to this file.

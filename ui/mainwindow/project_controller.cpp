@@ -99,10 +99,10 @@ void ProjectController::connectPages() {
 
 void ProjectController::connectActions() {
   const auto unlessUnsaved = [this](const std::function<void()>& run) {
-    return [this, run] { changes_->runWhenSaved(run); };
+    return [this, run] { changes_->runAfterSaveOrDiscard(run); };
   };
   connect(recentMenu_, &RecentMenu::openRequested, this, [this](const QString& file) {
-    changes_->runWhenSaved([this, file] { open(toPath(file)); });
+    changes_->runAfterSaveOrDiscard([this, file] { open(toPath(file)); });
   });
   bench_.onTriggered("actionNew", this, unlessUnsaved([this] { showNewProjectPage({}); }));
   bench_.onTriggered("actionOpen", this, [this] { chooseProject(); });
@@ -154,7 +154,7 @@ void ProjectController::connectRun() {
       recent_->add(QString::fromStdString(file.string()));
     }
     if (request.recovered && recovery_ != nullptr) {
-      recovery_->adopt(*request.recovered);
+      recovery_->takeOver(*request.recovered);
     }
   });
   connect(run, &SessionController::opened, this, [this](const OpenRequest& request) {
@@ -199,7 +199,7 @@ void ProjectController::openCreated(const Project& project, const QString& note)
 }
 
 void ProjectController::chooseProject() {
-  changes_->runWhenSaved([this] {
+  changes_->runAfterSaveOrDiscard([this] {
     const QString file =
         askForFile(&bench_.window, tr("Open a project"),
                    withAllSuffixes(tr("Dewpoint projects (*.toml);;All files (*)")));
@@ -246,7 +246,7 @@ void ProjectController::drop(const QMimeData& data) {
     newProject_->addFiles(files);
     return;
   }
-  changes_->runWhenSaved([this, files] {
+  changes_->runAfterSaveOrDiscard([this, files] {
     if (files.size() == 1 && isProject(files.front())) {
       open(toPath(files.front()));
     } else {

@@ -12,8 +12,8 @@ namespace dewpoint::ui {
 
 namespace {
 
-/// Of a project that cannot be opened.
-MissingFiles missingOf(const SessionRequest& what) {
+/// The missing files of a project that cannot be opened; null if none is missing.
+MissingFiles missingFilesOrNull(const SessionRequest& what) {
   auto missing = what.project ? Result<std::vector<MissingFile>>(missingFilesOf(*what.project))
                  : what.file.empty() ? Result<std::vector<MissingFile>>()
                                      : missingFilesOf(what.file, what.moved);
@@ -42,7 +42,7 @@ void ProjectLoader::open(OpenRequest request) {
     // What nobody wants any more is closed in a thread, too.
     const std::shared_ptr<Result<SessionInputs>> result(new Result<SessionInputs>(opener(what)),
                                                         DetachedDelete());
-    const MissingFiles missing = *result ? nullptr : missingOf(what);
+    const MissingFiles missing = *result ? nullptr : missingFilesOrNull(what);
     return [this, result, missing] { finish(result, missing); };
   });
 }

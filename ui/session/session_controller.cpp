@@ -88,7 +88,7 @@ void SessionController::connectDocument() {
       results_->edited();
     }
   });
-  connect(&document_, &Document::peopleChanged, this, [this] {
+  connect(&document_, &Document::personCorrectionsChanged, this, [this] {
     if (followsDocument()) {
       bridge_->session().setPersonCorrections(document_.project().people);
     }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMessageHeight = 64; ///< pixels, at most: two lines of text
 
-void letGo(QDockWidget& dock) {
+void freeHeight(QDockWidget& dock) {
   dock.setMinimumHeight(0);
   dock.setMaximumHeight(QWIDGETSIZE_MAX);
 }
@@ -38,7 +38,7 @@ void HeldHeights::hold() {
   if (window_.minimumSizeHint().height() + kMessageHeight > window_.height()) {
     for (const auto& [dock, height] : heights_) {
       if (dock != nullptr) {
-        letGo(*dock);
+        freeHeight(*dock);
       }
     }
     heights_.clear();
@@ -49,7 +49,7 @@ void HeldHeights::release() {
   window_.layout()->activate();
   for (const auto& [dock, height] : heights_) {
     if (dock != nullptr) {
-      letGo(*dock);
+      freeHeight(*dock);
     }
   }
 }

@@ -12,7 +12,8 @@
 namespace dewpoint::setup {
 namespace {
 
-Result<std::vector<const Target*>> ballsOf(const Project& project, const WandOptions& options) {
+Result<std::vector<const Target*>> selectedBalls(const Project& project,
+                                                 const WandOptions& options) {
   std::vector<const Target*> balls;
   for (const std::string& name : options.targets) {
     const auto found = std::ranges::find(project.targets, name, &Target::name);
@@ -96,7 +97,7 @@ std::vector<std::vector<MarkerObservation>> WandViews::take() {
 }
 
 Result<WandProblem> wandProblem(const Project& project, const WandOptions& options) {
-  const auto balls = ballsOf(project, options);
+  const auto balls = selectedBalls(project, options);
   if (!balls) {
     return tl::make_unexpected(balls.error());
   }
@@ -125,7 +126,7 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
 
 Result<std::vector<ColorClassifier>> wandColors(const Project& project,
                                                 const WandOptions& options) {
-  return ballsOf(project, options).map([](const std::vector<const Target*>& balls) {
+  return selectedBalls(project, options).map([](const std::vector<const Target*>& balls) {
     std::vector<ColorClassifier> colors;
     colors.reserve(balls.size());
     for (const Target* ball : balls) {
