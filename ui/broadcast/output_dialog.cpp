@@ -80,7 +80,7 @@ OutputDialog::OutputDialog(Document& document, QWidget* parent)
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(&document_, &Document::replaced, this, &QDialog::reject);
   onRetranslate(this, [this] { retranslateUi(); });
-  show(document_.project().output);
+  setSettings(document_.project().output);
   showPage();
 }
 
@@ -129,7 +129,7 @@ void OutputDialog::arrange() {
   column->addWidget(buttons_);
 }
 
-void OutputDialog::show(const OutputSettings& settings) {
+void OutputDialog::setSettings(const OutputSettings& settings) {
   showPort(*tcp_, *tcpPort_, settings.tcp);
   showPort(*web_, *webPort_, settings.websocket);
   osc_->setText(QString::fromStdString(settings.osc));
@@ -215,7 +215,7 @@ void OutputDialog::retranslateUi() {
   setChoices(*axes_, {tr("z up, right-handed (as in Dewpoint)"), tr("y up, right-handed"),
                       tr("y up, left-handed (as in Unity)")});
   setChoices(*unit_, {tr("meters"), tr("millimeters")});
-  show(settings());
+  setSettings(settings());
 }
 
 } // namespace dewpoint::ui

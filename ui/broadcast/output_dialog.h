@@ -26,7 +26,7 @@ public:
 
 private:
   void arrange();
-  void show(const OutputSettings& settings);
+  void setSettings(const OutputSettings& settings);
   OutputSettings settings() const;
   void apply();
   void retranslateUi();

@@ -43,7 +43,7 @@ ControlForm::ControlForm(QWidget* parent) : QWidget(parent), form_(new QFormLayo
   form_->setSpacing(kSpacing);
 }
 
-void ControlForm::show(const std::vector<capture::DeviceControl>& controls) {
+void ControlForm::setControls(const std::vector<capture::DeviceControl>& controls) {
   const bool same = std::ranges::equal(controls, controls_, areAlike);
   if (same && isDragged_) {
     return; // the hand decides

@@ -22,7 +22,7 @@ public:
   explicit ControlForm(QWidget* parent = nullptr);
 
   /// Shows the controls of a device with their current values.
-  void show(const std::vector<capture::DeviceControl>& controls);
+  void setControls(const std::vector<capture::DeviceControl>& controls);
 
 Q_SIGNALS:
   /// Emitted when the user changes a control, including while a slider is dragged.

@@ -55,7 +55,7 @@ ImageMargins CropForm::entered() const {
   return {fields_[0]->value(), fields_[1]->value(), fields_[2]->value(), fields_[3]->value()};
 }
 
-void CropForm::show(int camera, const ImageMargins& margins, int width, int height) {
+void CropForm::setMargins(int camera, const ImageMargins& margins, int width, int height) {
   if (camera == camera_ && margins == shown_ && settled_.isActive()) {
     return;
   }

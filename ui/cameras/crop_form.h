@@ -22,7 +22,7 @@ public:
   /// Shows the margins of a camera. `width` and `height` are the size of its images before
   /// cropping. The fields keep margins that the user has entered for this camera and that changed()
   /// has not reported yet.
-  void show(int camera, const ImageMargins& margins, int width, int height);
+  void setMargins(int camera, const ImageMargins& margins, int width, int height);
 
 Q_SIGNALS:
   /// Emitted when the user has changed margins: immediately when the user leaves a field, otherwise

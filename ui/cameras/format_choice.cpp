@@ -57,8 +57,8 @@ FormatChoice::FormatChoice(QWidget* parent)
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-void FormatChoice::show(const std::vector<capture::OfferedFormat>& offered,
-                        const capture::DeviceFormat& requested) {
+void FormatChoice::setFormats(const std::vector<capture::OfferedFormat>& offered,
+                              const capture::DeviceFormat& requested) {
   offered_ = offered;
   requested_ = requested;
   fill();

@@ -20,8 +20,8 @@ public:
   explicit FormatChoice(QWidget* parent = nullptr);
 
   /// Shows the formats that a device offers, and selects the one that the project requests.
-  void show(const std::vector<capture::OfferedFormat>& offered,
-            const capture::DeviceFormat& requested);
+  void setFormats(const std::vector<capture::OfferedFormat>& offered,
+                  const capture::DeviceFormat& requested);
 
 Q_SIGNALS:
   /// Emitted when the user has chosen another format.

@@ -255,7 +255,8 @@ void ProjectPane::refresh() {
   rotation_->setCurrentIndex(rotation_->findData(shown.rotateDegrees));
   mirror_->setChecked(shown.mirrored);
   const Intrinsics& lens = shown.camera.intrinsics;
-  crop_->show(row, shown.crop, lens.width + shown.crop.width(), lens.height + shown.crop.height());
+  crop_->setMargins(row, shown.crop, lens.width + shown.crop.width(),
+                    lens.height + shown.crop.height());
   const bool isDevice = own && shown.source == SourceKind::Device;
   const bool isNamed = isDevice && !shown.device.identity.isEmpty();
   source_->setText(!own      ? tr("simulated")
@@ -266,9 +267,9 @@ void ProjectPane::refresh() {
   lock_->setEnabled(connected.has_value() && !parts_.locker.isBusy());
   lockAll_->setEnabled(lock_->isEnabled());
   format_->setEnabled(connected.has_value());
-  format_->show(connected ? parts_.watch.devices()[*connected].formats
-                          : std::vector<capture::OfferedFormat>(),
-                shown.device.format);
+  format_->setFormats(connected ? parts_.watch.devices()[*connected].formats
+                                : std::vector<capture::OfferedFormat>(),
+                      shown.device.format);
   refreshNotes();
   const std::string path = connected ? parts_.watch.devices()[*connected].path : std::string();
   if (path != path_) {
@@ -348,7 +349,7 @@ void ProjectPane::showControls() {
       }
     }
   }
-  controls_->show(shown);
+  controls_->setControls(shown);
 }
 
 void ProjectPane::fillExchange() {

@@ -120,7 +120,7 @@ void ExportDialog::connectFields() {
 
 void ExportDialog::reportDone(const QString& sentence, const QString& file) {
   if (isVisible()) {
-    outcome_->show(sentence, file);
+    outcome_->showResult(sentence, file);
   }
   if (!file.isEmpty()) {
     Q_EMIT wrote(file);
@@ -130,7 +130,7 @@ void ExportDialog::reportDone(const QString& sentence, const QString& file) {
 
 void ExportDialog::reportFailed(const QString& sentence) {
   if (isVisible()) {
-    outcome_->show(sentence);
+    outcome_->showResult(sentence);
   }
   Q_EMIT failed(sentence);
 }

@@ -27,7 +27,7 @@ ExportOutcome::ExportOutcome(QWidget* parent)
   clear();
 }
 
-void ExportOutcome::show(const QString& sentence, const QString& file) {
+void ExportOutcome::showResult(const QString& sentence, const QString& file) {
   file_ = file;
   sentence_->setText(sentence);
   folder_->setVisible(!file.isEmpty());

@@ -18,7 +18,7 @@ public:
   explicit ExportOutcome(QWidget* parent = nullptr);
 
   /// Shows a result. `file` is the file that was written, or empty if there is none.
-  void show(const QString& sentence, const QString& file = {});
+  void showResult(const QString& sentence, const QString& file = {});
   void clear();
   void retranslateUi();
 

@@ -305,7 +305,7 @@ void VideoDialog::setRunning(bool running) {
   }
   export_->setEnabled(!running && form_->hasEncodings() && offer_().session != nullptr);
   if (isProbed_ && !form_->hasEncodings()) {
-    outcome_->show(tr("This computer has no encoder for videos."));
+    outcome_->showResult(tr("This computer has no encoder for videos."));
   }
 }
 
@@ -342,7 +342,7 @@ void VideoDialog::start() {
 void VideoDialog::report(const QString& sentence, const QString& file, bool isFailure) {
   setRunning(false);
   if (isVisible()) {
-    outcome_->show(sentence, file);
+    outcome_->showResult(sentence, file);
   }
   if (isFailure) {
     Q_EMIT failed(sentence);
