@@ -3,7 +3,7 @@
 
 #include "core/color/color_region.h"
 #include "core/observation/boxes/box_contrast.h"
-#include "core/observation/boxes/figure_box.h"
+#include "core/observation/boxes/box_without_margin.h"
 #include "core/observation/boxes/fine_histogram.h"
 #include "core/observation/boxes/target_colors.h"
 
@@ -147,7 +147,7 @@ ImageBox grownBox(const cv::Mat& bgr, const Eigen::Vector2d& pixel, const ImageB
 
 /// The figure in a box that was found.
 ImageBox figureOf(const cv::Mat& bgr, const Candidate& found) {
-  return figureBox(bgr, boxOf(clippedToImage(enlarged(found.box, kMargin), bgr)));
+  return boxWithoutMargin(bgr, boxOf(clippedToImage(enlarged(found.box, kMargin), bgr)));
 }
 
 bool holdsMost(const ImageBox& box, const ImageBox& part) {

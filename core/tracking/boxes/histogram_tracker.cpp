@@ -4,7 +4,7 @@
 #include "core/filter/estimate.h"
 #include "core/filter/evenly_picked.h"
 #include "core/filter/systematic_resampling.h"
-#include "core/observation/boxes/figure_box.h"
+#include "core/observation/boxes/box_without_margin.h"
 #include "core/tracking/boxes/color_peaks.h"
 
 #include <opencv2/imgproc.hpp>
@@ -89,7 +89,7 @@ Status HistogramTracker::start(const cv::Mat& bgr, const ImageBox& box, std::uin
   shrink_ = std::min(1.0, std::sqrt(kWorkingArea / box.area()));
   drawn_ = {shrink_ * box.x, shrink_ * box.y, shrink_ * box.width, shrink_ * box.height};
   const cv::Mat image = shrunk(bgr);
-  first_ = figureBox(image, drawn_);
+  first_ = boxWithoutMargin(image, drawn_);
   box_ = first_;
   hiddenFrames_ = 0;
   colors_.learn(image, box_);

@@ -64,7 +64,8 @@ private:
   double shrink_ = 1.0; ///< images are scaled by this factor before processing
   /// Initial box in the scaled image; all following boxes are also in the scaled image.
   ImageBox drawn_;
-  /// Box around the object in the initial box, see figureBox(); it is the box that is tracked.
+  /// Box around the object in the initial box, see boxWithoutMargin(); it is the box that is
+  /// tracked.
   ImageBox first_;
   ImageBox box_; ///< last box in which the target was visible
   int hiddenFrames_ = 0;

@@ -16,6 +16,6 @@ namespace dewpoint::observation {
 /// candidate with the largest sum of P - 1/2 over its pixels. If no candidate has a positive sum,
 /// colors do not separate figure from ground, and the result is the drawn box. `drawn` must have
 /// its center in the image (CV_8UC3).
-ImageBox figureBox(const cv::Mat& bgr, const ImageBox& drawn);
+ImageBox boxWithoutMargin(const cv::Mat& bgr, const ImageBox& drawn);
 
 } // namespace dewpoint::observation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/observation/boxes/figure_box.h"
+#include "core/observation/boxes/box_without_margin.h"
 
 #include "core/color/rgb_bins.h"
 #include "core/observation/boxes/fine_histogram.h"
@@ -73,7 +73,7 @@ Interval bestColumns(const double* top, const double* bottom, int columns, int l
 
 } // namespace
 
-ImageBox figureBox(const cv::Mat& bgr, const ImageBox& drawn) {
+ImageBox boxWithoutMargin(const cv::Mat& bgr, const ImageBox& drawn) {
   const cv::Rect part = clippedToImage(drawn, bgr);
   if (part.empty()) {
     return drawn;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/observation/boxes/figure_box.h"
+#include "core/observation/boxes/box_without_margin.h"
 #include "core/observation/boxes/target_colors.h"
 #include "tests/tracking/moving_patch.h"
 
@@ -8,7 +8,7 @@
 namespace dewpoint::tests {
 namespace {
 
-TEST(FigureBox, LeavesOutTheMarginOfADrawnBox) {
+TEST(BoxWithoutMargin, LeavesOutTheMarginOfADrawnBox) {
   const MovingPatch scene; // clear colors on grays: the figure is where the patch is
   const cv::Mat image = scene.image(0);
   const ImageBox truth = scene.box(0);
@@ -17,7 +17,7 @@ TEST(FigureBox, LeavesOutTheMarginOfADrawnBox) {
       const ImageBox drawn =
           ImageBox::around(truth.center() + Eigen::Vector2d(shift * scene.side, 0.0),
                            scale * scene.side, scale * scene.side);
-      const ImageBox figure = figureBox(image, drawn);
+      const ImageBox figure = boxWithoutMargin(image, drawn);
       // What of the patch is in the drawn box, to a pixel or two at each side.
       EXPECT_GT(intersectionArea(figure, truth), 0.85 * intersectionArea(drawn, truth))
           << scale << ' ' << shift;
@@ -26,24 +26,24 @@ TEST(FigureBox, LeavesOutTheMarginOfADrawnBox) {
   }
 }
 
-TEST(FigureBox, IsTheDrawnBoxWhereNothingStandsOut) {
+TEST(BoxWithoutMargin, IsTheDrawnBoxWhereNothingStandsOut) {
   const cv::Mat gray(120, 160, CV_8UC3, cv::Scalar(90, 90, 90));
   const ImageBox drawn{40.0, 30.0, 33.0, 21.0};
-  EXPECT_EQ(figureBox(gray, drawn), drawn);
+  EXPECT_EQ(boxWithoutMargin(gray, drawn), drawn);
 }
 
-TEST(FigureBox, KeepsHalfOfEachSide) {
+TEST(BoxWithoutMargin, KeepsHalfOfEachSide) {
   cv::Mat image(120, 160, CV_8UC3, cv::Scalar(90, 90, 90));
   cv::rectangle(image, {76, 56, 8, 8}, cv::Scalar(0, 0, 255), cv::FILLED);
-  const ImageBox figure = figureBox(image, {60.0, 40.0, 40.0, 40.0});
+  const ImageBox figure = boxWithoutMargin(image, {60.0, 40.0, 40.0, 40.0});
   EXPECT_EQ(figure.width, 20.0); // half of 40, though only 8 are red
   EXPECT_EQ(figure.height, 20.0);
   EXPECT_EQ(intersectionArea(figure, {76.0, 56.0, 8.0, 8.0}), 64.0);
 }
 
-TEST(FigureBox, MayReachOutOfTheImage) {
+TEST(BoxWithoutMargin, MayReachOutOfTheImage) {
   const MovingPatch scene;
-  const ImageBox figure = figureBox(scene.image(0), {-10.0, -10.0, 30.0, 30.0});
+  const ImageBox figure = boxWithoutMargin(scene.image(0), {-10.0, -10.0, 30.0, 30.0});
   EXPECT_FALSE(figure.isEmpty());
 }
 
