@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/manual/point_bundle.h"
 
-#include "core/calibration/manual/pose_change.h"
+#include "core/calibration/manual/camera_variation.h"
 
 #include <array>
 #include <ceres/ceres.h>
@@ -9,8 +9,8 @@
 namespace dewpoint::calibration {
 namespace {
 
-/// A click against the projection of its point: camera changed by six numbers (see PoseChange), the
-/// point moved by three, meters. In standard deviations of a click.
+/// A click against the projection of its point: camera changed by six numbers (see
+/// CameraVariation), the point moved by three, meters. In standard deviations of a click.
 class ClickCost {
 public:
   ClickCost(const Camera& camera, double depth, Eigen::Vector3d world, Eigen::Vector2d pixel,
@@ -29,7 +29,7 @@ public:
   }
 
 private:
-  PoseChange change_;
+  CameraVariation change_;
   Eigen::Vector3d world_;
   Eigen::Vector2d pixel_;
   double sigma_;
@@ -96,7 +96,7 @@ void refineTogether(CameraRig& rig, const std::vector<bool>& solved,
     if (solved[c]) {
       ChangeVector change = ChangeVector::Zero();
       change.head<6>() = Eigen::Map<const Eigen::Matrix<double, 6, 1>>(poses[c].data());
-      rig[c] = PoseChange(rig[c], depths[c]).changed(change);
+      rig[c] = CameraVariation(rig[c], depths[c]).changed(change);
     }
   }
 }

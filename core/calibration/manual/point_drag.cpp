@@ -56,7 +56,7 @@ class ConstrainedChange {
 public:
   using Basis = Eigen::Matrix<double, 7, Eigen::Dynamic>;
 
-  ConstrainedChange(const PoseChange& change, Basis basis, std::vector<ImageAnchor> exact,
+  ConstrainedChange(const CameraVariation& change, Basis basis, std::vector<ImageAnchor> exact,
                     std::vector<ImageAnchor> approximate)
       : change_(change), basis_(std::move(basis)), exact_(std::move(exact)),
         approximate_(std::move(approximate)) {}
@@ -140,7 +140,7 @@ private:
     return at + back - free * along.solve(*miss + *approximateSlope * basis_ * back);
   }
 
-  const PoseChange& change_;
+  const CameraVariation& change_;
   Basis basis_;
   std::vector<ImageAnchor> exact_;
   std::vector<ImageAnchor> approximate_;
@@ -156,7 +156,7 @@ ConstrainedChange::Basis aboutRay(const Camera& camera, const ImageAnchor& held)
 }
 
 /// Follows the pointer from where the point is now to where it should be.
-Drag follow(const Camera& camera, const PoseChange& change, ConstrainedChange& solver,
+Drag follow(const Camera& camera, const CameraVariation& change, ConstrainedChange& solver,
             const Eigen::Vector2d& from, const ImageAnchor& dragged) {
   const double length = (dragged.pixel - from).norm();
   if (length < kExactPx) {
@@ -202,7 +202,7 @@ Drag dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
     anchor.pixel = *seen; // held is what is seen now, not what was seen with another pose
   }
   const Eigen::Vector2d from = exact.back().pixel;
-  const PoseChange change(camera, meanDistance(camera, exact));
+  const CameraVariation change(camera, meanDistance(camera, exact));
   std::vector<ImageAnchor> approximate;
   ConstrainedChange::Basis basis = ConstrainedChange::Basis::Identity(7, 6);
   if (held.size() == 1 && settings.mode == DragMode::Turn) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/manual/pose_change.h"
+#include "core/calibration/manual/camera_variation.h"
 #include "core/geometry/camera.h"
 
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/manual/camera_variation.h"
 #include "core/calibration/manual/measured_points.h"
-#include "core/calibration/manual/pose_change.h"
 
 namespace dewpoint::calibration {
 

@@ -3,7 +3,7 @@
 
 #include "core/base/markup.h"
 #include "core/base/units.h"
-#include "core/calibration/manual/pose_change.h"
+#include "core/calibration/manual/camera_variation.h"
 #include "core/calibration/report/report_drawing.h"
 #include "core/calibration/report/space_drawing.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/calibration/formats/calibration_adaptation.h"
 #include "core/calibration/formats/convert_calibration.h"
-#include "core/calibration/manual/pose_change.h"
+#include "core/calibration/manual/camera_variation.h"
 #include "core/camera_motion/agreement/camera_disagreement.h"
 #include "core/project/project.h"
 

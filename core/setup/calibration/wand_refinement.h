@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/calibration/board/board_coverage.h"
-#include "core/calibration/manual/pose_change.h"
+#include "core/calibration/manual/camera_variation.h"
 #include "core/calibration/quality/calibration_accuracy.h"
 #include "core/calibration/quality/missing_motion.h"
 #include "core/setup/calibration/wand_views.h"

@@ -179,13 +179,14 @@ TEST(InteractivePose, DerivativesAreThoseOfTheProjection) {
   Draw draw(11);
   const Camera camera = someCamera(draw, true);
   const std::vector<ImageAnchor> anchors{seenBy(camera, draw.point())};
-  const PoseChange change(camera, 2.0);
+  const CameraVariation change(camera, 2.0);
   const auto jacobian = change.jacobian(ChangeVector::Zero(), anchors);
   ASSERT_TRUE(jacobian);
   for (int k = 0; k < 7; ++k) {
     ChangeVector step = ChangeVector::Zero();
     step[k] = 1e-4;
-    // The changed camera itself, projected by Projector: another path than PoseChange::pixel().
+    // The changed camera itself, projected by Projector: another path than
+    // CameraVariation::pixel().
     const Eigen::Vector2d moved =
         Projector(change.changed(step)).project(anchors[0].world).value() - anchors[0].pixel;
     EXPECT_LT((moved - 1e-4 * jacobian->col(k)).norm(), 2e-4 * 1e-4 * 520.0 * 10) << k;

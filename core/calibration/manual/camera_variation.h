@@ -18,17 +18,18 @@ struct ImageAnchor {
 };
 
 /// Small change of a camera: a rotation about its own x, y and z axes (rotation vector, radians), a
-/// displacement along them (in units of PoseChange's depth), and the logarithm of a zoom factor.
+/// displacement along them (in units of CameraVariation's depth), and the logarithm of a zoom
+/// factor.
 using ChangeVector = Eigen::Matrix<double, 7, 1>;
 
 /// Changes of a camera near its current pose, and their effect on the pixels of points. A change
 /// with the rotation R and the displacement `shift` moves a point p in the camera frame to R p +
 /// depth * shift.
-class PoseChange {
+class CameraVariation {
 public:
   /// `depth`: unit of displacements in meters, chosen so that rotations and displacements of equal
   /// size move the image by about the same distance.
-  PoseChange(const Camera& camera, double depth);
+  CameraVariation(const Camera& camera, double depth);
 
   /// Returns the camera after a change.
   Camera changed(const ChangeVector& change) const;
@@ -55,7 +56,7 @@ private:
 double meanDistance(const Camera& camera, const std::vector<ImageAnchor>& anchors);
 
 /// Returns the root mean square length of the residuals of points. `residuals` contains two rows
-/// per point, as from PoseChange::residuals().
+/// per point, as from CameraVariation::residuals().
 double rmsOfPoints(const Eigen::VectorXd& residuals);
 
 /// Refines the pose of `camera` and, if `estimateFocal`, its focal length by least squares (Ceres).

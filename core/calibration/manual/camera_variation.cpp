@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/manual/pose_change.h"
+#include "core/calibration/manual/camera_variation.h"
 
 #include "core/geometry/rotation_vector.h"
 
@@ -15,7 +15,7 @@ namespace {
 /// The residuals of a change, as Ceres asks for them: of its first six numbers, or all seven.
 class PoseCost final : public ceres::CostFunction {
 public:
-  PoseCost(const PoseChange& around, const std::vector<ImageAnchor>& anchors, int size)
+  PoseCost(const CameraVariation& around, const std::vector<ImageAnchor>& anchors, int size)
       : around_(around), anchors_(anchors), size_(size) {
     set_num_residuals(2 * static_cast<int>(anchors.size()));
     mutable_parameter_block_sizes()->push_back(size);
@@ -43,24 +43,24 @@ public:
   }
 
 private:
-  const PoseChange& around_;
+  const CameraVariation& around_;
   const std::vector<ImageAnchor>& anchors_;
   int size_;
 };
 
 } // namespace
 
-PoseChange::PoseChange(const Camera& camera, double depth)
+CameraVariation::CameraVariation(const Camera& camera, double depth)
     : camera_(camera), lens_(withoutPose(camera)), depth_(depth) {}
 
-Eigen::Isometry3d PoseChange::step(const ChangeVector& change) const {
+Eigen::Isometry3d CameraVariation::step(const ChangeVector& change) const {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   result.linear() = rotationFromVector(change.head<3>());
   result.translation() = depth_ * change.segment<3>(3);
   return result;
 }
 
-Camera PoseChange::changed(const ChangeVector& change) const {
+Camera CameraVariation::changed(const ChangeVector& change) const {
   Camera result = camera_;
   result.cameraFromWorld = step(change) * camera_.cameraFromWorld;
   result.intrinsics.focalX *= std::exp(change[6]);
@@ -68,8 +68,8 @@ Camera PoseChange::changed(const ChangeVector& change) const {
   return result;
 }
 
-std::optional<Eigen::Vector2d> PoseChange::pixel(const ChangeVector& change,
-                                                 const Eigen::Vector3d& world) const {
+std::optional<Eigen::Vector2d> CameraVariation::pixel(const ChangeVector& change,
+                                                      const Eigen::Vector3d& world) const {
   const auto seen = lens_.project(step(change) * (camera_.cameraFromWorld * world));
   if (!seen) {
     return std::nullopt;
@@ -79,7 +79,8 @@ std::optional<Eigen::Vector2d> PoseChange::pixel(const ChangeVector& change,
 }
 
 std::optional<Eigen::VectorXd>
-PoseChange::residuals(const ChangeVector& change, const std::vector<ImageAnchor>& anchors) const {
+CameraVariation::residuals(const ChangeVector& change,
+                           const std::vector<ImageAnchor>& anchors) const {
   Eigen::VectorXd result(2 * static_cast<Eigen::Index>(anchors.size()));
   for (std::size_t k = 0; k < anchors.size(); ++k) {
     const auto seen = pixel(change, anchors[k].world);
@@ -91,8 +92,9 @@ PoseChange::residuals(const ChangeVector& change, const std::vector<ImageAnchor>
   return result;
 }
 
-std::optional<Eigen::MatrixXd> PoseChange::jacobian(const ChangeVector& change,
-                                                    const std::vector<ImageAnchor>& anchors) const {
+std::optional<Eigen::MatrixXd>
+CameraVariation::jacobian(const ChangeVector& change,
+                          const std::vector<ImageAnchor>& anchors) const {
   /// Radians and shares of the depth, of the differences.
   constexpr double kDifference = 1e-6;
   Eigen::MatrixXd result(2 * static_cast<Eigen::Index>(anchors.size()), 7);
@@ -138,7 +140,7 @@ std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>&
   options.logging_type = ceres::SILENT;
   std::optional<double> rms;
   for (int round = 0; round < kMostRounds; ++round) {
-    const PoseChange around(camera, meanDistance(camera, anchors));
+    const CameraVariation around(camera, meanDistance(camera, anchors));
     ChangeVector change = ChangeVector::Zero();
     ceres::Problem problem;
     problem.AddResidualBlock(new PoseCost(around, anchors, estimateFocal ? 7 : 6), nullptr,
