@@ -2784,61 +2784,6 @@
     </message>
 </context>
 <context>
-    <name>HoldState</name>
-    <message>
-        <source>○ searching</source>
-        <translation>○ sucht</translation>
-    </message>
-    <message>
-        <source>▲ lost</source>
-        <translation>▲ verloren</translation>
-    </message>
-    <message>
-        <source>✕ missing</source>
-        <translation>✕ fehlt</translation>
-    </message>
-    <message>
-        <source>– no images</source>
-        <translation>– keine Bilder</translation>
-    </message>
-    <message>
-        <source>No target yet</source>
-        <translation>Noch kein Ziel</translation>
-    </message>
-    <message>
-        <source>– not tracked</source>
-        <translation>– nicht verfolgt</translation>
-    </message>
-    <message>
-        <source>◌ hidden</source>
-        <translation>◌ verdeckt</translation>
-    </message>
-    <message>
-        <source>– no box</source>
-        <translation>– kein Rahmen</translation>
-    </message>
-    <message>
-        <source>◔ learning background</source>
-        <translation>◔ lernt Hintergrund</translation>
-    </message>
-    <message>
-        <source>◌ nobody in view</source>
-        <translation>◌ niemand im Bild</translation>
-    </message>
-    <message>
-        <source>– not present</source>
-        <translation>– nicht anwesend</translation>
-    </message>
-    <message>
-        <source>◇ ambiguous</source>
-        <translation>◇ mehrdeutig</translation>
-    </message>
-    <message>
-        <source>● tracking</source>
-        <translation>● verfolgt</translation>
-    </message>
-</context>
-<context>
     <name>MapLegend</name>
     <message>
         <source>%1 or more</source>
@@ -3934,6 +3879,61 @@ Effektive Stichprobengröße %8 von %9</translation>
     <message>
         <source>The state of each target appears here during tracking.</source>
         <translation>Der Zustand jedes Ziels erscheint hier während der Verfolgung.</translation>
+    </message>
+</context>
+<context>
+    <name>TrackingState</name>
+    <message>
+        <source>○ searching</source>
+        <translation>○ sucht</translation>
+    </message>
+    <message>
+        <source>▲ lost</source>
+        <translation>▲ verloren</translation>
+    </message>
+    <message>
+        <source>✕ missing</source>
+        <translation>✕ fehlt</translation>
+    </message>
+    <message>
+        <source>– no images</source>
+        <translation>– keine Bilder</translation>
+    </message>
+    <message>
+        <source>No target yet</source>
+        <translation>Noch kein Ziel</translation>
+    </message>
+    <message>
+        <source>– not tracked</source>
+        <translation>– nicht verfolgt</translation>
+    </message>
+    <message>
+        <source>◌ hidden</source>
+        <translation>◌ verdeckt</translation>
+    </message>
+    <message>
+        <source>– no box</source>
+        <translation>– kein Rahmen</translation>
+    </message>
+    <message>
+        <source>◔ learning background</source>
+        <translation>◔ lernt Hintergrund</translation>
+    </message>
+    <message>
+        <source>◌ nobody in view</source>
+        <translation>◌ niemand im Bild</translation>
+    </message>
+    <message>
+        <source>– not present</source>
+        <translation>– nicht anwesend</translation>
+    </message>
+    <message>
+        <source>◇ ambiguous</source>
+        <translation>◇ mehrdeutig</translation>
+    </message>
+    <message>
+        <source>● tracking</source>
+        <translation>● verfolgt</translation>
     </message>
 </context>
 <context>

@@ -2784,61 +2784,6 @@
     </message>
 </context>
 <context>
-    <name>HoldState</name>
-    <message>
-        <source>○ searching</source>
-        <translation>○ buscando</translation>
-    </message>
-    <message>
-        <source>▲ lost</source>
-        <translation>▲ perdido</translation>
-    </message>
-    <message>
-        <source>✕ missing</source>
-        <translation>✕ ausente</translation>
-    </message>
-    <message>
-        <source>– no images</source>
-        <translation>– sin imágenes</translation>
-    </message>
-    <message>
-        <source>No target yet</source>
-        <translation>Aún sin objetivo</translation>
-    </message>
-    <message>
-        <source>– not tracked</source>
-        <translation>– sin seguir</translation>
-    </message>
-    <message>
-        <source>◌ hidden</source>
-        <translation>◌ oculto</translation>
-    </message>
-    <message>
-        <source>– no box</source>
-        <translation>– sin recuadro</translation>
-    </message>
-    <message>
-        <source>◔ learning background</source>
-        <translation>◔ aprende el fondo</translation>
-    </message>
-    <message>
-        <source>◌ nobody in view</source>
-        <translation>◌ nadie a la vista</translation>
-    </message>
-    <message>
-        <source>– not present</source>
-        <translation>– ausente</translation>
-    </message>
-    <message>
-        <source>◇ ambiguous</source>
-        <translation>◇ ambiguo</translation>
-    </message>
-    <message>
-        <source>● tracking</source>
-        <translation>● seguido</translation>
-    </message>
-</context>
-<context>
     <name>MapLegend</name>
     <message>
         <source>%1 or more</source>
@@ -3934,6 +3879,61 @@ Tamaño efectivo de la muestra %8 de %9</translation>
     <message>
         <source>The state of each target appears here during tracking.</source>
         <translation>El estado de cada objetivo aparece aquí durante el seguimiento.</translation>
+    </message>
+</context>
+<context>
+    <name>TrackingState</name>
+    <message>
+        <source>○ searching</source>
+        <translation>○ buscando</translation>
+    </message>
+    <message>
+        <source>▲ lost</source>
+        <translation>▲ perdido</translation>
+    </message>
+    <message>
+        <source>✕ missing</source>
+        <translation>✕ ausente</translation>
+    </message>
+    <message>
+        <source>– no images</source>
+        <translation>– sin imágenes</translation>
+    </message>
+    <message>
+        <source>No target yet</source>
+        <translation>Aún sin objetivo</translation>
+    </message>
+    <message>
+        <source>– not tracked</source>
+        <translation>– sin seguir</translation>
+    </message>
+    <message>
+        <source>◌ hidden</source>
+        <translation>◌ oculto</translation>
+    </message>
+    <message>
+        <source>– no box</source>
+        <translation>– sin recuadro</translation>
+    </message>
+    <message>
+        <source>◔ learning background</source>
+        <translation>◔ aprende el fondo</translation>
+    </message>
+    <message>
+        <source>◌ nobody in view</source>
+        <translation>◌ nadie a la vista</translation>
+    </message>
+    <message>
+        <source>– not present</source>
+        <translation>– ausente</translation>
+    </message>
+    <message>
+        <source>◇ ambiguous</source>
+        <translation>◇ ambiguo</translation>
+    </message>
+    <message>
+        <source>● tracking</source>
+        <translation>● seguido</translation>
     </message>
 </context>
 <context>

@@ -2783,61 +2783,6 @@
     </message>
 </context>
 <context>
-    <name>HoldState</name>
-    <message>
-        <source>○ searching</source>
-        <translation>○ 探索中</translation>
-    </message>
-    <message>
-        <source>▲ lost</source>
-        <translation>▲ 見失い</translation>
-    </message>
-    <message>
-        <source>✕ missing</source>
-        <translation>✕ なし</translation>
-    </message>
-    <message>
-        <source>– no images</source>
-        <translation>– 画像なし</translation>
-    </message>
-    <message>
-        <source>No target yet</source>
-        <translation>ターゲットなし</translation>
-    </message>
-    <message>
-        <source>– not tracked</source>
-        <translation>– 未追跡</translation>
-    </message>
-    <message>
-        <source>◌ hidden</source>
-        <translation>◌ 隠れている</translation>
-    </message>
-    <message>
-        <source>– no box</source>
-        <translation>– 枠なし</translation>
-    </message>
-    <message>
-        <source>◔ learning background</source>
-        <translation>◔ 背景を学習中</translation>
-    </message>
-    <message>
-        <source>◌ nobody in view</source>
-        <translation>◌ 誰もいません</translation>
-    </message>
-    <message>
-        <source>– not present</source>
-        <translation>– 不在</translation>
-    </message>
-    <message>
-        <source>◇ ambiguous</source>
-        <translation>◇ あいまい</translation>
-    </message>
-    <message>
-        <source>● tracking</source>
-        <translation>● 追跡中</translation>
-    </message>
-</context>
-<context>
     <name>MapLegend</name>
     <message>
         <source>%1 or more</source>
@@ -3932,6 +3877,61 @@ Effective sample size %8 of %9</source>
     <message>
         <source>The state of each target appears here during tracking.</source>
         <translation>追跡中、ここに各ターゲットの状態が表示されます。</translation>
+    </message>
+</context>
+<context>
+    <name>TrackingState</name>
+    <message>
+        <source>○ searching</source>
+        <translation>○ 探索中</translation>
+    </message>
+    <message>
+        <source>▲ lost</source>
+        <translation>▲ 見失い</translation>
+    </message>
+    <message>
+        <source>✕ missing</source>
+        <translation>✕ なし</translation>
+    </message>
+    <message>
+        <source>– no images</source>
+        <translation>– 画像なし</translation>
+    </message>
+    <message>
+        <source>No target yet</source>
+        <translation>ターゲットなし</translation>
+    </message>
+    <message>
+        <source>– not tracked</source>
+        <translation>– 未追跡</translation>
+    </message>
+    <message>
+        <source>◌ hidden</source>
+        <translation>◌ 隠れている</translation>
+    </message>
+    <message>
+        <source>– no box</source>
+        <translation>– 枠なし</translation>
+    </message>
+    <message>
+        <source>◔ learning background</source>
+        <translation>◔ 背景を学習中</translation>
+    </message>
+    <message>
+        <source>◌ nobody in view</source>
+        <translation>◌ 誰もいません</translation>
+    </message>
+    <message>
+        <source>– not present</source>
+        <translation>– 不在</translation>
+    </message>
+    <message>
+        <source>◇ ambiguous</source>
+        <translation>◇ あいまい</translation>
+    </message>
+    <message>
+        <source>● tracking</source>
+        <translation>● 追跡中</translation>
     </message>
 </context>
 <context>

@@ -76,7 +76,7 @@ void showPresentBoxes(const TrackingRun& run, TrackSnapshot& snapshot) {
     } else { // it was added later
       snapshot.targets.push_back(absent(targets[k]));
     }
-    snapshot.targets.back().stateWhileAbsent = HoldState::NoBox;
+    snapshot.targets.back().stateWhileAbsent = TrackingState::NoBox;
   }
 }
 

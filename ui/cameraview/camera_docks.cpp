@@ -205,7 +205,8 @@ void CameraDocks::updateTitles() {
       title.setReason(cameraMotionText(motion));
     } else if (!known) {
       title.setReason({});
-    } else if (isBlind(target->reasons[k]) && holdState(*snapshot, camera) == HoldState::Held) {
+    } else if (isBlind(target->reasons[k]) &&
+               trackingState(*snapshot, camera) == TrackingState::Held) {
       // The others hold it: here that word would be a riddle.
       title.setReasonAlone(cameraBlindText(target->reasons[k]));
     } else {

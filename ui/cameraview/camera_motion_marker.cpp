@@ -25,7 +25,7 @@ void paintCameraProblem(QPainter& painter, const QRectF& image, const QString& t
   QColor ground = palette.color(QPalette::Base);
   ground.setAlphaF(0.9F);
   painter.fillRect(label, ground);
-  painter.setPen(holdColor(HoldState::Ambiguous, palette));
+  painter.setPen(trackingStateColor(TrackingState::Ambiguous, palette));
   painter.drawText(label, kLayout, shown);
   painter.restore();
 }
@@ -36,7 +36,7 @@ void paintCameraMotionMarker(QPainter& painter, const QRectF& image, const QStri
     return;
   }
   painter.save();
-  const QColor color = holdColor(HoldState::Lost, palette);
+  const QColor color = trackingStateColor(TrackingState::Lost, palette);
   const QRectF frame = image.adjusted(2.0, 2.0, -2.0, -2.0);
   withHalo(
       painter, color, 2.0, [&] { painter.drawRect(frame); }, Qt::DashLine, edgeHalo(150, 2.0));

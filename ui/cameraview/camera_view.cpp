@@ -27,7 +27,7 @@ CameraView::CameraView(int camera, QWidget* parent) : QWidget(parent), camera_(c
 
 void CameraView::setSnapshot(const TrackSnapshotPtr& snapshot) {
   snapshot_ = snapshot;
-  if (const HoldState now = currentState(); now != state_) {
+  if (const TrackingState now = currentState(); now != state_) {
     state_ = now;
     Q_EMIT stateChanged(state_);
   }
@@ -64,14 +64,14 @@ void CameraView::setChosenTarget(int target) {
   update();
 }
 
-HoldState CameraView::currentState() const {
+TrackingState CameraView::currentState() const {
   if (!snapshot_ || !snapshot_->frames) {
-    return HoldState::NoImages;
+    return TrackingState::NoImages;
   }
   if (!frameOf(snapshot_, camera_)) {
-    return HoldState::Missing;
+    return TrackingState::Missing;
   }
-  return holdState(*snapshot_, camera_);
+  return trackingState(*snapshot_, camera_);
 }
 
 CameraImageSource CameraView::source() const {

@@ -43,7 +43,7 @@ public:
   /// Returns which layers are shown, for example to draw this view elsewhere.
   CameraLook look() const;
   int camera() const { return camera_; }
-  HoldState state() const { return state_; }
+  TrackingState state() const { return state_; }
   /// Return the placement of the image in the widget, and the image size in pixels. The size is
   /// empty before the first image.
   const ImagePlacement& placement() const { return placement_; }
@@ -76,7 +76,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when the tracking state that this view shows has changed.
-  void stateChanged(HoldState state);
+  void stateChanged(TrackingState state);
   void menuRequested(const QPointF& position);
   /// Emitted when a new live estimate is painted, with the time since it was finished in seconds.
   void estimatePainted(double seconds);
@@ -88,7 +88,7 @@ protected:
   void hideEvent(QHideEvent* event) override;
 
 private:
-  HoldState currentState() const;
+  TrackingState currentState() const;
   /// Returns the input for drawing the newest snapshot. Its frame is null if there is no image.
   CameraImageSource source() const;
   /// Returns the zoom geometry for an image of this frame's size in this view.
@@ -116,7 +116,7 @@ private:
   int camera_;
   TrackSnapshotPtr snapshot_; ///< newest snapshot
   CameraLook look_;           ///< without the palette
-  HoldState state_ = HoldState::NoImages;
+  TrackingState state_ = TrackingState::NoImages;
   ImageZoom zoom_;
   ImagePlacement placement_;
   QSize imageSize_;

@@ -49,11 +49,11 @@ QColor colorOf(FindingLevel level, const QPalette& palette) {
   case FindingLevel::Ok:
     return palette.color(QPalette::PlaceholderText);
   case FindingLevel::Note:
-    return holdColor(HoldState::Ambiguous, palette);
+    return trackingStateColor(TrackingState::Ambiguous, palette);
   case FindingLevel::Problem:
     break;
   }
-  return holdColor(HoldState::Lost, palette);
+  return trackingStateColor(TrackingState::Lost, palette);
 }
 
 /// Work for another thread: it owns all that it uses.

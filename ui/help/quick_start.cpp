@@ -3,8 +3,8 @@
 
 #include "ui/help/overlay_legend.h"
 #include "ui/style/theme.h"
-#include "ui/text/hold_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/text/tracking_state_text.h"
 
 #include <QAction>
 #include <QDialogButtonBox>
@@ -24,17 +24,17 @@ namespace {
 constexpr std::size_t kSteps = 5;
 constexpr int kTextWidth = 500;
 constexpr QSize kQuickStartSize(576, 736);
-constexpr std::array kStates{HoldState::Held, HoldState::Ambiguous, HoldState::Searching,
-                             HoldState::Lost};
+constexpr std::array kStates{TrackingState::Held, TrackingState::Ambiguous,
+                             TrackingState::Searching, TrackingState::Lost};
 
-QString stateMeaning(HoldState state) {
+QString stateMeaning(TrackingState state) {
   switch (state) {
-  case HoldState::Held:
+  case TrackingState::Held:
     return QuickStart::tr("The cameras confirm where the target is.");
-  case HoldState::Ambiguous:
+  case TrackingState::Ambiguous:
     return QuickStart::tr(
         "Another object fits about as well. Press X and drag the target to its true position.");
-  case HoldState::Searching:
+  case TrackingState::Searching:
     return QuickStart::tr("Not found yet, or out of sight for less than a second.");
   default:
     return QuickStart::tr("Out of sight for more than a second. The status bar shows why.");
@@ -120,7 +120,7 @@ void QuickStart::addStates(QVBoxLayout* column) {
   rows->setHorizontalSpacing(16);
   rows->setVerticalSpacing(4);
   rows->setColumnStretch(1, 1);
-  for (const HoldState state : kStates) {
+  for (const TrackingState state : kStates) {
     auto* word = new QLabel(this);
     auto* text = new QLabel(this);
     text->setWordWrap(true);
@@ -172,10 +172,10 @@ void QuickStart::retranslateUi() {
 
 void QuickStart::showStates() {
   for (std::size_t k = 0; k < kStates.size(); ++k) {
-    stateWords_[k]->setText(holdText(kStates[k]));
+    stateWords_[k]->setText(trackingStateText(kStates[k]));
     stateTexts_[k]->setText(stateMeaning(kStates[k]));
     QPalette colors = stateWords_[k]->palette();
-    const QColor color = holdColor(kStates[k], palette());
+    const QColor color = trackingStateColor(kStates[k], palette());
     if (colors.color(QPalette::WindowText) != color) {
       colors.setColor(QPalette::WindowText, color);
       stateWords_[k]->setPalette(colors);

@@ -5,11 +5,11 @@
 #include "core/session/snapshot/snapshot.h"
 #include "ui/document/method_presentation.h"
 #include "ui/mainwindow/run_details.h"
-#include "ui/text/hold_text.h"
 #include "ui/text/people_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/text/tracking_state_text.h"
 #include "ui/widgets/elided_label.h"
 
 #include <QEvent>
@@ -130,7 +130,7 @@ void StatusBarPanel::retranslateUi() {
   explain(speed_, tr("%1 m/s").arg("00.00"), tr("Speed of the target in the room"));
   explain(position_, tr("x %1  y %2  z %3").arg("−00.000", "−00.000", "−00.000 m"),
           tr("Estimated position of the target in the room"));
-  explain(held_, holdText(HoldState::Searching),
+  explain(held_, trackingStateText(TrackingState::Searching),
           tr("Tracking: the cameras confirm the estimate. Ambiguous: another object fits about as "
              "well. Lost: not tracked for more than a second."));
   more_->setText(tr("Details"));
@@ -149,7 +149,7 @@ QLabel* StatusBarPanel::addValueLabel(const char* name) {
 
 void StatusBarPanel::clear() {
   stateText_.clear();
-  state_ = HoldState::NoImages;
+  state_ = TrackingState::NoImages;
   reason_->setFullText({});
   for (QLabel* label : {playing_, frame_, rate_}) {
     label->clear();
@@ -199,18 +199,18 @@ void StatusBarPanel::refresh() {
   }
   details_->setSnapshot(snapshot_, target);
   const bool several = snapshot.targets.size() > 1;
-  state_ =
-      target != nullptr && several && snapshot.tracked ? holdState(*target) : holdState(snapshot);
+  state_ = target != nullptr && several && snapshot.tracked ? trackingState(*target)
+                                                            : trackingState(snapshot);
   name_ = several ? QString::fromStdString(target->target.name) : QString();
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
   stateText_.clear();
   if (presentationOf(snapshot).countsPeople && target_ < 0) { // nobody in particular
-    state_ = holdState(snapshot);
+    state_ = trackingState(snapshot);
     name_.clear();
     const QString there = numberText(peopleCount(snapshot), 0);
-    stateText_ = state_ == HoldState::Held        ? tr("● people: %1").arg(there)
-                 : state_ == HoldState::Searching ? tr("○ people: %1, searching").arg(there)
-                                                  : QString();
+    stateText_ = state_ == TrackingState::Held        ? tr("● people: %1").arg(there)
+                 : state_ == TrackingState::Searching ? tr("○ people: %1, searching").arg(there)
+                                                      : QString();
   }
   reason_->setFullText(mustSay ? reasonOf(snapshot, *target) : QString());
   applyPalette(); // which makes them fit
@@ -307,12 +307,12 @@ void StatusBarPanel::hideOverflow() {
 void StatusBarPanel::applyPalette() {
   const QString name = fontMetrics().elidedText(name_, Qt::ElideRight, kWidestName);
   held_->setText(!stateText_.isEmpty() ? stateText_
-                 : name_.isEmpty()     ? holdText(state_)
-                                       : QStringLiteral("%1: %2").arg(name, holdText(state_)));
+                 : name_.isEmpty()     ? trackingStateText(state_)
+                                   : QStringLiteral("%1: %2").arg(name, trackingStateText(state_)));
   // What follows stays where it is when the word becomes a shorter one.
   held_->setMinimumWidth(std::max(held_->minimumWidth(), held_->sizeHint().width()));
   QPalette colors = held_->palette();
-  const QColor color = holdColor(state_, palette());
+  const QColor color = trackingStateColor(state_, palette());
   if (colors.color(QPalette::WindowText) != color) {
     colors.setColor(QPalette::WindowText, color);
     held_->setPalette(colors);

@@ -43,7 +43,7 @@ public:
   void setTarget(int target);
   /// Returns the tracking state shown: the state of the described target or, if there is only one
   /// target, of the whole snapshot (holdState()).
-  HoldState state() const { return state_; }
+  TrackingState state() const { return state_; }
 
   QSize minimumSizeHint() const override;
 
@@ -85,7 +85,7 @@ private:
   int target_ = -1;
   QString name_;      ///< name of the target shown, if there are several targets
   QString stateText_; ///< shown instead of the state word; if empty, the state word is shown
-  HoldState state_ = HoldState::NoImages;
+  TrackingState state_ = TrackingState::NoImages;
 };
 
 } // namespace dewpoint::ui

@@ -110,7 +110,7 @@ void ParameterRow::layOut(QLabel* label) {
 void ParameterRow::applyPalette() {
   reset_->setIcon(symbolicIcon(QStringLiteral("reset"), palette()));
   QPalette amber = note_->palette();
-  const QColor color = holdColor(HoldState::Searching, palette());
+  const QColor color = trackingStateColor(TrackingState::Searching, palette());
   if (amber.color(QPalette::WindowText) != color) {
     amber.setColor(QPalette::WindowText, color);
     note_->setPalette(amber);

@@ -13,10 +13,10 @@
 #include "ui/panels/target_row_delegate.h"
 #include "ui/style/range_color.h"
 #include "ui/style/target_colors.h"
-#include "ui/text/hold_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/text/tracking_state_text.h"
 #include "ui/widgets/action_button.h"
 #include "ui/widgets/decimal_field.h"
 
@@ -48,10 +48,11 @@ QString boxText(const TrackSnapshot& snapshot, const TargetSnapshot& target,
   return TargetPanel::tr(
              "%1, in %2\nCenter %3, %4, size %5 × %6\nSimilarity %7\nEffective sample size %8 of "
              "%9")
-             .arg(holdText(holdState(target)), cameraNames(snapshot).value(estimate.camera),
-                  numberText(center.x(), 1), pixelText(center.y()),
-                  numberText(estimate.box.width, 1), pixelText(estimate.box.height),
-                  numberText(estimate.similarity, 2), numberText(estimate.effectiveSampleSize, 0),
+             .arg(trackingStateText(trackingState(target)),
+                  cameraNames(snapshot).value(estimate.camera), numberText(center.x(), 1),
+                  pixelText(center.y()), numberText(estimate.box.width, 1),
+                  pixelText(estimate.box.height), numberText(estimate.similarity, 2),
+                  numberText(estimate.effectiveSampleSize, 0),
                   QString::number(estimate.particleCount)) +
          QLatin1Char('\n') + TargetPanel::tr("Spread %1").arg(pixelText(estimate.spread));
 }
@@ -290,7 +291,7 @@ void TargetPanel::showRows() {
                : showsColors ? radiusText(targets[k].radius, 0.0)
                              : QString();
     if (isTracked) {
-      row.state = holdState(snapshot_->targets[k]);
+      row.state = trackingState(snapshot_->targets[k]);
       row.speed = speedText(k);
     }
     rows.push_back(row);

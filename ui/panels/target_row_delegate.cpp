@@ -3,7 +3,7 @@
 
 #include "ui/style/tabular_font.h"
 #include "ui/style/type_scale.h"
-#include "ui/text/hold_text.h"
+#include "ui/text/tracking_state_text.h"
 
 #include <QAbstractItemView>
 #include <QFontMetrics>
@@ -84,9 +84,9 @@ void TargetRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
           ink(row.isShown ? QPalette::PlaceholderText : QPalette::Text));
   QRect line = inner.adjusted(kSwatchSide + kRowMargin, 0, -kEyeSide - kRowMargin, 0);
   line.setHeight(QFontMetrics(name).height());
-  const QString state = row.state ? holdText(*row.state) : QString();
+  const QString state = row.state ? trackingStateText(*row.state) : QString();
   painter->setFont(option.font);
-  painter->setPen(row.state && !isChosen ? holdColor(*row.state, option.palette)
+  painter->setPen(row.state && !isChosen ? trackingStateColor(*row.state, option.palette)
                                          : ink(QPalette::Text));
   painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, state);
   const int room = line.width() - option.fontMetrics.horizontalAdvance(state) - kRowMargin;

@@ -5,11 +5,11 @@
 #include "ui/document/method_presentation.h"
 #include "ui/selection/selection.h"
 #include "ui/style/theme.h"
-#include "ui/text/hold_text.h"
 #include "ui/text/people_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/text/tracking_state_text.h"
 #include "ui/widgets/named_widgets.h"
 
 #include <QAction>
@@ -195,7 +195,8 @@ void PeoplePanel::setCell(int row, int column, const QString& text, const QStrin
 }
 
 void PeoplePanel::showRow(int row, const TargetSnapshot& target, const PersonEstimate& person) {
-  setCell(row, kPerson, QString::number(person.identity), holdText(holdState(target.status)));
+  setCell(row, kPerson, QString::number(person.identity),
+          trackingStateText(trackingState(target.status)));
   QTableWidgetItem* first = table_->item(row, kPerson);
   if (first->data(Qt::UserRole).toInt() != person.identity) {
     first->setData(Qt::UserRole, person.identity);

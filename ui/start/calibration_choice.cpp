@@ -169,9 +169,10 @@ void CalibrationChoice::showResult() {
   bool good = true;
   result_->setText(checked_ ? resultText(*checked_, good) : tr("Reading…"));
   QPalette colors = palette();
-  colors.setColor(QPalette::WindowText,
-                  !checked_ ? palette().color(QPalette::PlaceholderText)
-                            : holdColor(good ? HoldState::Held : HoldState::Lost, palette()));
+  colors.setColor(
+      QPalette::WindowText,
+      !checked_ ? palette().color(QPalette::PlaceholderText)
+                : trackingStateColor(good ? TrackingState::Held : TrackingState::Lost, palette()));
   result_->setPalette(colors);
 }
 

@@ -245,10 +245,10 @@ void CameraTable::showKnown(int row) {
                      .arg(facts.height)
                      .arg(rateText(facts.framesPerSecond))
                : tr("✓ %1×%2 · %n images", nullptr, frames).arg(facts.width).arg(facts.height);
-    color = holdColor(HoldState::Held, palette());
+    color = trackingStateColor(TrackingState::Held, palette());
   } else if (known->second.problem) {
     text = tr("✗ %1").arg(errorText(*known->second.problem));
-    color = holdColor(HoldState::Lost, palette());
+    color = trackingStateColor(TrackingState::Lost, palette());
   } else {
     text = tr("Live source: it is tested when the project is created");
   }

@@ -313,7 +313,7 @@ void NewProjectPage::refresh() {
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
   QPalette colors = palette();
-  colors.setColor(QPalette::WindowText, holdColor(HoldState::Searching, palette()));
+  colors.setColor(QPalette::WindowText, trackingStateColor(TrackingState::Searching, palette()));
   note_->setPalette(colors);
   std::vector<std::string> names;
   for (const NewCamera& camera : cameras_->cameras()) {

@@ -66,25 +66,25 @@ bool isThemeApplied() {
          now.color(QPalette::Highlight) == ours.color(QPalette::Highlight);
 }
 
-QColor holdColor(HoldState state, const QPalette& palette) {
+QColor trackingStateColor(TrackingState state, const QPalette& palette) {
   const bool dark = isDarkPalette(palette);
   switch (state) {
-  case HoldState::Held:
+  case TrackingState::Held:
     return QColor(dark ? "#2fc79a" : "#00734f");
-  case HoldState::Ambiguous:
-  case HoldState::Hidden:
-  case HoldState::Searching:
-  case HoldState::Learning:
+  case TrackingState::Ambiguous:
+  case TrackingState::Hidden:
+  case TrackingState::Searching:
+  case TrackingState::Learning:
     return QColor(dark ? "#e6a100" : "#8f5f00");
-  case HoldState::Lost:
-  case HoldState::Missing:
+  case TrackingState::Lost:
+  case TrackingState::Missing:
     return QColor(dark ? "#ff7f3f" : "#b34a00");
-  case HoldState::NotTracked:
-  case HoldState::NoBox:
-  case HoldState::NoTarget:
-  case HoldState::NoImages:
-  case HoldState::Nobody:
-  case HoldState::Gone:
+  case TrackingState::NotTracked:
+  case TrackingState::NoBox:
+  case TrackingState::NoTarget:
+  case TrackingState::NoImages:
+  case TrackingState::Nobody:
+  case TrackingState::Gone:
     break;
   }
   return palette.color(QPalette::PlaceholderText);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/snapshot/hold_state.h"
+#include "core/session/snapshot/tracking_state.h"
 
 #include <QColor>
 #include <QPalette>
@@ -21,7 +21,7 @@ bool isThemeApplied();
 
 /// Returns the color of a target state, readable on the given palette. `holdText()` (ui/text)
 /// returns the text of the state.
-QColor holdColor(HoldState state, const QPalette& palette);
+QColor trackingStateColor(TrackingState state, const QPalette& palette);
 /// Returns the palette color for images (`displayPalette()`) of a target without a learned color,
 /// by its index. `targetColors()` (ui/style/target_colors.h) returns the colors in which the views
 /// draw targets.

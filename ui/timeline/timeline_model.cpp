@@ -3,9 +3,9 @@
 
 #include "core/trajectory/motion.h"
 #include "ui/text/error_sentence.h"
-#include "ui/text/hold_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/reason_text.h"
+#include "ui/text/tracking_state_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -131,9 +131,10 @@ QString TimelineModel::describe(qint64 frame) const {
     if (entry.status == TargetStatus::Gone) {
       continue;
     }
-    text += QStringLiteral("\n%1 %2 (%3)")
-                .arg(targets.value(static_cast<int>(k)), holdText(holdState(entry.status)),
-                     numberText(static_cast<double>(entry.existenceProbability), 2));
+    text +=
+        QStringLiteral("\n%1 %2 (%3)")
+            .arg(targets.value(static_cast<int>(k)), trackingStateText(trackingState(entry.status)),
+                 numberText(static_cast<double>(entry.existenceProbability), 2));
     if (const QString reason = reasonText(entry.reasons, cameras); !reason.isEmpty()) {
       text += QStringLiteral(" – ") + reason;
     }

@@ -31,7 +31,7 @@ constexpr int kMostRowsWanted = 5;
 void paintDropouts(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                    const QRectF& row, std::size_t camera, const QPalette& palette) {
   painter.fillRect(row, palette.color(QPalette::Base));
-  const QColor color = holdColor(HoldState::Missing, palette);
+  const QColor color = trackingStateColor(TrackingState::Missing, palette);
   for (std::size_t k = 0; k < model.records.size(); ++k) {
     const FrameRecord& record = model.records[k];
     if ((record.missingCameras >> camera & 1U) != 0) {

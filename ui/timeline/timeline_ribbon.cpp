@@ -106,7 +106,7 @@ void paintRibbon(QPainter& painter, const TimelineModel& model, const TimelineSc
     if (stretch.status == TargetStatus::Gone) {
       continue;
     }
-    const QColor color = holdColor(holdState(stretch.status), palette);
+    const QColor color = trackingStateColor(trackingState(stretch.status), palette);
     const double begin = std::max(row.left(), stretch.begin);
     const double end = std::min(row.right(), stretch.end);
     const QRectF bar(begin, row.top(), std::max(1.0, end - begin), row.height());

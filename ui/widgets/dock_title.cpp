@@ -2,8 +2,8 @@
 #include "ui/widgets/dock_title.h"
 
 #include "ui/style/symbolic_icon.h"
-#include "ui/text/hold_text.h"
 #include "ui/text/retranslation.h"
+#include "ui/text/tracking_state_text.h"
 #include "ui/widgets/elided_label.h"
 
 #include <QDockWidget>
@@ -111,7 +111,7 @@ void DockTitle::setNameShown(bool shown) {
   update();
 }
 
-void DockTitle::setState(HoldState state) {
+void DockTitle::setState(TrackingState state) {
   stateful_ = true;
   shown_ = state;
   applyPalette();
@@ -172,9 +172,9 @@ void DockTitle::applyPalette() {
   float_->setIcon(symbolicIcon(QStringLiteral("float"), palette()));
   restore_->setIcon(symbolicIcon(QStringLiteral("all-views"), palette()));
   if (stateful_) {
-    state_->setText(holdText(shown_));
+    state_->setText(trackingStateText(shown_));
     QPalette colors = state_->palette();
-    const QColor color = holdColor(shown_, palette());
+    const QColor color = trackingStateColor(shown_, palette());
     if (colors.color(QPalette::WindowText) != color) {
       colors.setColor(QPalette::WindowText, color);
       state_->setPalette(colors);
@@ -183,7 +183,7 @@ void DockTitle::applyPalette() {
   QPalette colors; // of nothing in particular: that of the title
   if (reasonAlone_) {
     colors = palette();
-    colors.setColor(QPalette::WindowText, holdColor(HoldState::Hidden, palette()));
+    colors.setColor(QPalette::WindowText, trackingStateColor(TrackingState::Hidden, palette()));
   }
   reason_->setPalette(colors);
 }

@@ -22,7 +22,7 @@ public:
 
   /// Sets whether the name is shown. It is hidden if a tab above already shows it.
   void setNameShown(bool shown);
-  void setState(HoldState state);
+  void setState(TrackingState state);
   /// Sets the reason for the state, in a few words. An empty string removes it.
   void setReason(const QString& reason);
   /// Shows a reason instead of the state, in the color used for a target that is not seen.
@@ -59,7 +59,7 @@ private:
   ElidedLabel* reason_;
   QToolButton* restore_; ///< visible while the dock fills the window
   QToolButton* float_;
-  HoldState shown_ = HoldState::NoImages;
+  TrackingState shown_ = TrackingState::NoImages;
   bool stateful_ = false;
   bool reasonAlone_ = false;
 };

@@ -205,8 +205,8 @@ void MessageBar::keyPressEvent(QKeyEvent* event) {
 }
 
 QColor MessageBar::severityColor() const {
-  return severity_ == Severity::Error     ? holdColor(HoldState::Lost, palette())
-         : severity_ == Severity::Warning ? holdColor(HoldState::Ambiguous, palette())
+  return severity_ == Severity::Error     ? trackingStateColor(TrackingState::Lost, palette())
+         : severity_ == Severity::Warning ? trackingStateColor(TrackingState::Ambiguous, palette())
                                           : palette().color(QPalette::Link);
 }
 

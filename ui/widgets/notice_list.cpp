@@ -106,8 +106,9 @@ void NoticeList::refresh() {
 void NoticeList::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   const QColor ground = palette().color(QPalette::Window);
-  painter.fillRect(rect(),
-                   mixedColor(ground, holdColor(HoldState::Ambiguous, palette()), kNoticeTint));
+  painter.fillRect(
+      rect(),
+      mixedColor(ground, trackingStateColor(TrackingState::Ambiguous, palette()), kNoticeTint));
 }
 
 void NoticeList::changeEvent(QEvent* event) {
@@ -120,7 +121,7 @@ void NoticeList::changeEvent(QEvent* event) {
 void NoticeList::applyPalette() {
   close_->setIcon(symbolicIcon(QStringLiteral("close"), palette()));
   QPalette colors = mark_->palette();
-  const QColor color = holdColor(HoldState::Ambiguous, palette());
+  const QColor color = trackingStateColor(TrackingState::Ambiguous, palette());
   if (colors.color(QPalette::WindowText) != color) {
     colors.setColor(QPalette::WindowText, color);
     mark_->setPalette(colors);

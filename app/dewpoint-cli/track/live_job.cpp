@@ -87,7 +87,7 @@ public:
     std::string targets;
     for (const TargetSnapshot& target : snapshot.targets) {
       targets += fmt::format("{}{} {}", targets.empty() ? "" : ", ", target.target.name,
-                             broadcast::stateWord(holdState(target)));
+                             broadcast::stateWord(trackingState(target)));
     }
     int clients = 0;
     std::int64_t dropped = broadcaster.droppedFrames();

@@ -63,26 +63,26 @@ Eigen::Matrix3d OutputCoordinates::fromWorld() const {
   return unit == OutputUnit::Millimeter ? Eigen::Matrix3d(inMillimeters(1.0) * matrix) : matrix;
 }
 
-const char* stateWord(HoldState state) {
+const char* stateWord(TrackingState state) {
   switch (state) {
-  case HoldState::Held:
+  case TrackingState::Held:
     return "held";
-  case HoldState::Ambiguous:
+  case TrackingState::Ambiguous:
     return "ambiguous";
-  case HoldState::Hidden:
+  case TrackingState::Hidden:
     return "hidden";
-  case HoldState::Lost:
+  case TrackingState::Lost:
     return "lost";
-  case HoldState::Gone:
-  case HoldState::Nobody:
-  case HoldState::NoBox:
-  case HoldState::NoTarget:
+  case TrackingState::Gone:
+  case TrackingState::Nobody:
+  case TrackingState::NoBox:
+  case TrackingState::NoTarget:
     return "gone";
-  case HoldState::NoImages:
-  case HoldState::NotTracked:
-  case HoldState::Searching:
-  case HoldState::Missing:
-  case HoldState::Learning:
+  case TrackingState::NoImages:
+  case TrackingState::NotTracked:
+  case TrackingState::Searching:
+  case TrackingState::Missing:
+  case TrackingState::Learning:
     break;
   }
   return "searching";
@@ -153,7 +153,7 @@ FrameMessage frameMessageOf(const TrackSnapshot& snapshot, const RecentPositions
     TargetMessage& sent = message.targets.emplace_back();
     sent.id = identityOf(target.estimate, k);
     sent.name = target.target.name;
-    sent.state = stateWord(session::holdState(target));
+    sent.state = stateWord(session::trackingState(target));
     sent.existence = existenceProbabilityOf(target.estimate);
     const auto position = positionOf(target.estimate);
     if (!position || !position->mean.allFinite() || !isHeld(target.estimate)) {

@@ -78,7 +78,7 @@ struct FrameMessage {
 
 /// Returns the state of a target as one word: held, ambiguous, searching, lost, hidden, or gone.
 /// The same words are used in reasons.csv.
-const char* stateWord(HoldState state);
+const char* stateWord(TrackingState state);
 
 /// Returns the message about the rig of a snapshot. The snapshot must have a rig. `volume` is the
 /// project's volume of interest (meters, world frame), if there is one.

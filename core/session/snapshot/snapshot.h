@@ -9,7 +9,7 @@
 #include "core/session/frames/latency_stages.h"
 #include "core/session/frames/tracked_frame.h"
 #include "core/session/people/person_shape.h"
-#include "core/session/snapshot/hold_state.h"
+#include "core/session/snapshot/tracking_state.h"
 #include "core/session/watch/camera_motion_watch.h"
 #include "core/tracking/catalog/method_catalog.h"
 #include "core/tracking/clock_estimate.h"
@@ -36,8 +36,8 @@ struct TargetSnapshot {
   std::vector<Eigen::Vector3d> tail;
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
-  HoldState stateWhileAbsent = HoldState::Gone; ///< state shown while the target is absent
-  BoxParticles boxParticles;                    ///< particles of a BoxEstimate
+  TrackingState stateWhileAbsent = TrackingState::Gone; ///< state shown while the target is absent
+  BoxParticles boxParticles;                            ///< particles of a BoxEstimate
   /// Color histograms of a BoxEstimate; null if there is no image.
   std::shared_ptr<const ColorHistograms> histograms;
   /// Per camera: whether it confirms the target, and the reason if it does not (describeReasons());

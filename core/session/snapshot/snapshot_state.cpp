@@ -36,28 +36,28 @@ const Camera* cameraOf(const TrackSnapshot& snapshot, int camera) {
   return known ? &(*snapshot.rig)[index] : nullptr;
 }
 
-HoldState holdState(TargetStatus status) {
+TrackingState trackingState(TargetStatus status) {
   switch (status) {
   case TargetStatus::Held:
-    return HoldState::Held;
+    return TrackingState::Held;
   case TargetStatus::Ambiguous:
-    return HoldState::Ambiguous;
+    return TrackingState::Ambiguous;
   case TargetStatus::Lost:
-    return HoldState::Lost;
+    return TrackingState::Lost;
   case TargetStatus::Gone:
-    return HoldState::Gone;
+    return TrackingState::Gone;
   case TargetStatus::Searching:
     break;
   }
-  return HoldState::Searching;
+  return TrackingState::Searching;
 }
 
-HoldState holdState(const TargetSnapshot& target) {
-  const HoldState state = holdState(target.status);
+TrackingState trackingState(const TargetSnapshot& target) {
+  const TrackingState state = trackingState(target.status);
   return std::visit(
       Overloaded{[state](const SphereEstimate&) { return state; },
                  [state](const BoxEstimate&) {
-                   return state == HoldState::Searching ? HoldState::Hidden : state;
+                   return state == TrackingState::Searching ? TrackingState::Hidden : state;
                  },
                  [state](const PersonEstimate&) { return state; },
                  [&target](const AbsentEstimate&) { return target.stateWhileAbsent; }},
@@ -79,54 +79,56 @@ bool isShownIn(const TargetSnapshot& target, int camera) {
                     target.estimate);
 }
 
-HoldState stateOfPeople(const TrackSnapshot& snapshot) {
+TrackingState stateOfPeople(const TrackSnapshot& snapshot) {
   if (std::ranges::any_of(snapshot.peopleCameras,
                           [](const auto& camera) { return camera.learned < 1.0; })) {
-    return HoldState::Learning;
+    return TrackingState::Learning;
   }
-  HoldState state = HoldState::Nobody;
+  TrackingState state = TrackingState::Nobody;
   for (const TargetSnapshot& target : snapshot.targets) {
     if (target.status == TargetStatus::Searching) {
-      return HoldState::Searching;
+      return TrackingState::Searching;
     }
-    state = target.status == TargetStatus::Held ? HoldState::Held : state;
+    state = target.status == TargetStatus::Held ? TrackingState::Held : state;
   }
   return state;
 }
 
 /// Of the targets that count; without any of them there is no box.
-template <class Counts> HoldState worstState(const TrackSnapshot& snapshot, const Counts& counts) {
+template <class Counts>
+TrackingState worstState(const TrackSnapshot& snapshot, const Counts& counts) {
   if (!snapshot.frames) {
-    return HoldState::NoImages;
+    return TrackingState::NoImages;
   }
   const bool findsTargets = snapshot.family.findsTargets();
   if (snapshot.targets.empty() && !findsTargets) {
-    return HoldState::NoTarget;
+    return TrackingState::NoTarget;
   }
   if (snapshot.past && !snapshot.tracked) {
-    return HoldState::NotTracked;
+    return TrackingState::NotTracked;
   }
   if (findsTargets) {
     return stateOfPeople(snapshot);
   }
-  for (const HoldState state : {HoldState::Lost, HoldState::Searching, HoldState::Ambiguous,
-                                HoldState::Hidden, HoldState::Held}) {
+  for (const TrackingState state :
+       {TrackingState::Lost, TrackingState::Searching, TrackingState::Ambiguous,
+        TrackingState::Hidden, TrackingState::Held}) {
     if (std::ranges::any_of(snapshot.targets, [&](const TargetSnapshot& target) {
-          return counts(target) && holdState(target) == state;
+          return counts(target) && trackingState(target) == state;
         })) {
       return state;
     }
   }
-  return HoldState::NoBox;
+  return TrackingState::NoBox;
 }
 
 } // namespace
 
-HoldState holdState(const TrackSnapshot& snapshot) {
+TrackingState trackingState(const TrackSnapshot& snapshot) {
   return worstState(snapshot, [](const TargetSnapshot&) { return true; });
 }
 
-HoldState holdState(const TrackSnapshot& snapshot, int camera) {
+TrackingState trackingState(const TrackSnapshot& snapshot, int camera) {
   return worstState(snapshot,
                     [camera](const TargetSnapshot& target) { return isShownIn(target, camera); });
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/snapshot/hold_state.h"
 #include "core/session/snapshot/snapshot.h"
+#include "core/session/snapshot/tracking_state.h"
 
 #include <Eigen/Core>
 
@@ -16,16 +16,16 @@ namespace dewpoint::session {
 const Camera* cameraOf(const TrackSnapshot& snapshot, int camera);
 
 /// Returns the state that views show for a target's status.
-HoldState holdState(TargetStatus status);
+TrackingState trackingState(TargetStatus status);
 /// Returns the state that views show for a target. A box can also be hidden or not exist yet.
-HoldState holdState(const TargetSnapshot& target);
+TrackingState trackingState(const TargetSnapshot& target);
 /// Returns the worst state of all targets. From worst to best, the states are: lost, searching,
 /// ambiguous, hidden, held. Returns NoImages if there are no images, NoTarget if there are no
 /// targets, and NotTracked for a frame that was not tracked.
-HoldState holdState(const TrackSnapshot& snapshot);
+TrackingState trackingState(const TrackSnapshot& snapshot);
 /// Returns the worst state of the targets in the view of one camera. A box counts only for the
 /// camera in which it is tracked.
-HoldState holdState(const TrackSnapshot& snapshot, int camera);
+TrackingState trackingState(const TrackSnapshot& snapshot, int camera);
 
 /// Returns the target whose state is explained to the user: the one with index `preferred` if it
 /// exists, otherwise the first that is not held (confirmed by the cameras), otherwise the first.

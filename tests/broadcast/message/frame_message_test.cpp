@@ -156,11 +156,11 @@ TEST(FrameMessage, AnAccelerationIsTheChangeOfTheVelocity) {
 }
 
 TEST(FrameMessage, EachStateHasAWord) {
-  EXPECT_STREQ(broadcast::stateWord(HoldState::Held), "held");
-  EXPECT_STREQ(broadcast::stateWord(HoldState::Ambiguous), "ambiguous");
-  EXPECT_STREQ(broadcast::stateWord(HoldState::Lost), "lost");
-  EXPECT_STREQ(broadcast::stateWord(HoldState::Gone), "gone");
-  EXPECT_STREQ(broadcast::stateWord(HoldState::Learning), "searching");
+  EXPECT_STREQ(broadcast::stateWord(TrackingState::Held), "held");
+  EXPECT_STREQ(broadcast::stateWord(TrackingState::Ambiguous), "ambiguous");
+  EXPECT_STREQ(broadcast::stateWord(TrackingState::Lost), "lost");
+  EXPECT_STREQ(broadcast::stateWord(TrackingState::Gone), "gone");
+  EXPECT_STREQ(broadcast::stateWord(TrackingState::Learning), "searching");
 }
 
 } // namespace

@@ -43,21 +43,21 @@ void addPerson(TrackSnapshot& snapshot, const Eigen::Vector3d& center) {
 TEST(SnapshotState, WithoutImagesTargetsOrTrackingThereIsNothingToJudge) {
   TrackSnapshot snapshot = snapshotOf({TargetStatus::Held});
   snapshot.frames = nullptr;
-  EXPECT_EQ(holdState(snapshot), HoldState::NoImages);
-  EXPECT_EQ(holdState(snapshotOf({})), HoldState::NoTarget);
+  EXPECT_EQ(trackingState(snapshot), TrackingState::NoImages);
+  EXPECT_EQ(trackingState(snapshotOf({})), TrackingState::NoTarget);
   TrackSnapshot past = snapshotOf({TargetStatus::Held});
   past.past = true;
   past.tracked = false;
-  EXPECT_EQ(holdState(past), HoldState::NotTracked);
+  EXPECT_EQ(trackingState(past), TrackingState::NotTracked);
 }
 
 TEST(SnapshotState, TheWorstTargetSpeaksForAll) {
   using enum TargetStatus;
-  EXPECT_EQ(holdState(snapshotOf({Held, Held})), HoldState::Held);
-  EXPECT_EQ(holdState(snapshotOf({Held, Searching})), HoldState::Searching);
-  EXPECT_EQ(holdState(snapshotOf({Searching, Lost, Held})), HoldState::Lost);
-  EXPECT_EQ(holdState(snapshotOf({Held, Ambiguous})), HoldState::Ambiguous);
-  EXPECT_EQ(holdState(snapshotOf({Ambiguous, Searching})), HoldState::Searching);
+  EXPECT_EQ(trackingState(snapshotOf({Held, Held})), TrackingState::Held);
+  EXPECT_EQ(trackingState(snapshotOf({Held, Searching})), TrackingState::Searching);
+  EXPECT_EQ(trackingState(snapshotOf({Searching, Lost, Held})), TrackingState::Lost);
+  EXPECT_EQ(trackingState(snapshotOf({Held, Ambiguous})), TrackingState::Ambiguous);
+  EXPECT_EQ(trackingState(snapshotOf({Ambiguous, Searching})), TrackingState::Searching);
 }
 
 TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
@@ -65,20 +65,20 @@ TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
   snapshot.family.targets = TargetSource::Box;
   for (TargetSnapshot& target : snapshot.targets) {
     target.estimate = AbsentEstimate{};
-    target.stateWhileAbsent = HoldState::NoBox;
+    target.stateWhileAbsent = TrackingState::NoBox;
   }
-  EXPECT_EQ(holdState(snapshot.targets[0]), HoldState::NoBox);
-  EXPECT_EQ(holdState(snapshot), HoldState::NoBox);
+  EXPECT_EQ(trackingState(snapshot.targets[0]), TrackingState::NoBox);
+  EXPECT_EQ(trackingState(snapshot), TrackingState::NoBox);
   for (int k = 0; k < 2; ++k) {
     BoxEstimate box;
     box.camera = k;
     snapshot.targets[static_cast<std::size_t>(k)].estimate = box;
   }
-  EXPECT_EQ(holdState(snapshot.targets[1]), HoldState::Hidden);
-  EXPECT_EQ(holdState(snapshot), HoldState::Hidden);
-  EXPECT_EQ(holdState(snapshot, 0), HoldState::Held);
-  EXPECT_EQ(holdState(snapshot, 1), HoldState::Hidden);
-  EXPECT_EQ(holdState(snapshot, 2), HoldState::NoBox);
+  EXPECT_EQ(trackingState(snapshot.targets[1]), TrackingState::Hidden);
+  EXPECT_EQ(trackingState(snapshot), TrackingState::Hidden);
+  EXPECT_EQ(trackingState(snapshot, 0), TrackingState::Held);
+  EXPECT_EQ(trackingState(snapshot, 1), TrackingState::Hidden);
+  EXPECT_EQ(trackingState(snapshot, 2), TrackingState::NoBox);
 }
 
 TEST(SnapshotState, PeopleAreLearnedFirst) {
@@ -87,13 +87,13 @@ TEST(SnapshotState, PeopleAreLearnedFirst) {
   snapshot.peopleCameras.resize(2);
   snapshot.peopleCameras[0].learned = 1.0;
   snapshot.peopleCameras[1].learned = 0.5;
-  EXPECT_EQ(holdState(snapshot), HoldState::Learning);
+  EXPECT_EQ(trackingState(snapshot), TrackingState::Learning);
   snapshot.peopleCameras[1].learned = 1.0;
-  EXPECT_EQ(holdState(snapshot), HoldState::Nobody);
+  EXPECT_EQ(trackingState(snapshot), TrackingState::Nobody);
   snapshot.targets = snapshotOf({TargetStatus::Gone, TargetStatus::Held}).targets;
-  EXPECT_EQ(holdState(snapshot), HoldState::Held);
+  EXPECT_EQ(trackingState(snapshot), TrackingState::Held);
   snapshot.targets[0].status = TargetStatus::Searching;
-  EXPECT_EQ(holdState(snapshot), HoldState::Searching);
+  EXPECT_EQ(trackingState(snapshot), TrackingState::Searching);
 }
 
 TEST(SnapshotState, TheTargetToExplainIsTheChosenOneOrTheFirstInTrouble) {

@@ -114,7 +114,7 @@ TEST_F(ShownCameraView, WithoutImagesItIsDrawnAtOnce) {
   EXPECT_TRUE(view_.isDrawn());
   QTest::qWait(0);
   EXPECT_TRUE(view_.isDrawn());
-  EXPECT_EQ(view_.state(), HoldState::NoImages);
+  EXPECT_EQ(view_.state(), TrackingState::NoImages);
 }
 
 TEST_F(ShownCameraView, AnEarlierFrameIsNotShownAfterItWasHidden) {
@@ -131,7 +131,7 @@ TEST_F(ShownCameraView, AnEarlierFrameIsNotShownAfterItWasHidden) {
   view_.setSnapshot(nullptr);
   view_.show();
   EXPECT_TRUE(view_.isDrawn());
-  EXPECT_EQ(view_.state(), HoldState::NoImages);
+  EXPECT_EQ(view_.state(), TrackingState::NoImages);
 }
 
 TEST_F(ShownCameraView, WhatIsStillOfTheNewestFrameIsThereAtOnce) {

@@ -4,7 +4,7 @@
 #include "tests/ui/color/box_window.h"
 #include "tests/ui/window_test.h"
 #include "ui/selection/selection.h"
-#include "ui/text/hold_text.h"
+#include "ui/text/tracking_state_text.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -85,8 +85,9 @@ void BoxTargetTest::anAddedTargetThatIsUndoneLeavesNothing() {
   QVERIFY(waitFor([this] { return window_->shown()->targets.size() == 1; }));
   QCOMPARE(window_->shown()->frame, std::int64_t{5});
   QCOMPARE(window_->selection().target(), 0); // the one that the list shows as chosen
-  QVERIFY(
-      waitFor([this] { return find<QLabel>("statusHeld")->text() == holdText(HoldState::Held); }));
+  QVERIFY(waitFor([this] {
+    return find<QLabel>("statusHeld")->text() == trackingStateText(TrackingState::Held);
+  }));
   action("actionRedo")->trigger();
   QVERIFY(waitFor([this] { return targetCount() == 2 && !window_->shown()->rerun; }));
 }

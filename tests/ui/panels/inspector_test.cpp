@@ -10,7 +10,7 @@
 #include "ui/cameraview/image_pick_overlay.h"
 #include "ui/document/document.h"
 #include "ui/panels/target_row_delegate.h"
-#include "ui/text/hold_text.h"
+#include "ui/text/tracking_state_text.h"
 #include "ui/widgets/collapsible_section.h"
 #include "ui/widgets/path_field.h"
 
@@ -209,7 +209,7 @@ void InspectorTest::rowsOfTargetsSayStateAndSize() {
   };
   action("actionNextFrame")->trigger();
   action("actionNextFrame")->trigger();
-  QVERIFY(waitFor([&] { return rows().size() == 1 && rows()[0].state == HoldState::Held; }));
+  QVERIFY(waitFor([&] { return rows().size() == 1 && rows()[0].state == TrackingState::Held; }));
   QVERIFY(rows()[0].size.startsWith(QStringLiteral("radius ")));
   // As soon as there are a few frames to compute it from.
   action("actionNextFrame")->trigger();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/text/hold_text.h"
+#include "ui/text/tracking_state_text.h"
 #include "ui/widgets/dock_title.h"
 
 #include <QDockWidget>
@@ -16,7 +16,7 @@ TEST(DockTitle, AReasonAloneStandsInPlaceOfTheState) {
   DockTitle title(&dock);
   const auto* state = title.findChild<QLabel*>(QStringLiteral("dockTitleState"));
   const auto* reason = title.findChild<QLabel*>(QStringLiteral("dockTitleReason"));
-  title.setState(HoldState::Held);
+  title.setState(TrackingState::Held);
   title.setReason(QStringLiteral("partly hidden"));
   EXPECT_FALSE(state->isHidden());
   const QColor plain = reason->palette().color(QPalette::WindowText);
@@ -24,7 +24,7 @@ TEST(DockTitle, AReasonAloneStandsInPlaceOfTheState) {
   EXPECT_TRUE(state->isHidden());
   EXPECT_EQ(reason->text(), QStringLiteral("◌ hidden here"));
   EXPECT_EQ(reason->palette().color(QPalette::WindowText),
-            holdColor(HoldState::Hidden, title.palette()));
+            trackingStateColor(TrackingState::Hidden, title.palette()));
   title.setReason({});
   EXPECT_FALSE(state->isHidden());
   EXPECT_EQ(reason->palette().color(QPalette::WindowText), plain);
@@ -38,13 +38,14 @@ TEST(DockTitle, InANarrowViewTheStateGivesWayToTheName) {
   const auto* state = title.findChild<QLabel*>(QStringLiteral("dockTitleState"));
   dock.resize(500, 200);
   dock.show(); // else it is not resized
-  title.setState(HoldState::Searching);
+  title.setState(TrackingState::Searching);
   const int whole = title.sizeHint().width();
   title.resize(whole - state->sizeHint().width() / 2, title.sizeHint().height());
   title.layout()->activate();
   EXPECT_GE(name->width(), name->sizeHint().width());
   EXPECT_LT(state->width(), state->sizeHint().width());
-  EXPECT_EQ(state->text(), holdText(HoldState::Searching)); // the whole text for screen readers
+  EXPECT_EQ(state->text(),
+            trackingStateText(TrackingState::Searching)); // the whole text for screen readers
   // The words never keep the view from being narrower.
   EXPECT_LT(title.minimumSizeHint().width(), title.width());
 }

@@ -6,7 +6,7 @@
 namespace dewpoint::session {
 
 /// Tracking state of a target, of the view of a camera, or of a frame, shown as one word.
-enum class HoldState {
+enum class TrackingState {
   NoImages,
   NoTarget,
   NotTracked,
