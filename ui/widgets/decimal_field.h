@@ -30,7 +30,7 @@ private:
   bool selectsOnRelease_ = false; ///< the click in progress has given the focus
 };
 
-/// Creates a field with this object name, this range and so many decimals. It reports a number when
+/// Creates a field with this object name, range and number of decimals. It reports a number when
 /// typing is finished, not after each key.
 DecimalField* makeDecimalField(const char* name, double low, double high, int decimals,
                                QWidget* parent);
