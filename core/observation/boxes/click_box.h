@@ -18,9 +18,9 @@ namespace dewpoint::observation {
 /// is about 20 pixels in size, so that highlights, seams and noise average out. The function
 /// chooses the box that differs most from its surroundings (BoxContrast), with a penalty that
 /// increases with the distance between the click and the center of the box. The result is the
-/// figure inside this box (figureBox()), which is the object without its margin. If the color
-/// region at the click (growRegion()) has about the same box, the region's box is returned instead,
-/// because its outline is more exact.
+/// figure inside this box (boxWithoutMargin()), which is the object without its margin. If the
+/// color region at the click (growRegion()) has about the same box, the region's box is returned
+/// instead, because its outline is more exact.
 ///
 /// If the chosen box and the box of the region differ, the chosen box may contain more than the
 /// colors of a target can describe. The function then considers figures of all sizes up to the
