@@ -83,8 +83,8 @@ def cloud(results):
                       span(column(mine, "spread_along_axis_1_m"), millimeters),
                       span(column(mine, "spread_across_it_m"), millimeters),
                       span([share_along(row) for row in mine], percent)])
-    return Made(["iteration", "error", "spread along camera 1's axis", "spread across it", "of the variance along it"],
-                table, ["barrera"], [seed for seed, _ in found])
+    return Made(["iteration", "error", "spread along camera 1's axis", "spread across this axis",
+                 "fraction of the variance along it"], table, ["barrera"], [seed for seed, _ in found])
 
 
 def in_images(results):
@@ -92,7 +92,7 @@ def in_images(results):
     found = results.figures("barrera-fig3", "instants.csv")
     table = [[number(row["iteration"]), number(row["particles_in_image_1"]), number(row["particles_in_image_2"])]
              for _, rows in found for row in rows if "particles_in_image_1" in row]
-    return Made(["iteration", "of 200 particles in camera 1's image", "in camera 2's"], table, ["barrera"],
+    return Made(["iteration", "of 200 particles, in camera 1's image", "in camera 2's image"], table, ["barrera"],
                 [seed for seed, _ in found])
 
 
@@ -120,8 +120,8 @@ def lazy_color(results):
         ratio = re.search(r"^ *3072 +\S+ +\S+ +(\S+)$", block, re.M)
         if crossing and ratio:
             table.append([block.splitlines()[0], crossing[1], ratio[1]])
-    return Made([results.processor, "windows alone stop paying, particles", "their time by the image's, 3072 particles"],
-                table, [], [1])
+    return Made([results.processor, "particles from which on the windows are not faster",
+                 "time of the windows / of the image, 3072 particles"], table, [], [1])
 
 
 def masks(results):
