@@ -22,7 +22,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-QString translated(const char* text) {
+QString translatedAction(const char* text) {
   return QCoreApplication::translate("Actions", text);
 }
 
@@ -98,18 +98,18 @@ const ActionRegistry::Entry* ActionRegistry::entryOf(const QAction* action) cons
 
 QString ActionRegistry::groupOf(const QAction* action) const {
   const Entry* entry = entryOf(action);
-  return entry == nullptr ? QString() : translated(entry->declaration.group);
+  return entry == nullptr ? QString() : translatedAction(entry->declaration.group);
 }
 
 QString ActionRegistry::hintOf(const QAction* action) const {
   const Entry* entry = entryOf(action);
-  return entry == nullptr ? QString() : translated(entry->declaration.hint);
+  return entry == nullptr ? QString() : translatedAction(entry->declaration.hint);
 }
 
 QString ActionRegistry::labelOf(const QAction* action) const {
   const Entry* entry = entryOf(action);
   return entry == nullptr ? QString()
-                          : translated(entry->declaration.text).remove(QLatin1Char('&'));
+                          : translatedAction(entry->declaration.text).remove(QLatin1Char('&'));
 }
 
 QIcon ActionRegistry::iconOf(const QAction* action) const {
@@ -120,14 +120,14 @@ QIcon ActionRegistry::iconOf(const QAction* action) const {
 }
 
 void ActionRegistry::setTexts(const Entry& entry) {
-  entry.action->setText(translated(entry.text));
+  entry.action->setText(translatedAction(entry.text));
   setTooltip(entry);
   entry.action->setStatusTip(QString());
 }
 
 void ActionRegistry::setTooltip(const Entry& entry) {
   entry.action->setToolTip(
-      tooltipWithShortcut(translated(entry.declaration.hint), entry.action->shortcut()));
+      tooltipWithShortcut(translatedAction(entry.declaration.hint), entry.action->shortcut()));
 }
 
 void ActionRegistry::rename(QAction* action, const char* text, const char* icon) {

@@ -23,7 +23,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-enum Column { kName, kKeys, kHint };
+enum ShortcutColumn { kName, kKeys, kHint };
 
 } // namespace
 

@@ -24,7 +24,7 @@
 namespace dewpoint::ui {
 
 namespace {
-constexpr std::chrono::seconds kUpdate(1);
+constexpr std::chrono::seconds kOutputUpdate(1);
 } // namespace
 
 OutputController::OutputController(const Workbench& bench)
@@ -151,7 +151,7 @@ void OutputController::startSending(std::shared_ptr<broadcast::Broadcaster> broa
     broadcaster_ = std::move(broadcaster);
     broadcaster_->setPageTexts(pageTexts()); // the language may have changed meanwhile
     broadcaster_->offer(bench_.session.shown());
-    timer_.start(kUpdate);
+    timer_.start(kOutputUpdate);
     showStatus();
   }
   updateAction();

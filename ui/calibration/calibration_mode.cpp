@@ -15,8 +15,8 @@
 namespace dewpoint::ui {
 
 namespace {
-constexpr QLatin1String kByHand("handPage");
-constexpr QLatin1String kBoard("boardPage");
+constexpr QLatin1String kHandPage("handPage");
+constexpr QLatin1String kBoardPage("boardPage");
 } // namespace
 
 CalibrationMode::CalibrationMode(const Workbench& bench)
@@ -32,7 +32,7 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
   dock_->setMinimumWidth(400); // room for the names of all tabs, and three numbers
   QAction* mode = bench_.action("actionCalibrateByHand");
   connect(mode, &QAction::triggered, this, [this, mode](bool checked) {
-    if (!checked && pages_->shownPage() != kByHand) {
+    if (!checked && pages_->shownPage() != kHandPage) {
       isReturning_ = true;
       mode->setChecked(true); // another page was in front
       isReturning_ = false;
@@ -40,7 +40,7 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
   });
   connect(mode, &QAction::toggled, this, [this](bool shown) {
     if (shown) {
-      pages_->showPage(kByHand); // first: the page before is not opened again
+      pages_->showPage(kHandPage); // first: the page before is not opened again
     }
     show(shown);
   });
@@ -105,7 +105,7 @@ void CalibrationMode::show(bool isShown) {
     before->raise(); // not just the next tab
   }
   // The grid would lie over the board that is shown to the cameras.
-  manual_->setActive(isShown && pages_->shownPage() != kBoard);
+  manual_->setActive(isShown && pages_->shownPage() != kBoardPage);
   const QString page = isShown ? pages_->shownPage() : QString();
   if (page != page_) { // a new layout of the views shows the same page again
     page_ = page;

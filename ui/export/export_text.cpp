@@ -31,7 +31,7 @@ constexpr std::array kFormatNames{
     Word{"jsonl", QT_TRANSLATE_NOOP("Export", "JSON lines")},
 };
 
-QString translated(const char* text, int count = -1) {
+QString translatedExport(const char* text, int count = -1) {
   return QCoreApplication::translate("Export", text, nullptr, count);
 }
 
@@ -40,7 +40,7 @@ QString translated(const char* text, int count = -1) {
 QString exportFormatName(std::string_view id) {
   for (const Word& word : kFormatNames) {
     if (word.id == id) {
-      return translated(word.text);
+      return translatedExport(word.text);
     }
   }
   return QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
@@ -51,10 +51,10 @@ QString exportUnitsText(const ExportPreview& preview) {
       preview.unit == LengthUnit::Meter ? QStringLiteral("m") : QStringLiteral("mm");
   const QString axes =
       preview.axes == WorldAxes::ZUp
-          ? translated(QT_TRANSLATE_NOOP("Export", "Z points up, axes as in the project"))
-          : translated(QT_TRANSLATE_NOOP(
+          ? translatedExport(QT_TRANSLATE_NOOP("Export", "Z points up, axes as in the project"))
+          : translatedExport(QT_TRANSLATE_NOOP(
                 "Export", "Y points up: x, y, z of the file are y, z, x of the project"));
-  return translated(
+  return translatedExport(
              QT_TRANSLATE_NOOP("Export", "Lengths in %1, times in s, covariances in %1². %2."))
       .arg(unit, axes);
 }
@@ -62,10 +62,11 @@ QString exportUnitsText(const ExportPreview& preview) {
 QString exportSizeText(const ExportPreview& preview) {
   const QLocale locale;
   const QString gaps = preview.gaps == 0
-                           ? translated(QT_TRANSLATE_NOOP("Export", "no gaps"))
-                           : translated(QT_TRANSLATE_NOOP("Export", "%1 positions unknown"))
+                           ? translatedExport(QT_TRANSLATE_NOOP("Export", "no gaps"))
+                           : translatedExport(QT_TRANSLATE_NOOP("Export", "%1 positions unknown"))
                                  .arg(locale.toString(static_cast<qulonglong>(preview.gaps)));
-  return translated(QT_TRANSLATE_NOOP("Export", "Targets: %1, rows: %2 at %3 per second, %4."))
+  return translatedExport(
+             QT_TRANSLATE_NOOP("Export", "Targets: %1, rows: %2 at %3 per second, %4."))
       .arg(locale.toString(static_cast<qulonglong>(preview.targets)),
            locale.toString(static_cast<qulonglong>(preview.rows)), rateText(preview.rate), gaps);
 }

@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr int kWidestPicture = 620; ///< pixels; a page is a little wider
-constexpr double kPageMargin = 20.0;
+constexpr double kManualMargin = 20.0;
 constexpr double kAboveHeading = 18.0;
 constexpr double kBelowHeading = 6.0;
 constexpr double kCellPadding = 5.0;
@@ -33,7 +33,7 @@ ManualBrowser::ManualBrowser(QWidget* parent) : QTextBrowser(parent) {
   setObjectName(QStringLiteral("manualText"));
   setOpenExternalLinks(true);
   setFrameShape(QFrame::NoFrame);
-  document()->setDocumentMargin(kPageMargin);
+  document()->setDocumentMargin(kManualMargin);
 }
 
 QString ManualBrowser::slugOf(const QString& heading) {
@@ -67,7 +67,7 @@ void ManualBrowser::doSetSource(const QUrl& url, QTextDocument::ResourceType /*t
 }
 
 void ManualBrowser::layOutPage() {
-  document()->setDocumentMargin(kPageMargin);
+  document()->setDocumentMargin(kManualMargin);
   QTextCursor cursor(document());
   cursor.beginEditBlock();
   for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {

@@ -21,7 +21,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr std::size_t kSteps = 5;
+constexpr std::size_t kQuickStartSteps = 5;
 constexpr int kTextWidth = 500;
 constexpr QSize kQuickStartSize(576, 736);
 constexpr std::array kStates{TrackingState::Held, TrackingState::Ambiguous,
@@ -69,7 +69,7 @@ QuickStart::QuickStart(const Actions& actions, QWidget* parent)
   addStates(column);
   column->addSpacing(8);
   beginHeading_ = addHeading(column);
-  for (std::size_t step = 0; step < kSteps; ++step) {
+  for (std::size_t step = 0; step < kQuickStartSteps; ++step) {
     steps_.push_back(addText(column));
     steps_.back()->setObjectName(QStringLiteral("quickStartStep%1").arg(step + 1));
   }
@@ -144,7 +144,7 @@ void QuickStart::retranslateUi() {
                         "bird's-eye view shows the same in the room."));
   stateHeading_->setText(tr("State of a target"));
   beginHeading_->setText(tr("How to start"));
-  const std::array<QString, kSteps> steps{
+  const std::array<QString, kQuickStartSteps> steps{
       tr("1.  Open one video per camera, or connect cameras: File › New project (%1). Or try the "
          "demo first.")
           .arg(keyOf(actions_.openProject)),
@@ -158,7 +158,7 @@ void QuickStart::retranslateUi() {
           .arg(keyOf(actions_.play)),
       tr("5.  Export the trajectory: File › Export trajectory (%1).")
           .arg(keyOf(actions_.exportTrajectory))};
-  for (std::size_t step = 0; step < kSteps; ++step) {
+  for (std::size_t step = 0; step < kQuickStartSteps; ++step) {
     steps_[step]->setText(steps[step]);
   }
   legend_->setText(tr("Show legend…"));

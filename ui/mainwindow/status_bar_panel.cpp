@@ -26,7 +26,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kSpacing = 20;
+constexpr int kStatusSpacing = 20;
 constexpr int kWidestName = 220;  ///< of a target; a longer one is cut
 constexpr int kLeastReason = 160; ///< pixels; less of a reason cannot be understood
 
@@ -85,7 +85,7 @@ StatusBarPanel::StatusBarPanel(QWidget* parent)
   setObjectName(QStringLiteral("statusFigures"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 2, 8, 2);
-  layout->setSpacing(kSpacing);
+  layout->setSpacing(kStatusSpacing);
   held_ = addValueLabel("statusHeld");
   QFont bold = held_->font();
   bold.setWeight(QFont::DemiBold);
@@ -277,7 +277,7 @@ QSize StatusBarPanel::minimumSizeHint() const {
 void StatusBarPanel::hideOverflow() {
   const QMargins margins = layout()->contentsMargins();
   const auto widthOf = [](const QWidget* part) {
-    return std::max(part->minimumWidth(), part->sizeHint().width()) + kSpacing;
+    return std::max(part->minimumWidth(), part->sizeHint().width()) + kStatusSpacing;
   };
   // An empty value before a reason leaves it its room.
   const QString reason = reason_->fullText();
@@ -292,7 +292,7 @@ void StatusBarPanel::hideOverflow() {
     needed += isSpare(part) ? 0 : widthOf(part);
   }
   if (!reason.isEmpty()) {
-    needed += std::min(kLeastReason, fontMetrics().horizontalAdvance(reason)) + kSpacing;
+    needed += std::min(kLeastReason, fontMetrics().horizontalAdvance(reason)) + kStatusSpacing;
   }
   for (QWidget* part : hideOrder_) {
     const bool fits = needed <= width();

@@ -25,7 +25,7 @@ namespace dewpoint::ui {
 
 namespace {
 /// How often the label is updated. Chosen: seconds are seen to count.
-constexpr std::chrono::milliseconds kUpdate(250);
+constexpr std::chrono::milliseconds kTakeUpdate(250);
 } // namespace
 
 TakeController::TakeController(const Workbench& bench)
@@ -94,7 +94,7 @@ void TakeController::start() {
           recorder_ = std::move(**take);
           next_ = {}; // the one after it counts up by itself
           shownProblem_.clear();
-          timer_.start(kUpdate);
+          timer_.start(kTakeUpdate);
           showStatus();
           Q_EMIT started();
           name_.clear();

@@ -27,7 +27,7 @@ enum CameraColumn { kNameColumn, kSourceColumn, kFoundColumn, kCameraColumns };
 
 // Pixels; chosen.
 constexpr QSize kRowPicture(72, 40);
-constexpr int kRowHeight = 48;
+constexpr int kCameraRowHeight = 48;
 constexpr int kNarrowestColumn = 160;
 
 /// Shows what an address looks like as long as there is none, and the end of long paths.
@@ -87,7 +87,7 @@ CameraTable::CameraTable(QWidget* parent)
   setShowGrid(false);
   setWordWrap(true);
   verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(kRowHeight);
+  verticalHeader()->setDefaultSectionSize(kCameraRowHeight);
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setMinimumSectionSize(kNarrowestColumn);
   horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);

@@ -21,7 +21,7 @@ constexpr int kCardCorner = 8;
 constexpr int kCardPadding = 12;
 constexpr int kLargeHeight = 192;
 constexpr int kSymbolSize = 24;
-constexpr int kLineGap = 4;
+constexpr int kCardLineGap = 4;
 constexpr int kPlaySize = 48;
 /// Shape of the pictures: width and height.
 constexpr int kWide = 16;
@@ -106,7 +106,7 @@ QString GalleryCard::lineShown() const {
 int GalleryCard::textHeight(int width) const {
   const QRect room(0, 0, std::max(1, width), QWIDGETSIZE_MAX);
   return QFontMetrics(titleFont()).boundingRect(room, Qt::TextWordWrap, text()).height() +
-         kLineGap + fontMetrics().boundingRect(room, Qt::TextWordWrap, line_).height();
+         kCardLineGap + fontMetrics().boundingRect(room, Qt::TextWordWrap, line_).height();
 }
 
 int GalleryCard::heightForWidth(int width) const {
@@ -139,7 +139,7 @@ void GalleryCard::paintTexts(QPainter& painter, const QRect& area) const {
   painter.drawText(area, Qt::TextWordWrap | Qt::AlignTop, text(), &used);
   painter.setFont(font());
   painter.setPen(busy_ ? palette().color(QPalette::Link) : secondaryText(palette()));
-  painter.drawText(area.adjusted(0, used.height() + kLineGap, 0, 0),
+  painter.drawText(area.adjusted(0, used.height() + kCardLineGap, 0, 0),
                    Qt::TextWordWrap | Qt::AlignTop, lineShown());
 }
 

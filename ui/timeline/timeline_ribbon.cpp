@@ -19,7 +19,7 @@ constexpr double kHeldHeight = 4.0;    ///< pixels, of a target that surely is t
 constexpr double kMostHeldShare = 0.6; ///< of the row, of a target held in spite of all doubt
 constexpr float kHeldStrength = 0.6F;  ///< of the color
 constexpr float kGroundStrength = 0.3F;
-constexpr double kEdge = 2.0; ///< pixels, of what is not held
+constexpr double kStretchEdge = 2.0; ///< pixels, of what is not held
 
 /// What stands behind a ribbon's color, so that it is not color alone that tells.
 Qt::BrushStyle patternOf(TargetStatus status) {
@@ -93,8 +93,10 @@ void paintTrouble(QPainter& painter, const QRectF& stretch, TargetStatus status,
   ground.setAlphaF(kGroundStrength);
   painter.fillRect(stretch, ground);
   painter.fillRect(stretch, QBrush(color, patternOf(status)));
-  painter.fillRect(QRectF(stretch.left(), stretch.top(), stretch.width(), kEdge), color);
-  painter.fillRect(QRectF(stretch.left(), stretch.bottom() - kEdge, stretch.width(), kEdge), color);
+  painter.fillRect(QRectF(stretch.left(), stretch.top(), stretch.width(), kStretchEdge), color);
+  painter.fillRect(
+      QRectF(stretch.left(), stretch.bottom() - kStretchEdge, stretch.width(), kStretchEdge),
+      color);
 }
 
 } // namespace

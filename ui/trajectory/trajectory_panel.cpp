@@ -29,7 +29,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-constexpr int kLeastIntervalMs = 150;
+constexpr int kLeastRefreshMs = 150;
 constexpr double kShare = 0.05;           ///< of the time, for fetching and showing
 constexpr std::size_t kMostPlaces = 4000; ///< of a range in the room
 
@@ -184,7 +184,7 @@ void TrajectoryPanel::refresh() {
   if (timer_.isActive() || !isVisible()) {
     return;
   }
-  const double pause = std::max<double>(kLeastIntervalMs, lastRefreshMs_ / kShare);
+  const double pause = std::max<double>(kLeastRefreshMs, lastRefreshMs_ / kShare);
   timer_.start(
       static_cast<int>(std::max(0.0, pause - static_cast<double>(sinceRefresh_.elapsed()))));
 }

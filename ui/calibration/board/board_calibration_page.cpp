@@ -23,7 +23,7 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr int kSteps = 1000;
+constexpr int kProgressSteps = 1000;
 
 } // namespace
 
@@ -155,8 +155,8 @@ void BoardCalibrationPage::refresh() {
 }
 
 void BoardCalibrationPage::showProgress(double part) {
-  progress_->setRange(0, part < 0.0 ? 0 : kSteps);
-  progress_->setValue(static_cast<int>(part * kSteps));
+  progress_->setRange(0, part < 0.0 ? 0 : kProgressSteps);
+  progress_->setValue(static_cast<int>(part * kProgressSteps));
   progress_->setFormat(calibrator_.isSearching() ? tr("Looking for the board: %p %")
                                                  : tr("Computing"));
 }

@@ -17,7 +17,7 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr QLatin1String kPage("guidePage");
+constexpr QLatin1String kGuidePage("guidePage");
 
 void openStep(const Workbench& bench, CalibrationMode& mode, GuideStep step) {
   switch (step) {
@@ -97,11 +97,11 @@ void installCalibrationGuide(const Workbench& bench, CalibrationMode& mode) {
   QObject::connect(guide, &CalibrationGuide::openRequested, &mode,
                    [bench, &mode](GuideStep step) { openStep(bench, mode, step); });
   QObject::connect(&mode, &CalibrationMode::shown, guide, [guide](const QString& page) {
-    if (page == kPage) {
+    if (page == kGuidePage) {
       guide->follow();
     }
   });
-  bench.onTriggered("actionCalibrate", guide, [&mode] { mode.open(kPage); });
+  bench.onTriggered("actionCalibrate", guide, [&mode] { mode.open(kGuidePage); });
   bench.requireRun({"actionCalibrate"});
   followCalibration(bench, guide);
 }

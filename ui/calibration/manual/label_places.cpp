@@ -9,7 +9,7 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr double kLabelGap =
+constexpr double kPointLabelGap =
     7.0; ///< between a point and its label: the ring and the lines stay visible
 /// Directions that are tried one after the other, in eighths of a rotation from the wanted one.
 constexpr std::array kLabelDirections{0, 1, -1, 2, -2, 3, -3, 4};
@@ -48,8 +48,8 @@ bool LabelPlaces::isFree(const QRectF& box, bool mayCoverLines) const {
 QRectF LabelPlaces::boxBeside(QPointF point, QSizeF size, double angle) {
   const QPointF unit(std::cos(angle), std::sin(angle));
   // So far that all of the box lies beyond the gap.
-  const double reach =
-      kLabelGap + 0.5 * (std::abs(unit.x()) * size.width() + std::abs(unit.y()) * size.height());
+  const double reach = kPointLabelGap + 0.5 * (std::abs(unit.x()) * size.width() +
+                                               std::abs(unit.y()) * size.height());
   QRectF box(QPointF(), size);
   box.moveCenter(point + reach * unit);
   return box;

@@ -22,7 +22,7 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr int kSliderSteps = 200;
+constexpr int kHeightSteps = 200;
 
 } // namespace
 
@@ -56,7 +56,7 @@ void UncertaintyMapForm::createWidgets() {
   slice_ = check("mapSlice");
   heightSlider_ = new QSlider(Qt::Horizontal, this);
   heightSlider_->setObjectName(QStringLiteral("mapHeightSlider"));
-  heightSlider_->setRange(0, kSliderSteps);
+  heightSlider_->setRange(0, kHeightSteps);
   height_ = makeNumberField(QStringLiteral("mapHeight"), {-1e3, 1e3, 0.1, 3}, this);
   volume_ = check("mapVolume");
   lowLabel_ = new QLabel(this);
@@ -122,7 +122,7 @@ void UncertaintyMapForm::connectFields() {
           edit([](MapLook& look, double value) { look.height = value; }));
   connect(heightSlider_, &QSlider::valueChanged, this, edit([this](MapLook& look, int step) {
             const double low = plan_.volume().min().z();
-            look.height = low + (plan_.volume().max().z() - low) * step / kSliderSteps;
+            look.height = low + (plan_.volume().max().z() - low) * step / kHeightSteps;
           }));
   connect(pixel_, &QDoubleSpinBox::valueChanged, &plan_, &RigPlanner::setPixelSigma);
 }
@@ -213,7 +213,7 @@ void UncertaintyMapForm::refresh() {
   {
     const QSignalBlocker quiet(heightSlider_);
     const double share = (look.height - box.min().z()) / box.sizes().z();
-    heightSlider_->setValue(static_cast<int>(std::lround(kSliderSteps * share)));
+    heightSlider_->setValue(static_cast<int>(std::lround(kHeightSteps * share)));
   }
   for (int k = 0; k < 3; ++k) {
     showValue(*low_[std::size_t(k)], box.min()[k]);

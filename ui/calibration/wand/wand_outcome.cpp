@@ -25,9 +25,9 @@
 namespace dewpoint::ui {
 namespace {
 
-enum Column { Name, Pixels, Moved, Turned, Offset, ColumnCount };
+enum OutcomeColumn { Name, Pixels, Moved, Turned, Offset, ColumnCount };
 
-QLabel* makeText(const char* name, QWidget* parent) {
+QLabel* makeOutcomeText(const char* name, QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setObjectName(QLatin1String(name));
   label->setWordWrap(true);
@@ -46,17 +46,17 @@ WandOutcome::WandOutcome(WandCalibrator& calibrator, QWidget* parent)
 }
 
 void WandOutcome::createWidgets() {
-  missing_ = makeText("wandMissing", this);
+  missing_ = makeOutcomeText("wandMissing", this);
   refine_ = makeButton("wandRefine", this);
   progress_ = new QProgressBar(this);
   progress_->setObjectName(QStringLiteral("wandProgress"));
   cancel_ = makeButton("wandCancel", this);
-  accuracy_ = makeText("wandAssessment", this);
+  accuracy_ = makeOutcomeText("wandAssessment", this);
   QFont bold = accuracy_->font();
   bold.setBold(true);
   accuracy_->setFont(bold);
   accuracy_->setProperty(kRevealed, true);
-  notes_ = makeText("wandNotes", this);
+  notes_ = makeOutcomeText("wandNotes", this);
   table_ = new QTableWidget(0, ColumnCount, this);
   table_->setObjectName(QStringLiteral("wandCameras"));
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);

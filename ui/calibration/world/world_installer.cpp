@@ -14,7 +14,7 @@
 namespace dewpoint::ui {
 namespace {
 
-constexpr QLatin1String kPage("worldPage");
+constexpr QLatin1String kWorldPage("worldPage");
 
 } // namespace
 
@@ -29,7 +29,7 @@ void installWorldPage(const Workbench& bench, CalibrationMode& mode, const Camer
   QObject::connect(&cameras, &CameraDocks::viewMade, tool, &WorldMarkTool::attach);
   // The images are free for the grid while another page is in front.
   QObject::connect(&mode, &CalibrationMode::shown, marks,
-                   [marks](const QString& page) { marks->setClicking(page == kPage); });
+                   [marks](const QString& page) { marks->setClicking(page == kWorldPage); });
   QObject::connect(&mode, &CalibrationMode::imagesLent, marks,
                    [marks] { marks->setClicking(false); });
   QObject::connect(marks, &WorldMarks::changed, &mode, [bench, marks] {
@@ -37,7 +37,7 @@ void installWorldPage(const Workbench& bench, CalibrationMode& mode, const Camer
       bench.action("actionLearnColor")->setChecked(false);
     }
   });
-  bench.onTriggered("actionCalibrateWorld", marks, [&mode] { mode.open(kPage); });
+  bench.onTriggered("actionCalibrateWorld", marks, [&mode] { mode.open(kWorldPage); });
   bench.requireRun({"actionCalibrateWorld"});
 }
 
