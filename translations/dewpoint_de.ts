@@ -144,12 +144,12 @@
         <translation>Zeigen, welche Pixel die Farbe eines Ziels haben</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view from above: the XY plane</source>
-        <translation>Vogelperspektive von oben: die XY-Ebene</translation>
+        <source>Show the room from above in the bird&apos;s-eye view (XY plane)</source>
+        <translation>Den Raum in der Vogelperspektive von oben zeigen (XY-Ebene)</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
-        <translation>Vogelperspektive von vorn: die XZ-Ebene</translation>
+        <source>Show the room from the front in the bird&apos;s-eye view (XZ plane)</source>
+        <translation>Den Raum in der Vogelperspektive von vorn zeigen (XZ-Ebene)</translation>
     </message>
     <message>
         <source>Search actions…</source>
@@ -448,12 +448,12 @@
         <translation>Rahmen setzen</translation>
     </message>
     <message>
-        <source>Export people&apos;s volumes…</source>
-        <translation>Volumen der Personen exportieren…</translation>
+        <source>Export 3D shapes of people…</source>
+        <translation>3D-Formen der Personen exportieren…</translation>
     </message>
     <message>
-        <source>Save tables with the position, the volume, the hull and the density on the floor of each person</source>
-        <translation>Tabellen mit Position, Volumen, Hülle und Dichte auf dem Boden jeder Person speichern</translation>
+        <source>Save tables of each person&apos;s position, volume, hull and density on the floor</source>
+        <translation>Tabellen mit Position, Volumen, Hülle und Dichte auf dem Boden für jede Person speichern</translation>
     </message>
     <message>
         <source>Add person…</source>
@@ -472,8 +472,8 @@
         <translation>Die in der Tabelle gewählte Person entfernen</translation>
     </message>
     <message>
-        <source>Show people&apos;s volumes</source>
-        <translation>Volumen der Personen zeigen</translation>
+        <source>Show 3D shapes of people</source>
+        <translation>3D-Formen der Personen zeigen</translation>
     </message>
     <message>
         <source>Filter threads…</source>
@@ -868,8 +868,8 @@
         <translation>Ansicht von der Seite</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view from the side: the YZ plane</source>
-        <translation>Vogelperspektive von der Seite: die YZ-Ebene</translation>
+        <source>Show the room from the side in the bird&apos;s-eye view (YZ plane)</source>
+        <translation>Den Raum in der Vogelperspektive von der Seite zeigen (YZ-Ebene)</translation>
     </message>
     <message>
         <source>Hide or show the target</source>
@@ -1801,8 +1801,8 @@
         <translation>Mohedano et al. 2009, Abbildungen 1 und 3: die Bereiche, die sich in den Bildern einer Kamera bewegen, und die Likelihood einer Person an jedem Pixel.</translation>
     </message>
     <message>
-        <source>Drift along the optical axis</source>
-        <translation>Abdrift entlang der optischen Achse</translation>
+        <source>Drift of the estimate along the optical axis</source>
+        <translation>Abdrift der Schätzung entlang der optischen Achse</translation>
     </message>
     <message>
         <source>Error after a jump</source>
@@ -3896,8 +3896,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>✕ fehlt</translation>
     </message>
     <message>
-        <source>– no images</source>
-        <translation>– keine Bilder</translation>
+        <source>– no camera images</source>
+        <translation>– keine Kamerabilder</translation>
     </message>
     <message>
         <source>No target yet</source>
@@ -4935,10 +4935,10 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Dieses Verfahren verfolgt Rahmen in Bildern. Klicken Sie das Objekt in einer Kameraansicht an, oder ziehen Sie einen Rahmen darum. Hier erscheint sein Rahmen in jedem Bild, in Pixeln.</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes, in pixels of the image</source>
+        <source>%n boxes (coordinates in image pixels)</source>
         <translation>
-            <numerusform>%n Rahmen, in Pixeln des Bildes</numerusform>
-            <numerusform>%n Rahmen, in Pixeln des Bildes</numerusform>
+            <numerusform>%n Rahmen (Koordinaten in Bildpixeln)</numerusform>
+            <numerusform>%n Rahmen (Koordinaten in Bildpixeln)</numerusform>
         </translation>
     </message>
 </context>
@@ -5710,8 +5710,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Ein Bild oder Video der Szene ohne Ziel suchen</translation>
     </message>
     <message>
-        <source>Use current image</source>
-        <translation>Aktuelles Bild verwenden</translation>
+        <source>Use current image as background</source>
+        <translation>Aktuelles Bild als Hintergrund</translation>
     </message>
     <message>
         <source>Save the current image of this camera as its background image</source>
@@ -5940,20 +5940,20 @@ Position x, y, z: %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ColorLocker</name>
     <message>
-        <source>%1 does not let these be locked: %2.</source>
-        <translation>%1 lässt dies nicht sperren: %2.</translation>
+        <source>These settings of %1 cannot be locked: %2.</source>
+        <translation>Diese Einstellungen von %1 lassen sich nicht sperren: %2.</translation>
     </message>
     <message>
-        <source>%1 has no control for these, and may change them by itself: %2.</source>
-        <translation>%1 hat dafür keine Einstellung und ändert dies vielleicht selbst: %2.</translation>
+        <source>%1 has no control for these settings and may change them automatically: %2.</source>
+        <translation>%1 bietet für diese Größen keine Einstellung und ändert sie vielleicht selbsttätig: %2.</translation>
     </message>
     <message>
         <source>Only cameras that are connected to this computer can be locked. For network cameras, use their own settings.</source>
         <translation>Nur Kameras, die an diesem Computer angeschlossen sind, können gesperrt werden. Verwenden Sie bei Netzwerkkameras deren eigene Einstellungen.</translation>
     </message>
     <message>
-        <source>The colors of these cameras are locked: %1.</source>
-        <translation>Die Farben dieser Kameras sind gesperrt: %1.</translation>
+        <source>The color settings of these cameras are now locked: %1.</source>
+        <translation>Die Farbeinstellungen dieser Kameras sind jetzt gesperrt: %1.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -7306,16 +7306,16 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>Gitter in %1 ziehen</translation>
     </message>
     <message>
-        <source>Limit reached: a point would leave the camera&apos;s field of view</source>
-        <translation>Grenze erreicht: Ein Punkt würde das Sichtfeld der Kamera verlassen</translation>
+        <source>Cannot move further: a grid point would leave the camera&apos;s field of view</source>
+        <translation>Weiter geht es nicht: Ein Gitterpunkt würde das Sichtfeld der Kamera verlassen</translation>
     </message>
     <message>
-        <source>Limit reached: this point and the held points lie on one line</source>
-        <translation>Grenze erreicht: Dieser Punkt und die gehaltenen liegen auf einer Geraden</translation>
+        <source>Cannot move further: this grid point and the held grid points lie on one line</source>
+        <translation>Weiter geht es nicht: Dieser Gitterpunkt und die gehaltenen liegen auf einer Geraden</translation>
     </message>
     <message>
-        <source>Limit reached: no nearby pose keeps the held points in place</source>
-        <translation>Grenze erreicht: Keine Lage in der Nähe hält die gehaltenen Punkte an ihrem Ort</translation>
+        <source>Cannot move further: no nearby camera pose keeps the held grid points in place</source>
+        <translation>Weiter geht es nicht: Keine Kameralage in der Nähe lässt die gehaltenen Gitterpunkte an ihrem Ort</translation>
     </message>
     <message>
         <source>right</source>
@@ -7921,20 +7921,20 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>Person entfernen</translation>
     </message>
     <message>
-        <source>Folder for the people&apos;s volumes</source>
-        <translation>Ordner für die Volumen der Personen</translation>
+        <source>Folder for the 3D shapes of people</source>
+        <translation>Ordner für die 3D-Formen der Personen</translation>
     </message>
     <message>
         <source>%1 already contains files of an earlier export. Replace them?</source>
         <translation>%1 enthält bereits Dateien eines früheren Exports. Ersetzen?</translation>
     </message>
     <message>
-        <source>The run has ended, so the people&apos;s volumes were not saved.</source>
-        <translation>Der Lauf ist beendet, daher wurden die Volumen der Personen nicht gespeichert.</translation>
+        <source>The run has ended, so the 3D shapes of people were not saved.</source>
+        <translation>Der Lauf ist beendet, daher wurden die 3D-Formen der Personen nicht gespeichert.</translation>
     </message>
     <message>
-        <source>Saving the people&apos;s volumes…</source>
-        <translation>Die Volumen der Personen werden gespeichert…</translation>
+        <source>Saving the 3D shapes of people…</source>
+        <translation>Die 3D-Formen der Personen werden gespeichert…</translation>
     </message>
     <message>
         <source>Saved the positions, volumes, hulls and densities of the people in %1 (frames: %2).</source>
@@ -8028,8 +8028,8 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>Nummer der Person. Keine andere Person bekommt in diesem Lauf dieselbe Nummer</translation>
     </message>
     <message>
-        <source>Volume of the hull that encloses 95 % of the person, in cubic meters. Empty unless “Show people&apos;s volumes” is on</source>
-        <translation>Volumen der Hülle, die 95 % der Person umschließt, in Kubikmetern. Leer, solange die Volumen der Personen nicht gezeigt werden</translation>
+        <source>Volume of the hull that encloses 95 % of the person, in cubic meters. Empty unless “Show 3D shapes of people” is on</source>
+        <translation>Volumen der Hülle, die 95 % der Person umschließt, in Kubikmetern. Leer, solange „3D-Formen der Personen zeigen“ ausgeschaltet ist</translation>
     </message>
     <message>
         <source>● means that another person is close. Until the two are apart again, the method learns nothing new about the colors of this person</source>
@@ -9279,12 +9279,12 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Vier Kameras finden jede Person in 3D und geben ihr eine Nummer.</translation>
     </message>
     <message>
-        <source>One camera and a box</source>
-        <translation>Eine Kamera und ein Rahmen</translation>
+        <source>One camera, target in a box</source>
+        <translation>Eine Kamera, Ziel im Rahmen</translation>
     </message>
     <message>
-        <source>Needs no calibration: the object in a box is tracked by its colors.</source>
-        <translation>Braucht keine Kalibrierung: Das Objekt in einem Rahmen wird anhand seiner Farben verfolgt.</translation>
+        <source>Needs no calibration: the target is marked with a rectangle and tracked by its colors.</source>
+        <translation>Braucht keine Kalibrierung: Das Ziel wird mit einem Rahmen markiert und anhand seiner Farben verfolgt.</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>
@@ -10019,12 +10019,12 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>bis x, y, z</translation>
     </message>
     <message>
-        <source>Volume from %1</source>
-        <translation>Raum von %1</translation>
+        <source>Minimum %1 of the map&apos;s volume</source>
+        <translation>Kleinster Wert von %1 im Raum der Karte</translation>
     </message>
     <message>
-        <source>Volume to %1</source>
-        <translation>Raum bis %1</translation>
+        <source>Maximum %1 of the map&apos;s volume</source>
+        <translation>Größter Wert von %1 im Raum der Karte</translation>
     </message>
     <message>
         <source>Use reference grid</source>
@@ -10378,12 +10378,12 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Bis X, Y, Z</translation>
     </message>
     <message>
-        <source>Volume of interest from %1</source>
-        <translation>Suchraum von %1</translation>
+        <source>Minimum %1 of the volume of interest</source>
+        <translation>Kleinster Wert von %1 im Suchraum</translation>
     </message>
     <message>
-        <source>Volume of interest to %1</source>
-        <translation>Suchraum bis %1</translation>
+        <source>Maximum %1 of the volume of interest</source>
+        <translation>Größter Wert von %1 im Suchraum</translation>
     </message>
     <message>
         <source>Compute from cameras</source>

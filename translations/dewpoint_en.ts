@@ -44,10 +44,10 @@
 <context>
     <name>dewpoint::ui::BoxPanel</name>
     <message numerus="yes">
-        <source>%n boxes, in pixels of the image</source>
+        <source>%n boxes (coordinates in image pixels)</source>
         <translation>
-            <numerusform>%n box, in pixels of the image</numerusform>
-            <numerusform>%n boxes, in pixels of the image</numerusform>
+            <numerusform>%n box (coordinates in image pixels)</numerusform>
+            <numerusform>%n boxes (coordinates in image pixels)</numerusform>
         </translation>
     </message>
 </context>

@@ -144,12 +144,12 @@
         <translation>Mostrar qué píxeles tienen el color de un objetivo</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view from above: the XY plane</source>
-        <translation>Vista de pájaro desde arriba: el plano XY</translation>
+        <source>Show the room from above in the bird&apos;s-eye view (XY plane)</source>
+        <translation>Mostrar la sala desde arriba en la vista de pájaro (plano XY)</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
-        <translation>Vista de pájaro desde el frente: el plano XZ</translation>
+        <source>Show the room from the front in the bird&apos;s-eye view (XZ plane)</source>
+        <translation>Mostrar la sala desde el frente en la vista de pájaro (plano XZ)</translation>
     </message>
     <message>
         <source>Search actions…</source>
@@ -448,11 +448,11 @@
         <translation>Fijar recuadro</translation>
     </message>
     <message>
-        <source>Export people&apos;s volumes…</source>
-        <translation>Exportar volúmenes de las personas…</translation>
+        <source>Export 3D shapes of people…</source>
+        <translation>Exportar formas 3D de las personas…</translation>
     </message>
     <message>
-        <source>Save tables with the position, the volume, the hull and the density on the floor of each person</source>
+        <source>Save tables of each person&apos;s position, volume, hull and density on the floor</source>
         <translation>Guardar tablas con la posición, el volumen, la envolvente y la densidad en el suelo de cada persona</translation>
     </message>
     <message>
@@ -472,8 +472,8 @@
         <translation>Quitar a la persona elegida en la tabla</translation>
     </message>
     <message>
-        <source>Show people&apos;s volumes</source>
-        <translation>Mostrar volúmenes de las personas</translation>
+        <source>Show 3D shapes of people</source>
+        <translation>Mostrar formas 3D de las personas</translation>
     </message>
     <message>
         <source>Filter threads…</source>
@@ -868,8 +868,8 @@
         <translation>Vista lateral</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view from the side: the YZ plane</source>
-        <translation>Vista de pájaro desde el lado: el plano YZ</translation>
+        <source>Show the room from the side in the bird&apos;s-eye view (YZ plane)</source>
+        <translation>Mostrar la sala desde un lado en la vista de pájaro (plano YZ)</translation>
     </message>
     <message>
         <source>Hide or show the target</source>
@@ -1801,8 +1801,8 @@
         <translation>Mohedano et al. 2009, figuras 1 y 3: las zonas que se mueven en las imágenes de una cámara y la verosimilitud de una persona en cada píxel.</translation>
     </message>
     <message>
-        <source>Drift along the optical axis</source>
-        <translation>Deriva a lo largo del eje óptico</translation>
+        <source>Drift of the estimate along the optical axis</source>
+        <translation>Deriva de la estimación a lo largo del eje óptico</translation>
     </message>
     <message>
         <source>Error after a jump</source>
@@ -3896,8 +3896,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>✕ ausente</translation>
     </message>
     <message>
-        <source>– no images</source>
-        <translation>– sin imágenes</translation>
+        <source>– no camera images</source>
+        <translation>– sin imágenes de cámara</translation>
     </message>
     <message>
         <source>No target yet</source>
@@ -4935,10 +4935,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Este método sigue recuadros en imágenes. Haga clic en el objeto o dibuje un recuadro a su alrededor en cualquier cámara. Aquí aparece su recuadro en cada fotograma, en píxeles.</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes, in pixels of the image</source>
+        <source>%n boxes (coordinates in image pixels)</source>
         <translation>
-            <numerusform>%n recuadro, en píxeles de la imagen</numerusform>
-            <numerusform>%n recuadros, en píxeles de la imagen</numerusform>
+            <numerusform>%n recuadro (coordenadas en píxeles de la imagen)</numerusform>
+            <numerusform>%n recuadros (coordenadas en píxeles de la imagen)</numerusform>
         </translation>
     </message>
 </context>
@@ -5710,8 +5710,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Buscar una imagen o un vídeo de la escena sin ningún objetivo</translation>
     </message>
     <message>
-        <source>Use current image</source>
-        <translation>Usar imagen actual</translation>
+        <source>Use current image as background</source>
+        <translation>Usar imagen actual como fondo</translation>
     </message>
     <message>
         <source>Save the current image of this camera as its background image</source>
@@ -5940,20 +5940,20 @@ Posición x, y, z: %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ColorLocker</name>
     <message>
-        <source>%1 does not let these be locked: %2.</source>
-        <translation>%1 no permite fijar esto: %2.</translation>
+        <source>These settings of %1 cannot be locked: %2.</source>
+        <translation>Estos ajustes de %1 no se pueden fijar: %2.</translation>
     </message>
     <message>
-        <source>%1 has no control for these, and may change them by itself: %2.</source>
-        <translation>%1 no tiene control para esto y puede cambiarlo por sí sola: %2.</translation>
+        <source>%1 has no control for these settings and may change them automatically: %2.</source>
+        <translation>%1 no tiene control para estos ajustes y puede cambiarlos automáticamente: %2.</translation>
     </message>
     <message>
         <source>Only cameras that are connected to this computer can be locked. For network cameras, use their own settings.</source>
         <translation>Solo se pueden fijar las cámaras conectadas a este ordenador. En las cámaras de red, use sus propios ajustes.</translation>
     </message>
     <message>
-        <source>The colors of these cameras are locked: %1.</source>
-        <translation>Los colores de estas cámaras están bloqueados: %1.</translation>
+        <source>The color settings of these cameras are now locked: %1.</source>
+        <translation>Los ajustes de color de estas cámaras están ahora fijados: %1.</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -7306,16 +7306,16 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>Arrastrar la cuadrícula en %1</translation>
     </message>
     <message>
-        <source>Limit reached: a point would leave the camera&apos;s field of view</source>
-        <translation>Límite alcanzado: un punto saldría del campo de visión de la cámara</translation>
+        <source>Cannot move further: a grid point would leave the camera&apos;s field of view</source>
+        <translation>No se puede mover más: un punto de la cuadrícula saldría del campo de visión de la cámara</translation>
     </message>
     <message>
-        <source>Limit reached: this point and the held points lie on one line</source>
-        <translation>Límite alcanzado: este punto y los puntos sujetos están en una misma recta</translation>
+        <source>Cannot move further: this grid point and the held grid points lie on one line</source>
+        <translation>No se puede mover más: este punto de la cuadrícula y los puntos sujetos están en una misma recta</translation>
     </message>
     <message>
-        <source>Limit reached: no nearby pose keeps the held points in place</source>
-        <translation>Límite alcanzado: ninguna pose cercana mantiene los puntos sujetos en su sitio</translation>
+        <source>Cannot move further: no nearby camera pose keeps the held grid points in place</source>
+        <translation>No se puede mover más: ninguna pose cercana de la cámara mantiene en su sitio los puntos sujetos de la cuadrícula</translation>
     </message>
     <message>
         <source>right</source>
@@ -7921,20 +7921,20 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>Quitar una persona</translation>
     </message>
     <message>
-        <source>Folder for the people&apos;s volumes</source>
-        <translation>Carpeta para los volúmenes de las personas</translation>
+        <source>Folder for the 3D shapes of people</source>
+        <translation>Carpeta para las formas 3D de las personas</translation>
     </message>
     <message>
         <source>%1 already contains files of an earlier export. Replace them?</source>
         <translation>%1 ya contiene archivos de una exportación anterior. ¿Reemplazarlos?</translation>
     </message>
     <message>
-        <source>The run has ended, so the people&apos;s volumes were not saved.</source>
-        <translation>La ejecución ha terminado, así que los volúmenes de las personas no se guardaron.</translation>
+        <source>The run has ended, so the 3D shapes of people were not saved.</source>
+        <translation>La ejecución ha terminado, así que las formas 3D de las personas no se guardaron.</translation>
     </message>
     <message>
-        <source>Saving the people&apos;s volumes…</source>
-        <translation>Guardando los volúmenes de las personas…</translation>
+        <source>Saving the 3D shapes of people…</source>
+        <translation>Guardando las formas 3D de las personas…</translation>
     </message>
     <message>
         <source>Saved the positions, volumes, hulls and densities of the people in %1 (frames: %2).</source>
@@ -8028,8 +8028,8 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>Número de la persona. Ninguna otra persona recibe el mismo número en esta ejecución</translation>
     </message>
     <message>
-        <source>Volume of the hull that encloses 95 % of the person, in cubic meters. Empty unless “Show people&apos;s volumes” is on</source>
-        <translation>Volumen de la envolvente que encierra el 95 % de la persona, en metros cúbicos. Vacío mientras no se muestran los volúmenes de las personas</translation>
+        <source>Volume of the hull that encloses 95 % of the person, in cubic meters. Empty unless “Show 3D shapes of people” is on</source>
+        <translation>Volumen de la envolvente que encierra el 95 % de la persona, en metros cúbicos. Vacío mientras «Mostrar formas 3D de las personas» esté desactivado</translation>
     </message>
     <message>
         <source>● means that another person is close. Until the two are apart again, the method learns nothing new about the colors of this person</source>
@@ -9279,12 +9279,12 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Cuatro cámaras encuentran a cada persona en 3D y le dan un número.</translation>
     </message>
     <message>
-        <source>One camera and a box</source>
-        <translation>Una cámara y un recuadro</translation>
+        <source>One camera, target in a box</source>
+        <translation>Una cámara, objetivo en un recuadro</translation>
     </message>
     <message>
-        <source>Needs no calibration: the object in a box is tracked by its colors.</source>
-        <translation>No necesita calibración: el objeto de un recuadro se sigue por sus colores.</translation>
+        <source>Needs no calibration: the target is marked with a rectangle and tracked by its colors.</source>
+        <translation>No necesita calibración: el objetivo se marca con un recuadro y se sigue por sus colores.</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>
@@ -10019,12 +10019,12 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>hasta x, y, z</translation>
     </message>
     <message>
-        <source>Volume from %1</source>
-        <translation>Volumen desde %1</translation>
+        <source>Minimum %1 of the map&apos;s volume</source>
+        <translation>Valor mínimo de %1 del volumen del mapa</translation>
     </message>
     <message>
-        <source>Volume to %1</source>
-        <translation>Volumen hasta %1</translation>
+        <source>Maximum %1 of the map&apos;s volume</source>
+        <translation>Valor máximo de %1 del volumen del mapa</translation>
     </message>
     <message>
         <source>Use reference grid</source>
@@ -10378,12 +10378,12 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Hasta X, Y, Z</translation>
     </message>
     <message>
-        <source>Volume of interest from %1</source>
-        <translation>Volumen de interés desde %1</translation>
+        <source>Minimum %1 of the volume of interest</source>
+        <translation>Valor mínimo de %1 del volumen de interés</translation>
     </message>
     <message>
-        <source>Volume of interest to %1</source>
-        <translation>Volumen de interés hasta %1</translation>
+        <source>Maximum %1 of the volume of interest</source>
+        <translation>Valor máximo de %1 del volumen de interés</translation>
     </message>
     <message>
         <source>Compute from cameras</source>

@@ -144,12 +144,12 @@
         <translation>ターゲットの色をしたピクセルを表示します</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view from above: the XY plane</source>
-        <translation>上からの鳥瞰図：XY 平面</translation>
+        <source>Show the room from above in the bird&apos;s-eye view (XY plane)</source>
+        <translation>鳥瞰図に部屋を上から見た図を表示します（XY 平面）</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view from the front: the XZ plane</source>
-        <translation>正面からの鳥瞰図：XZ 平面</translation>
+        <source>Show the room from the front in the bird&apos;s-eye view (XZ plane)</source>
+        <translation>鳥瞰図に部屋を正面から見た図を表示します（XZ 平面）</translation>
     </message>
     <message>
         <source>Search actions…</source>
@@ -448,11 +448,11 @@
         <translation>枠を設定</translation>
     </message>
     <message>
-        <source>Export people&apos;s volumes…</source>
-        <translation>人物の体積を書き出す…</translation>
+        <source>Export 3D shapes of people…</source>
+        <translation>人物の3D形状を書き出す…</translation>
     </message>
     <message>
-        <source>Save tables with the position, the volume, the hull and the density on the floor of each person</source>
+        <source>Save tables of each person&apos;s position, volume, hull and density on the floor</source>
         <translation>各人物の位置、体積、凸包、床の上の密度を表に保存します</translation>
     </message>
     <message>
@@ -472,8 +472,8 @@
         <translation>表で選んだ人物を取り除きます</translation>
     </message>
     <message>
-        <source>Show people&apos;s volumes</source>
-        <translation>人物の体積を表示</translation>
+        <source>Show 3D shapes of people</source>
+        <translation>人物の3D形状を表示</translation>
     </message>
     <message>
         <source>Filter threads…</source>
@@ -868,8 +868,8 @@
         <translation>側面図</translation>
     </message>
     <message>
-        <source>Bird&apos;s-eye view from the side: the YZ plane</source>
-        <translation>側面からの鳥瞰図：YZ 平面</translation>
+        <source>Show the room from the side in the bird&apos;s-eye view (YZ plane)</source>
+        <translation>鳥瞰図に部屋を側面から見た図を表示します（YZ 平面）</translation>
     </message>
     <message>
         <source>Hide or show the target</source>
@@ -1800,8 +1800,8 @@
         <translation>Mohedano ら 2009、図1と図3：カメラの画像で動く領域と、各ピクセルでの人物の尤度。</translation>
     </message>
     <message>
-        <source>Drift along the optical axis</source>
-        <translation>光軸方向のドリフト</translation>
+        <source>Drift of the estimate along the optical axis</source>
+        <translation>推定値の光軸方向のドリフト</translation>
     </message>
     <message>
         <source>Error after a jump</source>
@@ -3894,8 +3894,8 @@ Effective sample size %8 of %9</source>
         <translation>✕ なし</translation>
     </message>
     <message>
-        <source>– no images</source>
-        <translation>– 画像なし</translation>
+        <source>– no camera images</source>
+        <translation>– カメラ画像なし</translation>
     </message>
     <message>
         <source>No target yet</source>
@@ -4931,9 +4931,9 @@ Effective sample size %8 of %9</source>
         <translation>この手法は画像の中の枠を追跡します。どれかのカメラ画像で物体をクリックするか、枠で囲んでください。各フレームでの枠がピクセル単位でここに表示されます。</translation>
     </message>
     <message numerus="yes">
-        <source>%n boxes, in pixels of the image</source>
+        <source>%n boxes (coordinates in image pixels)</source>
         <translation>
-            <numerusform>%n 個の枠（画像のピクセル単位）</numerusform>
+            <numerusform>%n 個の枠（座標は画像のピクセル単位）</numerusform>
         </translation>
     </message>
 </context>
@@ -5703,8 +5703,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>ターゲットのない場面の画像か動画を探します</translation>
     </message>
     <message>
-        <source>Use current image</source>
-        <translation>現在の画像を使う</translation>
+        <source>Use current image as background</source>
+        <translation>現在の画像を背景に使う</translation>
     </message>
     <message>
         <source>Save the current image of this camera as its background image</source>
@@ -5930,11 +5930,11 @@ Position x, y, z: %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::ColorLocker</name>
     <message>
-        <source>%1 does not let these be locked: %2.</source>
-        <translation>%1 では次を固定できません: %2。</translation>
+        <source>These settings of %1 cannot be locked: %2.</source>
+        <translation>%1 の次の設定は固定できません: %2。</translation>
     </message>
     <message>
-        <source>%1 has no control for these, and may change them by itself: %2.</source>
+        <source>%1 has no control for these settings and may change them automatically: %2.</source>
         <translation>%1 には次の設定がなく、カメラが自動で変更することがあります: %2。</translation>
     </message>
     <message>
@@ -5942,8 +5942,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>固定できるのはこのコンピューターに接続されたカメラだけです。ネットワークカメラでは、カメラ自体の設定を使ってください。</translation>
     </message>
     <message>
-        <source>The colors of these cameras are locked: %1.</source>
-        <translation>次のカメラの色を固定しました：%1。</translation>
+        <source>The color settings of these cameras are now locked: %1.</source>
+        <translation>次のカメラの色の設定を固定しました：%1。</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -7294,16 +7294,16 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>%1 で格子をドラッグ</translation>
     </message>
     <message>
-        <source>Limit reached: a point would leave the camera&apos;s field of view</source>
-        <translation>これ以上は動きません: 点がカメラの視界から外れます</translation>
+        <source>Cannot move further: a grid point would leave the camera&apos;s field of view</source>
+        <translation>これ以上は動きません: 格子点がカメラの視界から外れます</translation>
     </message>
     <message>
-        <source>Limit reached: this point and the held points lie on one line</source>
-        <translation>これ以上は動きません: この点と固定点が一直線上にあります</translation>
+        <source>Cannot move further: this grid point and the held grid points lie on one line</source>
+        <translation>これ以上は動きません: この格子点と固定した格子点が一直線上にあります</translation>
     </message>
     <message>
-        <source>Limit reached: no nearby pose keeps the held points in place</source>
-        <translation>これ以上は動きません: 近くに固定点を保つ姿勢がありません</translation>
+        <source>Cannot move further: no nearby camera pose keeps the held grid points in place</source>
+        <translation>これ以上は動きません: 近くに、固定した格子点を保つカメラの姿勢がありません</translation>
     </message>
     <message>
         <source>right</source>
@@ -7906,20 +7906,20 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>人物を削除</translation>
     </message>
     <message>
-        <source>Folder for the people&apos;s volumes</source>
-        <translation>人物の体積を保存するフォルダー</translation>
+        <source>Folder for the 3D shapes of people</source>
+        <translation>人物の3D形状を保存するフォルダー</translation>
     </message>
     <message>
         <source>%1 already contains files of an earlier export. Replace them?</source>
         <translation>%1 には以前に書き出したファイルがあります。置き換えますか？</translation>
     </message>
     <message>
-        <source>The run has ended, so the people&apos;s volumes were not saved.</source>
-        <translation>実行が終わっているため、人物の体積は保存しませんでした。</translation>
+        <source>The run has ended, so the 3D shapes of people were not saved.</source>
+        <translation>実行が終わっているため、人物の3D形状は保存しませんでした。</translation>
     </message>
     <message>
-        <source>Saving the people&apos;s volumes…</source>
-        <translation>人物の体積を保存しています…</translation>
+        <source>Saving the 3D shapes of people…</source>
+        <translation>人物の3D形状を保存しています…</translation>
     </message>
     <message>
         <source>Saved the positions, volumes, hulls and densities of the people in %1 (frames: %2).</source>
@@ -8013,8 +8013,8 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>人物の番号。この実行では、ほかの人に同じ番号は使われません</translation>
     </message>
     <message>
-        <source>Volume of the hull that encloses 95 % of the person, in cubic meters. Empty unless “Show people&apos;s volumes” is on</source>
-        <translation>その人物の 95 % を囲む凸包の体積（m³）。人物の体積を表示していない間は空欄</translation>
+        <source>Volume of the hull that encloses 95 % of the person, in cubic meters. Empty unless “Show 3D shapes of people” is on</source>
+        <translation>その人物の 95 % を囲む凸包の体積（m³）。「人物の3D形状を表示」がオフの間は空欄</translation>
     </message>
     <message>
         <source>● means that another person is close. Until the two are apart again, the method learns nothing new about the colors of this person</source>
@@ -9260,12 +9260,12 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>4 台のカメラが全員を 3D で見つけ、それぞれに番号を付けます。</translation>
     </message>
     <message>
-        <source>One camera and a box</source>
-        <translation>カメラ 1 台と枠</translation>
+        <source>One camera, target in a box</source>
+        <translation>カメラ 1 台、枠の中のターゲット</translation>
     </message>
     <message>
-        <source>Needs no calibration: the object in a box is tracked by its colors.</source>
-        <translation>キャリブレーション不要：枠の中の物体を色で追跡します。</translation>
+        <source>Needs no calibration: the target is marked with a rectangle and tracked by its colors.</source>
+        <translation>キャリブレーション不要：ターゲットを枠で示し、色で追跡します。</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>
@@ -9997,12 +9997,12 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>終わり x, y, z</translation>
     </message>
     <message>
-        <source>Volume from %1</source>
-        <translation>空間の始まり %1</translation>
+        <source>Minimum %1 of the map&apos;s volume</source>
+        <translation>マップの空間の %1 の最小値</translation>
     </message>
     <message>
-        <source>Volume to %1</source>
-        <translation>空間の終わり %1</translation>
+        <source>Maximum %1 of the map&apos;s volume</source>
+        <translation>マップの空間の %1 の最大値</translation>
     </message>
     <message>
         <source>Use reference grid</source>
@@ -10356,12 +10356,12 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>終点 X, Y, Z</translation>
     </message>
     <message>
-        <source>Volume of interest from %1</source>
-        <translation>探索範囲の始点 %1</translation>
+        <source>Minimum %1 of the volume of interest</source>
+        <translation>探索範囲の %1 の最小値</translation>
     </message>
     <message>
-        <source>Volume of interest to %1</source>
-        <translation>探索範囲の終点 %1</translation>
+        <source>Maximum %1 of the volume of interest</source>
+        <translation>探索範囲の %1 の最大値</translation>
     </message>
     <message>
         <source>Compute from cameras</source>

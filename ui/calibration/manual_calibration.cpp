@@ -262,13 +262,13 @@ void ManualCalibration::reportLimit(const Drag& result) {
   case DragLimit::None:
     break;
   case DragLimit::OutOfSight:
-    sentence = tr("Limit reached: a point would leave the camera's field of view");
+    sentence = tr("Cannot move further: a grid point would leave the camera's field of view");
     break;
   case DragLimit::OneRay:
-    sentence = tr("Limit reached: this point and the held points lie on one line");
+    sentence = tr("Cannot move further: this grid point and the held grid points lie on one line");
     break;
   case DragLimit::OutOfReach:
-    sentence = tr("Limit reached: no nearby pose keeps the held points in place");
+    sentence = tr("Cannot move further: no nearby camera pose keeps the held grid points in place");
     break;
   case DragLimit::Fixed:
     sentence = tr("Three held points fix the pose. Release one of them, or turn on “Also fit the "

@@ -51,12 +51,13 @@ QString complaintAbout(const LockOutcome& outcome) {
   }
   QString text;
   if (!refused.empty()) {
-    text = ColorLocker::tr("%1 does not let these be locked: %2.")
+    text = ColorLocker::tr("These settings of %1 cannot be locked: %2.")
                .arg(outcome.name, automaticsText(refused));
   }
   if (!outcome.lock->missing.empty()) {
     text += (text.isEmpty() ? QString() : QStringLiteral(" ")) +
-            ColorLocker::tr("%1 has no control for these, and may change them by itself: %2.")
+            ColorLocker::tr(
+                "%1 has no control for these settings and may change them automatically: %2.")
                 .arg(outcome.name, automaticsText(outcome.lock->missing));
   }
   return text;
@@ -133,7 +134,7 @@ void ColorLocker::lock(int camera) {
       if (names.isEmpty()) {
         Q_EMIT failed(complaints.join(QLatin1Char(' ')));
       } else {
-        complaints.prepend(tr("The colors of these cameras are locked: %1.")
+        complaints.prepend(tr("The color settings of these cameras are now locked: %1.")
                                .arg(names.join(QStringLiteral(", "))));
         Q_EMIT done(complaints.join(QLatin1Char(' ')));
       }

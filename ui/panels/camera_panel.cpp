@@ -178,7 +178,7 @@ void CameraPanel::retranslateUi() {
   backgroundImageBrowse_->setAccessibleName(tr("Choose background image"));
   backgroundImageBrowse_->setToolTip(
       tr("Find an image or a video of the scene without any target"));
-  backgroundImageTake_->setText(tr("Use current image"));
+  backgroundImageTake_->setText(tr("Use current image as background"));
   backgroundImageTake_->setToolTip(
       tr("Save the current image of this camera as its background image"));
   load_->setText(tr("Import calibration…"));

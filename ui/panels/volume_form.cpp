@@ -53,8 +53,8 @@ void VolumeForm::createWidgets() {
           (corner == 0 ? QStringLiteral("volumeFrom") : QStringLiteral("volumeTo")) + name,
           kCoordinates, this);
       field->setSuffix(QStringLiteral(" m"));
-      field->setAccessibleName(corner == 0 ? tr("Volume of interest from %1").arg(name)
-                                           : tr("Volume of interest to %1").arg(name));
+      field->setAccessibleName(corner == 0 ? tr("Minimum %1 of the volume of interest").arg(name)
+                                           : tr("Maximum %1 of the volume of interest").arg(name));
       field->setToolTip(corner == 0 ? tr("Smallest x, y and z of the volume of interest, in "
                                          "meters. Targets are searched for only inside this box")
                                     : tr("Largest x, y and z of the volume of interest, in meters. "

@@ -169,7 +169,7 @@ void PeopleDock::askExport() {
   }
   const int run = run_; // another one may be open by the time it is answered
   const QString folder = QFileDialog::getExistingDirectory(
-      &bench_.window, tr("Folder for the people's volumes"),
+      &bench_.window, tr("Folder for the 3D shapes of people"),
       QString::fromStdString(bench_.document.project().file.parent_path().string()));
   if (folder.isEmpty()) {
     return;
@@ -192,11 +192,11 @@ void PeopleDock::askExport() {
 void PeopleDock::write(const QString& folder, int run) {
   const Session* session = bench_.session.session();
   if (session == nullptr || run != run_) {
-    bench_.messages.showError(tr("The run has ended, so the people's volumes were not saved."));
+    bench_.messages.showError(tr("The run has ended, so the 3D shapes of people were not saved."));
     return;
   }
   const auto record = std::make_shared<const PeopleRecord>(session->peopleRecord());
-  bench_.messages.showNotice(tr("Saving the people's volumes…"));
+  bench_.messages.showNotice(tr("Saving the 3D shapes of people…"));
   writing_->start([this, folder, record](const auto& progress) {
     auto saved = savePeople(*record, folder.toStdString(), progress);
     return std::function<void()>([this, folder, saved = std::move(saved)] {

@@ -40,7 +40,7 @@ enum Column : int {
   kVolume,
   kSince,
   kNear,
-  kColumns,
+  kPersonColumns,
 };
 constexpr qint64 kRefreshMs = 150; ///< numbers that change faster are not read
 
@@ -48,7 +48,7 @@ constexpr qint64 kRefreshMs = 150; ///< numbers that change faster are not read
 
 PeoplePanel::PeoplePanel(Selection& selection, QAction* place, QAction* remove, QWidget* parent)
     : QWidget(parent), selection_(selection), summary_(new QLabel(this)),
-      learning_(new QProgressBar(this)), table_(new QTableWidget(0, kColumns, this)),
+      learning_(new QProgressBar(this)), table_(new QTableWidget(0, kPersonColumns, this)),
       place_(new QToolButton(this)), remove_(new QToolButton(this)) {
   setObjectName(QStringLiteral("peoplePanel"));
   summary_->setObjectName(QStringLiteral("peopleSummary"));
@@ -107,19 +107,19 @@ void PeoplePanel::makeTable() {
 void PeoplePanel::retranslateUi() {
   table_->setAccessibleName(tr("People in view"));
   learning_->setAccessibleName(tr("Progress of learning the background"));
-  const std::pair<QString, QString> headers[kColumns] = {
+  const std::pair<QString, QString> headers[kPersonColumns] = {
       {tr("No."), tr("Number of the person. No other person gets the same number in this run")},
       {tr("Position"), tr("Position on the floor, x and y in meters")},
       {tr("Height"), tr("Estimated height in meters; empty if the method does not estimate it")},
       {tr("Speed"), tr("Speed over the floor, in meters per second")},
       {tr("Cameras"), tr("Number of cameras that see the person, out of all cameras")},
       {tr("Volume"), tr("Volume of the hull that encloses 95 % of the person, in cubic meters. "
-                        "Empty unless “Show people's volumes” is on")},
+                        "Empty unless “Show 3D shapes of people” is on")},
       {tr("Time"), tr("Time since the person entered, in seconds")},
       {tr("Near"), tr("● means that another person is close. Until the two are apart again, the "
                       "method learns nothing new about the colors of this person")},
   };
-  for (int column = 0; column < kColumns; ++column) {
+  for (int column = 0; column < kPersonColumns; ++column) {
     auto* item = new QTableWidgetItem(headers[column].first);
     item->setToolTip(headers[column].second);
     table_->setHorizontalHeaderItem(column, item);

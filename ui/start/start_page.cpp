@@ -54,9 +54,10 @@ constexpr std::array kGallery = std::to_array<GalleryEntry>({
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
                        "Four cameras find everyone in 3D and give each person a number.")},
     {"startOneCamera", "one-camera", "one-camera", false,
-     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "One camera and a box"),
-     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",
-                       "Needs no calibration: the object in a box is tracked by its colors.")},
+     QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "One camera, target in a box"),
+     QT_TRANSLATE_NOOP(
+         "dewpoint::ui::StartPage",
+         "Needs no calibration: the target is marked with a rectangle and tracked by its colors.")},
     {"startCalibrate", "", "calibrate", true,
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage", "Calibrate by hand"),
      QT_TRANSLATE_NOOP("dewpoint::ui::StartPage",

@@ -118,7 +118,7 @@ void BoxPanel::updateSummary() {
   summary_->setText(
       rows == 0 ? tr("This method tracks boxes in images. Click the object or drag a box around it "
                      "in any camera view. Its box in each frame appears here, in pixels.")
-                : tr("%n boxes, in pixels of the image", nullptr, rows));
+                : tr("%n boxes (coordinates in image pixels)", nullptr, rows));
 }
 
 void BoxPanel::showEvent(QShowEvent* event) {

@@ -212,7 +212,7 @@ Status barreraDrift(const ExperimentOptions& options) {
   if (!moved) {
     return tl::make_unexpected(moved.error());
   }
-  FigurePage page("Drift along the optical axis",
+  FigurePage page("Drift of the estimate along the optical axis",
                   fmt::format("Only camera 1 looks, and the cloud starts on the ball. How far its "
                               "mean has moved away from the camera; mean of {} runs.",
                               options.runs));

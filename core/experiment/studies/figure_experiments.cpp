@@ -49,7 +49,7 @@ std::span<const FigureExperiment> figureExperiments() {
                        "Barrera et al. 2005, figure 5: where a single camera finds the color, and "
                        "why the cloud moves away from the camera.",
                        1, &intoFolder<&barreraFigure5>},
-      FigureExperiment{"drift", "Drift along the optical axis",
+      FigureExperiment{"drift", "Drift of the estimate along the optical axis",
                        "Barrera et al. 2005, section III-B: with one camera, the cloud moves away "
                        "from the camera.",
                        50, &intoFolder<&barreraDrift>},

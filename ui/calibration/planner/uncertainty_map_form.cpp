@@ -184,9 +184,10 @@ void UncertaintyMapForm::retranslateUi() {
   highLabel_->setText(tr("to x, y, z"));
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
-    name(low_[k], tr("Volume from %1").arg(axis),
+    name(low_[k], tr("Minimum %1 of the map's volume").arg(axis),
          tr("Smallest x, y and z of the volume, in meters"));
-    name(high_[k], tr("Volume to %1").arg(axis), tr("Largest x, y and z of the volume, in meters"));
+    name(high_[k], tr("Maximum %1 of the map's volume").arg(axis),
+         tr("Largest x, y and z of the volume, in meters"));
     low_[k]->setSuffix(QStringLiteral(" m"));
     high_[k]->setSuffix(QStringLiteral(" m"));
   }
