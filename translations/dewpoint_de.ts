@@ -528,8 +528,8 @@
         <translation>Die Aufnahme so schnell abspielen, wie sie gefilmt wurde</translation>
     </message>
     <message>
-        <source>Slow until converged</source>
-        <translation>Langsam bis zur Konvergenz</translation>
+        <source>Play slowly until converged</source>
+        <translation>Langsam abspielen bis zur Konvergenz</translation>
     </message>
     <message>
         <source>Show magnifier</source>
@@ -708,8 +708,8 @@
         <translation>Ab dem gezeigten Bild erneut verfolgen, mit dem aktuellen Verfahren und den aktuellen Parametern und Farben. Zum Beenden „Pause“ drücken</translation>
     </message>
     <message>
-        <source>Track again all frames whose results are from earlier settings</source>
-        <translation>Alle Bilder erneut verfolgen, deren Ergebnisse noch von früheren Einstellungen stammen</translation>
+        <source>Track again every frame that was last tracked with earlier settings</source>
+        <translation>Alle Bilder erneut verfolgen, die zuletzt mit früheren Einstellungen verfolgt wurden</translation>
     </message>
     <message>
         <source>Play the recording more slowly, down to 1/30 of the normal speed</source>
@@ -891,16 +891,16 @@
 <context>
     <name>AssessedRegions</name>
     <message>
-        <source>also matches the color</source>
-        <translation>passt auch zur Farbe</translation>
+        <source>also has the target&apos;s color</source>
+        <translation>hat auch die Farbe des Ziels</translation>
     </message>
     <message>
-        <source>recognized as the target (if it is not, Ctrl+Shift-click it)</source>
-        <translation>als Ziel erkannt (wenn es das nicht ist: Strg+Umschalt+Klick darauf)</translation>
+        <source>recognized as the target (if this is wrong, Ctrl+Shift-click here)</source>
+        <translation>als Ziel erkannt (falls das nicht stimmt: Strg+Umschalt+Klick hier)</translation>
     </message>
     <message>
-        <source>some pixels match too</source>
-        <translation>einige Pixel passen auch</translation>
+        <source>some pixels also have the target&apos;s color</source>
+        <translation>einige Pixel haben auch die Farbe des Ziels</translation>
     </message>
 </context>
 <context>
@@ -958,20 +958,20 @@
         <translation>unten rechts</translation>
     </message>
     <message>
-        <source>left side closer</source>
-        <translation>linke Seite näher</translation>
+        <source>left side closer to the camera</source>
+        <translation>linke Seite näher zur Kamera</translation>
     </message>
     <message>
-        <source>right side closer</source>
-        <translation>rechte Seite näher</translation>
+        <source>right side closer to the camera</source>
+        <translation>rechte Seite näher zur Kamera</translation>
     </message>
     <message>
-        <source>upper side closer</source>
-        <translation>obere Seite näher</translation>
+        <source>upper side closer to the camera</source>
+        <translation>obere Seite näher zur Kamera</translation>
     </message>
     <message>
-        <source>lower side closer</source>
-        <translation>untere Seite näher</translation>
+        <source>lower side closer to the camera</source>
+        <translation>untere Seite näher zur Kamera</translation>
     </message>
     <message>
         <source>facing the camera</source>
@@ -1106,12 +1106,12 @@
         <translation>%1 (zu wenige Ecken: %2)</translation>
     </message>
     <message>
-        <source>%1 (blurred, edge width %2)</source>
-        <translation>%1 (unscharf, Kantenbreite %2)</translation>
+        <source>%1 (blurred: edges are %2 wide)</source>
+        <translation>%1 (unscharf: Kanten sind %2 breit)</translation>
     </message>
     <message>
-        <source>%1 (too small, squares of %2)</source>
-        <translation>%1 (zu klein, Felder von %2)</translation>
+        <source>%1 (too small: squares are only %2 wide)</source>
+        <translation>%1 (zu klein: Felder sind nur %2 breit)</translation>
     </message>
     <message>
         <source>%1: no board was found in frames %2.</source>
@@ -1122,12 +1122,12 @@
         <translation>%1: In den Einzelbildern %2 und in %3 weiteren wurde keine Tafel gefunden.</translation>
     </message>
     <message>
-        <source>The video of %1 is mirrored: it shows the board mirrored, but another camera shows it as it is.</source>
-        <translation>Das Video von %1 ist gespiegelt: Es zeigt die Tafel gespiegelt, eine andere Kamera zeigt sie richtig.</translation>
+        <source>The video of %1 is mirrored: it shows the board mirrored, but another camera shows the board the right way round.</source>
+        <translation>Das Video von %1 ist gespiegelt: Es zeigt die Tafel gespiegelt, eine andere Kamera zeigt sie seitenrichtig.</translation>
     </message>
     <message>
-        <source>The board or the video of %1 is mirrored: no camera shows the board as it is. Check whether writing in the images is readable.</source>
-        <translation>Die Tafel oder das Video von %1 ist gespiegelt: Keine Kamera zeigt die Tafel richtig. Prüfen Sie, ob Schrift in den Bildern lesbar ist.</translation>
+        <source>The board or the video of %1 is mirrored: no camera shows the board the right way round. Check whether writing in the images is readable.</source>
+        <translation>Die Tafel oder das Video von %1 ist gespiegelt: Keine Kamera zeigt die Tafel seitenrichtig. Prüfen Sie, ob Schrift in den Bildern lesbar ist.</translation>
     </message>
 </context>
 <context>
@@ -1212,16 +1212,16 @@
         <translation>±%1 %</translation>
     </message>
     <message>
-        <source>not measured yet (page Floor)</source>
-        <translation>noch nicht gemessen (Seite Boden)</translation>
+        <source>not measured yet (use the page Floor)</source>
+        <translation>noch nicht gemessen (auf der Seite Boden messen)</translation>
     </message>
     <message>
         <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
         <translation>Im kalibrierten Raum: Position %1, Maßstab %2, Richtung nach oben %3 (jeweils mit einer Wahrscheinlichkeit von 95 %).</translation>
     </message>
     <message>
-        <source>Outside it, up to %1 away: position ±%2 (extrapolated).</source>
-        <translation>Außerhalb davon, bis %1 entfernt: Position ±%2 (extrapoliert).</translation>
+        <source>Outside the calibrated volume, up to %1 away: position ±%2 (extrapolated).</source>
+        <translation>Außerhalb des kalibrierten Raums, bis %1 entfernt: Position ±%2 (extrapoliert).</translation>
     </message>
 </context>
 <context>
@@ -1342,8 +1342,8 @@
         <translation>Belichtungszeit (0,1 ms)</translation>
     </message>
     <message>
-        <source>Lower rate in the dark</source>
-        <translation>Im Dunkeln niedrigere Bildrate</translation>
+        <source>Lower frame rate in low light</source>
+        <translation>Niedrigere Bildrate bei wenig Licht</translation>
     </message>
     <message>
         <source>Automatic white balance</source>
@@ -1394,8 +1394,8 @@
         <translation>%1, %2 Bilder pro Sekunde</translation>
     </message>
     <message>
-        <source>%1 %2, %3 per second</source>
-        <translation>%1 %2, %3 pro Sekunde</translation>
+        <source>%1 %2, %3 images per second</source>
+        <translation>%1 %2, %3 Bilder pro Sekunde</translation>
     </message>
     <message>
         <source>on</source>
@@ -1406,12 +1406,12 @@
         <translation>aus</translation>
     </message>
     <message>
-        <source>on, exposure time by hand</source>
-        <translation>ein, Belichtungszeit von Hand</translation>
+        <source>on, manual exposure time</source>
+        <translation>ein, Belichtungszeit manuell</translation>
     </message>
     <message>
-        <source>on, aperture by hand</source>
-        <translation>ein, Blende von Hand</translation>
+        <source>on, manual aperture</source>
+        <translation>ein, Blende manuell</translation>
     </message>
     <message>
         <source>exposure</source>
@@ -1604,7 +1604,7 @@
         <translation>Diese Farbe haben auch %1 % des Hintergrunds.</translation>
     </message>
     <message>
-        <source>One sample hardly matches the learned color: it resembles its surroundings, or it shows another object.</source>
+        <source>One sample hardly matches the learned color: the sample resembles its surroundings or shows another object.</source>
         <translation>Eine Probe passt kaum zur gelernten Farbe: Sie ähnelt ihrer Umgebung, oder sie zeigt ein anderes Objekt.</translation>
     </message>
     <message>
@@ -1698,8 +1698,8 @@
         <translation>passt nicht zu den übrigen Daten</translation>
     </message>
     <message>
-        <source>ended before its expected end</source>
-        <translation>endete vor dem erwarteten Ende</translation>
+        <source>ends earlier than expected</source>
+        <translation>endet früher als erwartet</translation>
     </message>
     <message>
         <source>failed</source>
@@ -1813,20 +1813,20 @@
         <translation>Partikel von oben</translation>
     </message>
     <message>
-        <source>Particles in both images</source>
-        <translation>Partikel in beiden Bildern</translation>
+        <source>Particles in both camera images</source>
+        <translation>Partikel in beiden Kamerabildern</translation>
     </message>
     <message>
-        <source>The cloud over time</source>
-        <translation>Die Wolke im Verlauf</translation>
+        <source>The particle cloud over time</source>
+        <translation>Die Partikelwolke im Verlauf</translation>
     </message>
     <message>
         <source>Motion masks and motion likelihood</source>
         <translation>Bewegungsmasken und Bewegungswahrscheinlichkeit</translation>
     </message>
     <message>
-        <source>Boxes: error, success and precision</source>
-        <translation>Rahmen: Fehler, Erfolg und Genauigkeit</translation>
+        <source>Box tracking: error, success and precision</source>
+        <translation>Verfolgung von Rahmen: Fehler, Erfolg und Genauigkeit</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stop and walk back.</source>
@@ -1841,8 +1841,8 @@
         <translation>Personen nebeneinander</translation>
     </message>
     <message>
-        <source>People who cross</source>
-        <translation>Personen, die sich kreuzen</translation>
+        <source>People whose paths cross</source>
+        <translation>Personen, deren Wege sich kreuzen</translation>
     </message>
     <message>
         <source>People who enter and leave</source>
@@ -1861,8 +1861,8 @@
         <translation>Barrera et al. 2005: ein Ball im Raum</translation>
     </message>
     <message>
-        <source>Sugandi et al. 2009: boxes in one camera</source>
-        <translation>Sugandi u. a. 2009: Rahmen in einer Kamera</translation>
+        <source>Sugandi et al. 2009: boxes in the images of one camera</source>
+        <translation>Sugandi u. a. 2009: Rahmen in den Bildern einer Kamera</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: people</source>
@@ -2110,8 +2110,8 @@
         <translation>Kalibrieren Sie die Kameras, oder wählen Sie ein Verfahren, das Rahmen in Bildern verfolgt.</translation>
     </message>
     <message>
-        <source>Check late_by of this camera in the project file; its unit is seconds.</source>
-        <translation>Prüfen Sie late_by dieser Kamera in der Projektdatei; die Einheit ist Sekunden.</translation>
+        <source>In the project file, check the value of late_by for this camera. It is in seconds.</source>
+        <translation>Prüfen Sie in der Projektdatei den Wert von late_by für diese Kamera. Er ist in Sekunden angegeben.</translation>
     </message>
     <message>
         <source>Check that the camera sees the target, and check its exposure and white balance.</source>
@@ -2154,8 +2154,8 @@
         <translation>Kopieren Sie die Aufnahme noch einmal, oder verwenden Sie nur die Bilder davor.</translation>
     </message>
     <message>
-        <source>Correct late_by of this camera in the project file; its unit is seconds.</source>
-        <translation>Korrigieren Sie late_by dieser Kamera in der Projektdatei; die Einheit ist Sekunden.</translation>
+        <source>In the project file, correct the value of late_by for this camera. It is in seconds.</source>
+        <translation>Korrigieren Sie in der Projektdatei den Wert von late_by für diese Kamera. Er ist in Sekunden angegeben.</translation>
     </message>
     <message>
         <source>Correct the file, or remove the key truth from the project file.</source>
@@ -2186,7 +2186,7 @@
         <translation>Bild %2 von %1 kann nicht gelesen werden: %3.</translation>
     </message>
     <message>
-        <source>Give every camera a table of times, or no camera.</source>
+        <source>Give a table of times to every camera, or to none.</source>
         <translation>Geben Sie für alle Kameras eine Zeittabelle an oder für keine.</translation>
     </message>
     <message>
@@ -2350,11 +2350,11 @@
         <translation>In den Bildern haben %2 % aller Pixel die Farbe von Ziel %1.</translation>
     </message>
     <message>
-        <source>The color of target %1 was found in none of the %2 images that were checked.</source>
+        <source>The color of target %1 was not found in any of the %2 checked images.</source>
         <translation>Die Farbe von Ziel %1 war in keinem der %2 geprüften Bilder zu finden.</translation>
     </message>
     <message>
-        <source>The color of target %1 was found in none of the images of %2 that were checked.</source>
+        <source>The color of target %1 was not found in any of the checked images of %2.</source>
         <translation>Die Farbe von Ziel %1 war in keinem der geprüften Bilder von %2 zu finden.</translation>
     </message>
     <message>
@@ -2446,8 +2446,8 @@
         <translation>Das Video von %1 ist abgeschnitten: %2.</translation>
     </message>
     <message>
-        <source>There is room for results: %1 GB are free.</source>
-        <translation>Für Ergebnisse ist Platz: %1 GB sind frei.</translation>
+        <source>There is enough disk space for results: %1 GB are free.</source>
+        <translation>Für Ergebnisse ist genug Speicherplatz da: %1 GB sind frei.</translation>
     </message>
     <message>
         <source>Turn this camera toward the target, or calibrate it again.</source>
@@ -2707,20 +2707,20 @@
         <translation>Sie brauchen eine bekannte Länge, zum Beispiel die eines Tischs oder einer Bodenfliese. In wenigen Minuten haben Sie ein erstes Ergebnis.</translation>
     </message>
     <message>
-        <source>You need a printed board that you can carry through the room. This way calibrates the lenses most accurately.</source>
-        <translation>Sie brauchen eine gedruckte Kalibriertafel, die Sie durch den Raum tragen können. Dieser Weg kalibriert die Objektive am genauesten.</translation>
+        <source>You need a printed board that you can carry through the room. This is the most accurate way to calibrate the lenses.</source>
+        <translation>Sie brauchen eine gedruckte Kalibriertafel, die Sie durch den Raum tragen können. So werden die Objektive am genauesten kalibriert.</translation>
     </message>
     <message>
-        <source>You need rough camera positions and a ball to wave. This way gives the most accurate camera positions in a large room.</source>
-        <translation>Sie brauchen ungefähre Kamerapositionen und einen Ball zum Schwenken. Dieser Weg liefert in einem großen Raum die genauesten Kamerapositionen.</translation>
+        <source>You need rough camera positions and a ball to wave. This is the most accurate way to find the camera positions in a large room.</source>
+        <translation>Sie brauchen ungefähre Kamerapositionen und einen Ball zum Schwenken. So lassen sich die Kamerapositionen in einem großen Raum am genauesten bestimmen.</translation>
     </message>
     <message>
         <source>You need a calibration file for these cameras and for images of this size.</source>
         <translation>Sie brauchen eine Kalibrierungsdatei für diese Kameras und für Bilder dieser Größe.</translation>
     </message>
     <message>
-        <source>Choose the file. If the file does not contain everything (for example, no unit), the dialog asks you for the rest. The dialog also shows how far each camera would move.</source>
-        <translation>Wählen Sie die Datei. Enthält sie nicht alles (zum Beispiel keine Einheit), fragt der Dialog Sie nach dem Rest. Der Dialog zeigt auch, wie weit sich jede Kamera bewegen würde.</translation>
+        <source>Choose the file. If something is missing in the file, such as the unit, the dialog asks you for it. The dialog also shows how far each camera would move.</source>
+        <translation>Wählen Sie die Datei. Fehlt etwas in der Datei, zum Beispiel die Einheit, fragt der Dialog Sie danach. Der Dialog zeigt auch, wie weit sich jede Kamera bewegen würde.</translation>
     </message>
     <message>
         <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you already have a board, just describe it and go on to the next step.</source>
@@ -2779,8 +2779,8 @@
         <translation>Erledigt für %1 von %2 Kameras. Der größte Fehler ist %3.</translation>
     </message>
     <message>
-        <source>You need a tape measure and points that the cameras see: at least four for each camera, better six. This way suits cameras that are mounted in a room.</source>
-        <translation>Sie brauchen ein Maßband und Punkte, die die Kameras sehen: mindestens vier für jede Kamera, besser sechs. Dieser Weg eignet sich für Kameras, die fest in einem Raum montiert sind.</translation>
+        <source>You need a tape measure and points that the cameras see: at least four for each camera, better six. Choose this for cameras that are mounted in a room.</source>
+        <translation>Sie brauchen ein Maßband und Punkte, die die Kameras sehen: mindestens vier für jede Kamera, besser sechs. Wählen Sie diesen Weg für Kameras, die fest in einem Raum montiert sind.</translation>
     </message>
 </context>
 <context>
@@ -2790,8 +2790,8 @@
         <translation>%1 oder mehr</translation>
     </message>
     <message>
-        <source>blank: fewer than two cameras</source>
-        <translation>leer: weniger als zwei Kameras</translation>
+        <source>blank: seen by fewer than two cameras</source>
+        <translation>leer: von weniger als zwei Kameras gesehen</translation>
     </message>
     <message>
         <source>Cameras that see a point</source>
@@ -2802,8 +2802,8 @@
         <translation>Erwarteter Fehler (1 σ)</translation>
     </message>
     <message>
-        <source>blank: no camera</source>
-        <translation>leer: keine Kamera</translation>
+        <source>blank: seen by no camera</source>
+        <translation>leer: von keiner Kamera gesehen</translation>
     </message>
 </context>
 <context>
@@ -3002,16 +3002,16 @@
         <translation>nicht anwesend</translation>
     </message>
     <message>
-        <source>This page may not read from here.</source>
-        <translation>Diese Seite darf hier nichts lesen.</translation>
+        <source>Only pages from this server can read the results.</source>
+        <translation>Nur Seiten von diesem Server können die Ergebnisse lesen.</translation>
     </message>
     <message>
-        <source>Only GET is possible.</source>
-        <translation>Nur GET ist möglich.</translation>
+        <source>Only GET requests are supported.</source>
+        <translation>Nur GET-Anfragen werden unterstützt.</translation>
     </message>
     <message>
-        <source>There is only one page, at /.</source>
-        <translation>Es gibt nur eine Seite: /.</translation>
+        <source>This server has only one page: /.</source>
+        <translation>Dieser Server hat nur eine Seite: /.</translation>
     </message>
 </context>
 <context>
@@ -3125,8 +3125,8 @@
         <translation>Seitenverhältnis-Sigma</translation>
     </message>
     <message>
-        <source>Counts as hidden below</source>
-        <translation>Gilt als verdeckt unter</translation>
+        <source>Min. color share</source>
+        <translation>Min. Farbanteil</translation>
     </message>
     <message>
         <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
@@ -3649,8 +3649,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>bei einem Störobjekt</translation>
     </message>
     <message>
-        <source>%1 from a distractor</source>
-        <translation>%1 von einem Störobjekt</translation>
+        <source>%1 away from a distractor</source>
+        <translation>%1 von einem Störobjekt entfernt</translation>
     </message>
     <message>
         <source>no matching color</source>
@@ -3751,7 +3751,7 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>auf allen Seiten beschnitten</translation>
     </message>
     <message>
-        <source>cropped at the right and below</source>
+        <source>cropped at the right and at the bottom</source>
         <translation>rechts und unten beschnitten</translation>
     </message>
     <message>
@@ -3793,20 +3793,20 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>%1: %2 Bilder, %3, %4 verloren, %5</translation>
     </message>
     <message>
-        <source>It contains %1 from before you pressed Record; memory was too small for more.</source>
-        <translation>Sie enthält %1 aus der Zeit vor dem Start; für mehr reichte der Speicher nicht.</translation>
+        <source>The take contains %1 from before you pressed Record. There was not enough memory for more.</source>
+        <translation>Die Aufnahme enthält %1 aus der Zeit vor dem Start; für mehr reichte der Speicher nicht.</translation>
     </message>
     <message>
-        <source>It contains %1 from before you pressed Record.</source>
-        <translation>Sie enthält %1 aus der Zeit vor dem Start.</translation>
+        <source>The take contains %1 from before you pressed Record.</source>
+        <translation>Die Aufnahme enthält %1 aus der Zeit vor dem Start.</translation>
     </message>
     <message>
-        <source>The run began before the take, so it cannot be tracked again from its beginning. Restart the run while you record to avoid this.</source>
+        <source>The run began before the take, so the run cannot be tracked again from its beginning. To avoid this, restart the run while you record.</source>
         <translation>Der Lauf begann vor der Aufnahme und kann daher nicht von seinem Anfang an noch einmal verfolgt werden. Um das zu vermeiden, starten Sie den Lauf neu, während Sie aufnehmen.</translation>
     </message>
     <message>
-        <source>The take gives the results of the live run, to the last bit, in all %1 frames.</source>
-        <translation>Die Aufnahme ergibt in allen %1 Bildern bis aufs letzte Bit die Ergebnisse des Live-Laufs.</translation>
+        <source>Tracking the take gives exactly the results of the live run in all %1 frames.</source>
+        <translation>Beim Verfolgen der Aufnahme ergeben sich in allen %1 Bildern exakt die Ergebnisse des Live-Laufs.</translation>
     </message>
     <message>
         <source>%1 of %2 frames differ from the live run, the first one is frame %3. Positions differ by up to %4.</source>
@@ -3825,7 +3825,7 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Ein Zeitbudget ist gesetzt, daher hängen die Ergebnisse von der Geschwindigkeit des Computers ab.</translation>
     </message>
     <message>
-        <source>The images of %1 are stored with slightly other colors, because the camera sends them uncompressed.</source>
+        <source>The images of %1 are stored with slightly different colors, because the camera sends them uncompressed.</source>
         <translation>Die Bilder von %1 sind mit leicht anderen Farben gespeichert, weil die Kamera sie unkomprimiert sendet.</translation>
     </message>
 </context>
@@ -3873,8 +3873,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>korrigiert</translation>
     </message>
     <message>
-        <source>from earlier settings</source>
-        <translation>von früheren Einstellungen</translation>
+        <source>tracked with earlier settings</source>
+        <translation>mit früheren Einstellungen verfolgt</translation>
     </message>
     <message>
         <source>The state of each target appears here during tracking.</source>
@@ -4095,8 +4095,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         </translation>
     </message>
     <message>
-        <source>The cameras were calibrated before, and the motion in this recording is not enough to improve that calibration. Keep the old cameras.</source>
-        <translation>Die Kameras waren schon kalibriert, und die Bewegung in dieser Aufnahme reicht nicht aus, um diese Kalibrierung zu verbessern. Behalten Sie die bisherigen Kameras.</translation>
+        <source>The cameras were calibrated before, and the motion in this recording is not enough to improve that calibration. Keep the previous calibration.</source>
+        <translation>Die Kameras waren schon kalibriert, und die Bewegung in dieser Aufnahme reicht nicht aus, um diese Kalibrierung zu verbessern. Behalten Sie die bisherige Kalibrierung.</translation>
     </message>
     <message>
         <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old ones.</source>
@@ -4305,8 +4305,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Der Raum in 3D: Kameras, Partikel, Schätzungen und ihre Spuren</translation>
     </message>
     <message>
-        <source>No 3D: %1</source>
-        <translation>Kein 3D: %1</translation>
+        <source>3D view not available: %1</source>
+        <translation>3D-Ansicht nicht verfügbar: %1</translation>
     </message>
 </context>
 <context>
@@ -4458,12 +4458,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Die Tafel wird in den gezeigten Bildern gesucht…</translation>
     </message>
     <message>
-        <source>No camera sees the board %1 well enough. Show images in which it lies on the floor, or describe it on the page Board.</source>
-        <translation>Keine Kamera sieht die Tafel %1 gut genug. Zeigen Sie Bilder, in denen sie auf dem Boden liegt, oder beschreiben Sie sie auf der Seite Tafel.</translation>
+        <source>No camera sees the described board well enough: %1. Show images in which the board lies on the floor, or correct its description on the page Board.</source>
+        <translation>Keine Kamera sieht die beschriebene Tafel gut genug: %1. Zeigen Sie Bilder, in denen die Tafel auf dem Boden liegt, oder berichtigen Sie ihre Beschreibung auf der Seite Tafel.</translation>
     </message>
     <message>
-        <source>The cameras were changed meanwhile. Press the button again.</source>
-        <translation>Die Kameras wurden inzwischen geändert. Drücken Sie den Knopf noch einmal.</translation>
+        <source>The floor was not set, because the cameras have changed in the meantime. Try again.</source>
+        <translation>Der Boden wurde nicht gesetzt, weil die Kameras inzwischen geändert wurden. Versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>Set the floor from the board</source>
@@ -4504,8 +4504,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Art der Tafel</translation>
     </message>
     <message>
-        <source>Squares per row, per column</source>
-        <translation>Felder je Zeile, je Spalte</translation>
+        <source>Squares per row and column</source>
+        <translation>Felder je Zeile und Spalte</translation>
     </message>
     <message>
         <source>Squares in a row</source>
@@ -4544,7 +4544,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Wörterbuch der Marker</translation>
     </message>
     <message>
-        <source>The dictionary of the markers that was chosen when the board was made</source>
+        <source>The marker dictionary that was chosen when the board was made</source>
         <translation>Das Wörterbuch der Marker, das beim Erstellen der Tafel gewählt wurde</translation>
     </message>
     <message>
@@ -4572,8 +4572,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Papier</translation>
     </message>
     <message>
-        <source>%1 × %2 inner corners; for the command line:</source>
-        <translation>%1 × %2 innere Ecken; für die Befehlszeile:</translation>
+        <source>%1 × %2 inner corners. Description for the command line:</source>
+        <translation>%1 × %2 innere Ecken. Beschreibung für die Befehlszeile:</translation>
     </message>
     <message>
         <source>Dictionary</source>
@@ -4596,7 +4596,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Für ChArUco-Tafeln mit gerader Zeilenzahl, die mit Software vor OpenCV 4.6 hergestellt wurden: Ihr erstes Feld ist weiß</translation>
     </message>
     <message>
-        <source>Size of the paper. A board that is larger is split on several sheets</source>
+        <source>Size of the paper. A larger board is split over several sheets</source>
         <translation>Größe des Papiers. Eine größere Tafel wird auf mehrere Blätter verteilt</translation>
     </message>
 </context>
@@ -4706,7 +4706,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Positionen, in denen %1 die Tafel sah</translation>
     </message>
     <message>
-        <source>Filled: regions and tilts in which the board was shown. Orange: what to show next. Green: the board in the current image</source>
+        <source>Filled: image regions and tilts in which the board was already shown. Orange: what to show next. Green: the board in the current image</source>
         <translation>Gefüllt: Bereiche und Neigungen, in denen die Tafel gezeigt wurde. Orange: was als Nächstes zu zeigen ist. Grün: die Tafel im aktuellen Bild</translation>
     </message>
     <message>
@@ -10750,8 +10750,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>%1 lag weit daneben: Die Verfeinerung dreht sie um %2 und verschiebt sie um %3, viel mehr als die anderen. Wurde sie nach ihrer Kalibrierung bewegt?</translation>
     </message>
     <message>
-        <source>The old cameras fit the images as well as the new ones. Keep the old ones, or wave longer and through more of the volume.</source>
-        <translation>Die bisherigen Kameras passen genauso gut zu den Bildern wie die neuen. Behalten Sie die bisherigen, oder schwenken Sie länger und durch mehr des Raumes.</translation>
+        <source>The previous calibration fits the images as well as the new one. Keep the previous one, or wave longer and through more of the volume.</source>
+        <translation>Die bisherige Kalibrierung passt genauso gut zu den Bildern wie die neue. Behalten Sie die bisherige, oder schwenken Sie länger und durch mehr des Raumes.</translation>
     </message>
 </context>
 <context>

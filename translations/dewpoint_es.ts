@@ -528,8 +528,8 @@
         <translation>Reproducir la grabación a la velocidad a la que se filmó</translation>
     </message>
     <message>
-        <source>Slow until converged</source>
-        <translation>Lento hasta converger</translation>
+        <source>Play slowly until converged</source>
+        <translation>Reproducir despacio hasta converger</translation>
     </message>
     <message>
         <source>Show magnifier</source>
@@ -708,8 +708,8 @@
         <translation>Seguir de nuevo desde el fotograma mostrado, con el método, los parámetros y los colores actuales. Para detenerlo, pulse Pausa</translation>
     </message>
     <message>
-        <source>Track again all frames whose results are from earlier settings</source>
-        <translation>Seguir de nuevo todos los fotogramas que aún tienen resultados de ajustes anteriores</translation>
+        <source>Track again every frame that was last tracked with earlier settings</source>
+        <translation>Seguir de nuevo todos los fotogramas que se siguieron por última vez con ajustes anteriores</translation>
     </message>
     <message>
         <source>Play the recording more slowly, down to 1/30 of the normal speed</source>
@@ -891,16 +891,16 @@
 <context>
     <name>AssessedRegions</name>
     <message>
-        <source>also matches the color</source>
-        <translation>también coincide con el color</translation>
+        <source>also has the target&apos;s color</source>
+        <translation>también tiene el color del objetivo</translation>
     </message>
     <message>
-        <source>recognized as the target (if it is not, Ctrl+Shift-click it)</source>
-        <translation>reconocido como objetivo (si no lo es, Ctrl+Mayús+clic en él)</translation>
+        <source>recognized as the target (if this is wrong, Ctrl+Shift-click here)</source>
+        <translation>reconocido como objetivo (si es un error, Ctrl+Mayús+clic aquí)</translation>
     </message>
     <message>
-        <source>some pixels match too</source>
-        <translation>algunos píxeles también coinciden</translation>
+        <source>some pixels also have the target&apos;s color</source>
+        <translation>algunos píxeles también tienen el color del objetivo</translation>
     </message>
 </context>
 <context>
@@ -958,20 +958,20 @@
         <translation>abajo a la derecha</translation>
     </message>
     <message>
-        <source>left side closer</source>
-        <translation>con el lado izquierdo más cerca</translation>
+        <source>left side closer to the camera</source>
+        <translation>con el lado izquierdo más cerca de la cámara</translation>
     </message>
     <message>
-        <source>right side closer</source>
-        <translation>con el lado derecho más cerca</translation>
+        <source>right side closer to the camera</source>
+        <translation>con el lado derecho más cerca de la cámara</translation>
     </message>
     <message>
-        <source>upper side closer</source>
-        <translation>con el lado superior más cerca</translation>
+        <source>upper side closer to the camera</source>
+        <translation>con el lado superior más cerca de la cámara</translation>
     </message>
     <message>
-        <source>lower side closer</source>
-        <translation>con el lado inferior más cerca</translation>
+        <source>lower side closer to the camera</source>
+        <translation>con el lado inferior más cerca de la cámara</translation>
     </message>
     <message>
         <source>facing the camera</source>
@@ -1106,12 +1106,12 @@
         <translation>%1 (muy pocas esquinas: %2)</translation>
     </message>
     <message>
-        <source>%1 (blurred, edge width %2)</source>
-        <translation>%1 (borrosa, ancho de los bordes: %2)</translation>
+        <source>%1 (blurred: edges are %2 wide)</source>
+        <translation>%1 (borroso: los bordes miden %2 de ancho)</translation>
     </message>
     <message>
-        <source>%1 (too small, squares of %2)</source>
-        <translation>%1 (demasiado pequeño, casillas de %2)</translation>
+        <source>%1 (too small: squares are only %2 wide)</source>
+        <translation>%1 (demasiado pequeño: las casillas miden solo %2)</translation>
     </message>
     <message>
         <source>%1: no board was found in frames %2.</source>
@@ -1122,12 +1122,12 @@
         <translation>%1: no se encontró ningún tablero en los fotogramas %2 ni en otros %3.</translation>
     </message>
     <message>
-        <source>The video of %1 is mirrored: it shows the board mirrored, but another camera shows it as it is.</source>
-        <translation>El vídeo de %1 está reflejado: muestra el tablero reflejado, pero otra cámara lo muestra tal como es.</translation>
+        <source>The video of %1 is mirrored: it shows the board mirrored, but another camera shows the board the right way round.</source>
+        <translation>El vídeo de %1 está reflejado: muestra el tablero reflejado, pero otra cámara lo muestra sin reflejar.</translation>
     </message>
     <message>
-        <source>The board or the video of %1 is mirrored: no camera shows the board as it is. Check whether writing in the images is readable.</source>
-        <translation>El tablero o el vídeo de %1 está reflejado: ninguna cámara muestra el tablero tal como es. Compruebe si los textos en las imágenes son legibles.</translation>
+        <source>The board or the video of %1 is mirrored: no camera shows the board the right way round. Check whether writing in the images is readable.</source>
+        <translation>El tablero o el vídeo de %1 está reflejado: ninguna cámara muestra el tablero sin reflejar. Compruebe si los textos en las imágenes son legibles.</translation>
     </message>
 </context>
 <context>
@@ -1212,16 +1212,16 @@
         <translation>±%1 %</translation>
     </message>
     <message>
-        <source>not measured yet (page Floor)</source>
-        <translation>aún sin medir (página Suelo)</translation>
+        <source>not measured yet (use the page Floor)</source>
+        <translation>aún sin medir (use la página Suelo)</translation>
     </message>
     <message>
         <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
         <translation>En el volumen calibrado: posición %1, escala %2, dirección hacia arriba %3 (cada una con una probabilidad del 95 %).</translation>
     </message>
     <message>
-        <source>Outside it, up to %1 away: position ±%2 (extrapolated).</source>
-        <translation>Fuera de él, hasta a %1 de distancia: posición ±%2 (extrapolado).</translation>
+        <source>Outside the calibrated volume, up to %1 away: position ±%2 (extrapolated).</source>
+        <translation>Fuera del volumen calibrado, hasta a %1 de distancia: posición ±%2 (extrapolado).</translation>
     </message>
 </context>
 <context>
@@ -1342,8 +1342,8 @@
         <translation>Tiempo de exposición (0,1 ms)</translation>
     </message>
     <message>
-        <source>Lower rate in the dark</source>
-        <translation>Menor frecuencia en la oscuridad</translation>
+        <source>Lower frame rate in low light</source>
+        <translation>Menor frecuencia de imagen con poca luz</translation>
     </message>
     <message>
         <source>Automatic white balance</source>
@@ -1394,8 +1394,8 @@
         <translation>%1, %2 imágenes por segundo</translation>
     </message>
     <message>
-        <source>%1 %2, %3 per second</source>
-        <translation>%1 %2, %3 por segundo</translation>
+        <source>%1 %2, %3 images per second</source>
+        <translation>%1 %2, %3 imágenes por segundo</translation>
     </message>
     <message>
         <source>on</source>
@@ -1406,12 +1406,12 @@
         <translation>desactivado</translation>
     </message>
     <message>
-        <source>on, exposure time by hand</source>
-        <translation>activada, tiempo de exposición a mano</translation>
+        <source>on, manual exposure time</source>
+        <translation>activada, tiempo de exposición manual</translation>
     </message>
     <message>
-        <source>on, aperture by hand</source>
-        <translation>activada, apertura a mano</translation>
+        <source>on, manual aperture</source>
+        <translation>activada, apertura manual</translation>
     </message>
     <message>
         <source>exposure</source>
@@ -1604,7 +1604,7 @@
         <translation>También tiene este color el %1 % del fondo.</translation>
     </message>
     <message>
-        <source>One sample hardly matches the learned color: it resembles its surroundings, or it shows another object.</source>
+        <source>One sample hardly matches the learned color: the sample resembles its surroundings or shows another object.</source>
         <translation>Una muestra apenas coincide con el color aprendido: se parece a su entorno, o muestra otro objeto.</translation>
     </message>
     <message>
@@ -1698,8 +1698,8 @@
         <translation>no concuerda con los demás datos</translation>
     </message>
     <message>
-        <source>ended before its expected end</source>
-        <translation>terminó antes del final previsto</translation>
+        <source>ends earlier than expected</source>
+        <translation>termina antes de lo previsto</translation>
     </message>
     <message>
         <source>failed</source>
@@ -1813,20 +1813,20 @@
         <translation>Partículas desde arriba</translation>
     </message>
     <message>
-        <source>Particles in both images</source>
-        <translation>Partículas en ambas imágenes</translation>
+        <source>Particles in both camera images</source>
+        <translation>Partículas en ambas imágenes de cámara</translation>
     </message>
     <message>
-        <source>The cloud over time</source>
-        <translation>La nube a lo largo del tiempo</translation>
+        <source>The particle cloud over time</source>
+        <translation>La nube de partículas a lo largo del tiempo</translation>
     </message>
     <message>
         <source>Motion masks and motion likelihood</source>
         <translation>Máscaras de movimiento y verosimilitud del movimiento</translation>
     </message>
     <message>
-        <source>Boxes: error, success and precision</source>
-        <translation>Recuadros: error, éxito y precisión</translation>
+        <source>Box tracking: error, success and precision</source>
+        <translation>Seguimiento de recuadros: error, éxito y precisión</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stop and walk back.</source>
@@ -1841,8 +1841,8 @@
         <translation>Personas una al lado de otra</translation>
     </message>
     <message>
-        <source>People who cross</source>
-        <translation>Personas que se cruzan</translation>
+        <source>People whose paths cross</source>
+        <translation>Personas cuyos caminos se cruzan</translation>
     </message>
     <message>
         <source>People who enter and leave</source>
@@ -1861,8 +1861,8 @@
         <translation>Barrera et al. 2005: una pelota en el espacio</translation>
     </message>
     <message>
-        <source>Sugandi et al. 2009: boxes in one camera</source>
-        <translation>Sugandi et al. 2009: recuadros en una cámara</translation>
+        <source>Sugandi et al. 2009: boxes in the images of one camera</source>
+        <translation>Sugandi et al. 2009: recuadros en las imágenes de una cámara</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: people</source>
@@ -2110,8 +2110,8 @@
         <translation>Calibre las cámaras o elija un método que siga recuadros en imágenes.</translation>
     </message>
     <message>
-        <source>Check late_by of this camera in the project file; its unit is seconds.</source>
-        <translation>Compruebe late_by de esta cámara en el archivo del proyecto; la unidad es el segundo.</translation>
+        <source>In the project file, check the value of late_by for this camera. It is in seconds.</source>
+        <translation>En el archivo del proyecto, compruebe el valor de late_by de esta cámara. Está en segundos.</translation>
     </message>
     <message>
         <source>Check that the camera sees the target, and check its exposure and white balance.</source>
@@ -2154,8 +2154,8 @@
         <translation>Copie de nuevo la grabación o use solo los fotogramas anteriores.</translation>
     </message>
     <message>
-        <source>Correct late_by of this camera in the project file; its unit is seconds.</source>
-        <translation>Corrija late_by de esta cámara en el archivo del proyecto; la unidad es el segundo.</translation>
+        <source>In the project file, correct the value of late_by for this camera. It is in seconds.</source>
+        <translation>En el archivo del proyecto, corrija el valor de late_by de esta cámara. Está en segundos.</translation>
     </message>
     <message>
         <source>Correct the file, or remove the key truth from the project file.</source>
@@ -2186,7 +2186,7 @@
         <translation>No se puede leer el fotograma %2 de %1: %3.</translation>
     </message>
     <message>
-        <source>Give every camera a table of times, or no camera.</source>
+        <source>Give a table of times to every camera, or to none.</source>
         <translation>Indique una tabla de tiempos para todas las cámaras o para ninguna.</translation>
     </message>
     <message>
@@ -2350,11 +2350,11 @@
         <translation>En las imágenes, el %2 % de todos los píxeles tiene el color del objetivo %1.</translation>
     </message>
     <message>
-        <source>The color of target %1 was found in none of the %2 images that were checked.</source>
+        <source>The color of target %1 was not found in any of the %2 checked images.</source>
         <translation>El color del objetivo %1 no se encontró en ninguna de las %2 imágenes examinadas.</translation>
     </message>
     <message>
-        <source>The color of target %1 was found in none of the images of %2 that were checked.</source>
+        <source>The color of target %1 was not found in any of the checked images of %2.</source>
         <translation>El color del objetivo %1 no se encontró en ninguna de las imágenes examinadas de %2.</translation>
     </message>
     <message>
@@ -2446,8 +2446,8 @@
         <translation>El vídeo de %1 está cortado: %2.</translation>
     </message>
     <message>
-        <source>There is room for results: %1 GB are free.</source>
-        <translation>Hay espacio para los resultados: %1 GB libres.</translation>
+        <source>There is enough disk space for results: %1 GB are free.</source>
+        <translation>Hay suficiente espacio en disco para los resultados: %1 GB libres.</translation>
     </message>
     <message>
         <source>Turn this camera toward the target, or calibrate it again.</source>
@@ -2707,20 +2707,20 @@
         <translation>Necesita una longitud conocida, por ejemplo la de una mesa o una baldosa del suelo. Obtiene un primer resultado en minutos.</translation>
     </message>
     <message>
-        <source>You need a printed board that you can carry through the room. This way calibrates the lenses most accurately.</source>
-        <translation>Necesita un tablero impreso que pueda llevar por la sala. Esta forma calibra las lentes con la mayor exactitud.</translation>
+        <source>You need a printed board that you can carry through the room. This is the most accurate way to calibrate the lenses.</source>
+        <translation>Necesita un tablero impreso que pueda llevar por la sala. Es la forma más exacta de calibrar las lentes.</translation>
     </message>
     <message>
-        <source>You need rough camera positions and a ball to wave. This way gives the most accurate camera positions in a large room.</source>
-        <translation>Necesita posiciones aproximadas de las cámaras y una pelota para agitar. Esta forma da las posiciones de cámara más exactas en una sala grande.</translation>
+        <source>You need rough camera positions and a ball to wave. This is the most accurate way to find the camera positions in a large room.</source>
+        <translation>Necesita posiciones aproximadas de las cámaras y una pelota para agitar. Es la forma más exacta de hallar las posiciones de las cámaras en una sala grande.</translation>
     </message>
     <message>
         <source>You need a calibration file for these cameras and for images of this size.</source>
         <translation>Necesita un archivo de calibración para estas cámaras y para imágenes de este tamaño.</translation>
     </message>
     <message>
-        <source>Choose the file. If the file does not contain everything (for example, no unit), the dialog asks you for the rest. The dialog also shows how far each camera would move.</source>
-        <translation>Elija el archivo. Si no lo contiene todo (por ejemplo, falta la unidad), el cuadro de diálogo le pregunta el resto. También muestra cuánto se movería cada cámara.</translation>
+        <source>Choose the file. If something is missing in the file, such as the unit, the dialog asks you for it. The dialog also shows how far each camera would move.</source>
+        <translation>Elija el archivo. Si falta algo en él, por ejemplo la unidad, el cuadro de diálogo se lo pregunta. También muestra cuánto se movería cada cámara.</translation>
     </message>
     <message>
         <source>Describe the board on the page Board, and print it at 100 %. Check the scale bar with a ruler, and glue the sheet to something stiff and flat. If you already have a board, just describe it and go on to the next step.</source>
@@ -2779,8 +2779,8 @@
         <translation>Hecho en %1 de %2 cámaras. El error máximo es %3.</translation>
     </message>
     <message>
-        <source>You need a tape measure and points that the cameras see: at least four for each camera, better six. This way suits cameras that are mounted in a room.</source>
-        <translation>Necesita una cinta métrica y puntos que vean las cámaras: al menos cuatro para cada cámara, mejor seis. Esta forma es adecuada para cámaras montadas en una sala.</translation>
+        <source>You need a tape measure and points that the cameras see: at least four for each camera, better six. Choose this for cameras that are mounted in a room.</source>
+        <translation>Necesita una cinta métrica y puntos que vean las cámaras: al menos cuatro para cada cámara, mejor seis. Elija esta forma para cámaras montadas en una sala.</translation>
     </message>
 </context>
 <context>
@@ -2790,8 +2790,8 @@
         <translation>%1 o más</translation>
     </message>
     <message>
-        <source>blank: fewer than two cameras</source>
-        <translation>vacío: menos de dos cámaras</translation>
+        <source>blank: seen by fewer than two cameras</source>
+        <translation>vacío: lo ven menos de dos cámaras</translation>
     </message>
     <message>
         <source>Cameras that see a point</source>
@@ -2802,8 +2802,8 @@
         <translation>Error esperado (1 σ)</translation>
     </message>
     <message>
-        <source>blank: no camera</source>
-        <translation>vacío: ninguna cámara</translation>
+        <source>blank: seen by no camera</source>
+        <translation>vacío: no lo ve ninguna cámara</translation>
     </message>
 </context>
 <context>
@@ -3002,16 +3002,16 @@
         <translation>ausente</translation>
     </message>
     <message>
-        <source>This page may not read from here.</source>
-        <translation>Esta página no puede leer desde aquí.</translation>
+        <source>Only pages from this server can read the results.</source>
+        <translation>Solo las páginas de este servidor pueden leer los resultados.</translation>
     </message>
     <message>
-        <source>Only GET is possible.</source>
-        <translation>Solo es posible GET.</translation>
+        <source>Only GET requests are supported.</source>
+        <translation>Solo se admiten peticiones GET.</translation>
     </message>
     <message>
-        <source>There is only one page, at /.</source>
-        <translation>Solo hay una página, en /.</translation>
+        <source>This server has only one page: /.</source>
+        <translation>Este servidor solo tiene una página: /.</translation>
     </message>
 </context>
 <context>
@@ -3125,8 +3125,8 @@
         <translation>Sigma de la proporción</translation>
     </message>
     <message>
-        <source>Counts as hidden below</source>
-        <translation>Cuenta como oculto por debajo de</translation>
+        <source>Min. color share</source>
+        <translation>Proporción mín. de color</translation>
     </message>
     <message>
         <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
@@ -3649,7 +3649,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>en un distractor</translation>
     </message>
     <message>
-        <source>%1 from a distractor</source>
+        <source>%1 away from a distractor</source>
         <translation>a %1 de un distractor</translation>
     </message>
     <message>
@@ -3751,7 +3751,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>recortadas por todos los lados</translation>
     </message>
     <message>
-        <source>cropped at the right and below</source>
+        <source>cropped at the right and at the bottom</source>
         <translation>recortadas a la derecha y abajo</translation>
     </message>
     <message>
@@ -3793,20 +3793,20 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>%1: %2 imágenes, %3, %4 perdidas, %5</translation>
     </message>
     <message>
-        <source>It contains %1 from before you pressed Record; memory was too small for more.</source>
-        <translation>Contiene %1 anteriores al inicio; no había memoria para más.</translation>
+        <source>The take contains %1 from before you pressed Record. There was not enough memory for more.</source>
+        <translation>La toma contiene %1 anteriores al inicio; no había memoria para más.</translation>
     </message>
     <message>
-        <source>It contains %1 from before you pressed Record.</source>
-        <translation>Contiene %1 anteriores al inicio.</translation>
+        <source>The take contains %1 from before you pressed Record.</source>
+        <translation>La toma contiene %1 anteriores al inicio.</translation>
     </message>
     <message>
-        <source>The run began before the take, so it cannot be tracked again from its beginning. Restart the run while you record to avoid this.</source>
+        <source>The run began before the take, so the run cannot be tracked again from its beginning. To avoid this, restart the run while you record.</source>
         <translation>La ejecución empezó antes de la toma, así que no se puede repetir desde su principio. Para evitarlo, reinicie la ejecución mientras graba.</translation>
     </message>
     <message>
-        <source>The take gives the results of the live run, to the last bit, in all %1 frames.</source>
-        <translation>La toma da los resultados de la ejecución en vivo, hasta el último bit, en los %1 fotogramas.</translation>
+        <source>Tracking the take gives exactly the results of the live run in all %1 frames.</source>
+        <translation>Al seguir la toma se obtienen exactamente los resultados de la ejecución en vivo en los %1 fotogramas.</translation>
     </message>
     <message>
         <source>%1 of %2 frames differ from the live run, the first one is frame %3. Positions differ by up to %4.</source>
@@ -3825,7 +3825,7 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Hay un límite de tiempo fijado, así que los resultados dependen de la velocidad del ordenador.</translation>
     </message>
     <message>
-        <source>The images of %1 are stored with slightly other colors, because the camera sends them uncompressed.</source>
+        <source>The images of %1 are stored with slightly different colors, because the camera sends them uncompressed.</source>
         <translation>Las imágenes de %1 se guardan con colores ligeramente distintos, porque la cámara las envía sin comprimir.</translation>
     </message>
 </context>
@@ -3873,8 +3873,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>corregido</translation>
     </message>
     <message>
-        <source>from earlier settings</source>
-        <translation>con ajustes anteriores</translation>
+        <source>tracked with earlier settings</source>
+        <translation>seguido con ajustes anteriores</translation>
     </message>
     <message>
         <source>The state of each target appears here during tracking.</source>
@@ -4095,8 +4095,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         </translation>
     </message>
     <message>
-        <source>The cameras were calibrated before, and the motion in this recording is not enough to improve that calibration. Keep the old cameras.</source>
-        <translation>Las cámaras ya estaban calibradas, y el movimiento de esta grabación no basta para mejorar esa calibración. Conserve las cámaras anteriores.</translation>
+        <source>The cameras were calibrated before, and the motion in this recording is not enough to improve that calibration. Keep the previous calibration.</source>
+        <translation>Las cámaras ya estaban calibradas, y el movimiento de esta grabación no basta para mejorar esa calibración. Conserve la calibración anterior.</translation>
     </message>
     <message>
         <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old ones.</source>
@@ -4305,8 +4305,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>La sala en 3D: cámaras, partículas, estimaciones y sus trayectorias</translation>
     </message>
     <message>
-        <source>No 3D: %1</source>
-        <translation>Sin 3D: %1</translation>
+        <source>3D view not available: %1</source>
+        <translation>Vista 3D no disponible: %1</translation>
     </message>
 </context>
 <context>
@@ -4458,12 +4458,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Buscando el tablero en las imágenes mostradas…</translation>
     </message>
     <message>
-        <source>No camera sees the board %1 well enough. Show images in which it lies on the floor, or describe it on the page Board.</source>
-        <translation>Ninguna cámara ve bien el tablero %1. Muestre imágenes en las que esté en el suelo o descríbalo en la página Tablero.</translation>
+        <source>No camera sees the described board well enough: %1. Show images in which the board lies on the floor, or correct its description on the page Board.</source>
+        <translation>Ninguna cámara ve lo bastante bien el tablero descrito: %1. Muestre imágenes en que el tablero esté en el suelo, o corrija su descripción en la página Tablero.</translation>
     </message>
     <message>
-        <source>The cameras were changed meanwhile. Press the button again.</source>
-        <translation>Las cámaras han cambiado entretanto. Pulse el botón de nuevo.</translation>
+        <source>The floor was not set, because the cameras have changed in the meantime. Try again.</source>
+        <translation>El suelo no se fijó, porque las cámaras han cambiado entretanto. Inténtelo de nuevo.</translation>
     </message>
     <message>
         <source>Set the floor from the board</source>
@@ -4504,8 +4504,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Tipo de tablero</translation>
     </message>
     <message>
-        <source>Squares per row, per column</source>
-        <translation>Casillas por fila, por columna</translation>
+        <source>Squares per row and column</source>
+        <translation>Casillas por fila y columna</translation>
     </message>
     <message>
         <source>Squares in a row</source>
@@ -4544,7 +4544,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Diccionario de los marcadores</translation>
     </message>
     <message>
-        <source>The dictionary of the markers that was chosen when the board was made</source>
+        <source>The marker dictionary that was chosen when the board was made</source>
         <translation>El diccionario de marcadores que se eligió al crear el tablero</translation>
     </message>
     <message>
@@ -4572,8 +4572,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Papel</translation>
     </message>
     <message>
-        <source>%1 × %2 inner corners; for the command line:</source>
-        <translation>%1 × %2 esquinas interiores; para la línea de órdenes:</translation>
+        <source>%1 × %2 inner corners. Description for the command line:</source>
+        <translation>%1 × %2 esquinas interiores. Descripción para la línea de órdenes:</translation>
     </message>
     <message>
         <source>Dictionary</source>
@@ -4596,7 +4596,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Para tableros ChArUco con un número par de filas hechos con programas anteriores a OpenCV 4.6: su primera casilla es blanca</translation>
     </message>
     <message>
-        <source>Size of the paper. A board that is larger is split on several sheets</source>
+        <source>Size of the paper. A larger board is split over several sheets</source>
         <translation>Tamaño del papel. Un tablero más grande se reparte en varias hojas</translation>
     </message>
 </context>
@@ -4706,7 +4706,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Posiciones en que %1 vio el tablero</translation>
     </message>
     <message>
-        <source>Filled: regions and tilts in which the board was shown. Orange: what to show next. Green: the board in the current image</source>
+        <source>Filled: image regions and tilts in which the board was already shown. Orange: what to show next. Green: the board in the current image</source>
         <translation>Relleno: zonas e inclinaciones en que se mostró el tablero. Naranja: qué mostrar después. Verde: el tablero en la imagen actual</translation>
     </message>
     <message>
@@ -10750,8 +10750,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>%1 estaba muy desviada: el ajuste la gira %2 y la desplaza %3, mucho más que las demás. ¿Se movió después de calibrarla?</translation>
     </message>
     <message>
-        <source>The old cameras fit the images as well as the new ones. Keep the old ones, or wave longer and through more of the volume.</source>
-        <translation>Las cámaras anteriores concuerdan con las imágenes igual de bien que las nuevas. Conserve las anteriores, o agite durante más tiempo y por una parte mayor del volumen.</translation>
+        <source>The previous calibration fits the images as well as the new one. Keep the previous one, or wave longer and through more of the volume.</source>
+        <translation>La calibración anterior concuerda con las imágenes igual de bien que la nueva. Conserve la anterior, o agite durante más tiempo y por una parte mayor del volumen.</translation>
     </message>
 </context>
 <context>

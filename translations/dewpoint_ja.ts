@@ -528,8 +528,8 @@
         <translation>録画を撮影時と同じ速さで再生します</translation>
     </message>
     <message>
-        <source>Slow until converged</source>
-        <translation>収束するまでゆっくり</translation>
+        <source>Play slowly until converged</source>
+        <translation>収束するまでゆっくり再生</translation>
     </message>
     <message>
         <source>Show magnifier</source>
@@ -708,8 +708,8 @@
         <translation>表示中のフレームから、現在の手法・パラメータ・色で追跡し直します。止めるには一時停止を押します</translation>
     </message>
     <message>
-        <source>Track again all frames whose results are from earlier settings</source>
-        <translation>以前の設定による結果が残っているフレームをすべて追跡し直します</translation>
+        <source>Track again every frame that was last tracked with earlier settings</source>
+        <translation>最後に以前の設定で追跡したフレームをすべて追跡し直します</translation>
     </message>
     <message>
         <source>Play the recording more slowly, down to 1/30 of the normal speed</source>
@@ -891,16 +891,16 @@
 <context>
     <name>AssessedRegions</name>
     <message>
-        <source>also matches the color</source>
-        <translation>この色にも一致</translation>
+        <source>also has the target&apos;s color</source>
+        <translation>ここもターゲットの色</translation>
     </message>
     <message>
-        <source>recognized as the target (if it is not, Ctrl+Shift-click it)</source>
-        <translation>ターゲットと認識（違う場合はそれを Ctrl+Shift+クリック）</translation>
+        <source>recognized as the target (if this is wrong, Ctrl+Shift-click here)</source>
+        <translation>ターゲットと認識（違う場合はここを Ctrl+Shift+クリック）</translation>
     </message>
     <message>
-        <source>some pixels match too</source>
-        <translation>一部のピクセルも一致</translation>
+        <source>some pixels also have the target&apos;s color</source>
+        <translation>一部のピクセルもターゲットの色</translation>
     </message>
 </context>
 <context>
@@ -958,20 +958,20 @@
         <translation>右下</translation>
     </message>
     <message>
-        <source>left side closer</source>
-        <translation>左側を近く</translation>
+        <source>left side closer to the camera</source>
+        <translation>左側をカメラの近くに</translation>
     </message>
     <message>
-        <source>right side closer</source>
-        <translation>右側を近く</translation>
+        <source>right side closer to the camera</source>
+        <translation>右側をカメラの近くに</translation>
     </message>
     <message>
-        <source>upper side closer</source>
-        <translation>上側を近く</translation>
+        <source>upper side closer to the camera</source>
+        <translation>上側をカメラの近くに</translation>
     </message>
     <message>
-        <source>lower side closer</source>
-        <translation>下側を近く</translation>
+        <source>lower side closer to the camera</source>
+        <translation>下側をカメラの近くに</translation>
     </message>
     <message>
         <source>facing the camera</source>
@@ -1106,12 +1106,12 @@
         <translation>%1(コーナーが少なすぎます:%2)</translation>
     </message>
     <message>
-        <source>%1 (blurred, edge width %2)</source>
+        <source>%1 (blurred: edges are %2 wide)</source>
         <translation>%1(ぼやけています。エッジの幅%2)</translation>
     </message>
     <message>
-        <source>%1 (too small, squares of %2)</source>
-        <translation>%1(小さすぎます。マスの大きさ%2)</translation>
+        <source>%1 (too small: squares are only %2 wide)</source>
+        <translation>%1(小さすぎます。マスの幅は%2だけです)</translation>
     </message>
     <message>
         <source>%1: no board was found in frames %2.</source>
@@ -1122,11 +1122,11 @@
         <translation>%1:フレーム%2とほかの%3フレームでボードが見つかりませんでした。</translation>
     </message>
     <message>
-        <source>The video of %1 is mirrored: it shows the board mirrored, but another camera shows it as it is.</source>
+        <source>The video of %1 is mirrored: it shows the board mirrored, but another camera shows the board the right way round.</source>
         <translation>%1の映像は左右反転しています。この映像ではボードが反転して写っていますが、別のカメラでは正しく写っています。</translation>
     </message>
     <message>
-        <source>The board or the video of %1 is mirrored: no camera shows the board as it is. Check whether writing in the images is readable.</source>
+        <source>The board or the video of %1 is mirrored: no camera shows the board the right way round. Check whether writing in the images is readable.</source>
         <translation>ボードまたは%1の映像が左右反転しています。ボードを正しく写しているカメラがありません。画像の中の文字が読めるか確認してください。</translation>
     </message>
 </context>
@@ -1212,16 +1212,16 @@
         <translation>±%1 %</translation>
     </message>
     <message>
-        <source>not measured yet (page Floor)</source>
-        <translation>未測定（ページ「床」）</translation>
+        <source>not measured yet (use the page Floor)</source>
+        <translation>未測定（ページ「床」で測定）</translation>
     </message>
     <message>
         <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
         <translation>キャリブレーションした空間内: 位置 %1、縮尺 %2、上方向 %3（それぞれ確率 95 %）。</translation>
     </message>
     <message>
-        <source>Outside it, up to %1 away: position ±%2 (extrapolated).</source>
-        <translation>その外側（%1 以内）では、位置 ±%2（外挿）。</translation>
+        <source>Outside the calibrated volume, up to %1 away: position ±%2 (extrapolated).</source>
+        <translation>キャリブレーションした空間の外側（%1 以内）では、位置 ±%2（外挿）。</translation>
     </message>
 </context>
 <context>
@@ -1342,7 +1342,7 @@
         <translation>露出時間 (0.1 ms)</translation>
     </message>
     <message>
-        <source>Lower rate in the dark</source>
+        <source>Lower frame rate in low light</source>
         <translation>暗所でフレームレートを下げる</translation>
     </message>
     <message>
@@ -1394,7 +1394,7 @@
         <translation>%1、毎秒 %2 枚</translation>
     </message>
     <message>
-        <source>%1 %2, %3 per second</source>
+        <source>%1 %2, %3 images per second</source>
         <translation>%1 %2、毎秒 %3 枚</translation>
     </message>
     <message>
@@ -1406,11 +1406,11 @@
         <translation>オフ</translation>
     </message>
     <message>
-        <source>on, exposure time by hand</source>
+        <source>on, manual exposure time</source>
         <translation>オン、露出時間は手動</translation>
     </message>
     <message>
-        <source>on, aperture by hand</source>
+        <source>on, manual aperture</source>
         <translation>オン、絞りは手動</translation>
     </message>
     <message>
@@ -1604,7 +1604,7 @@
         <translation>背景の %1 % もこの色です。</translation>
     </message>
     <message>
-        <source>One sample hardly matches the learned color: it resembles its surroundings, or it shows another object.</source>
+        <source>One sample hardly matches the learned color: the sample resembles its surroundings or shows another object.</source>
         <translation>学習した色にほとんど合わない見本があります。周囲と似ているか、別の物体を示しています。</translation>
     </message>
     <message>
@@ -1697,8 +1697,8 @@
         <translation>ほかの内容と合いません</translation>
     </message>
     <message>
-        <source>ended before its expected end</source>
-        <translation>予定の終わりより前に途切れました</translation>
+        <source>ends earlier than expected</source>
+        <translation>予定より早く終わっています</translation>
     </message>
     <message>
         <source>failed</source>
@@ -1812,20 +1812,20 @@
         <translation>上から見た粒子</translation>
     </message>
     <message>
-        <source>Particles in both images</source>
-        <translation>両画像の粒子</translation>
+        <source>Particles in both camera images</source>
+        <translation>両カメラ画像の粒子</translation>
     </message>
     <message>
-        <source>The cloud over time</source>
-        <translation>時間とともに動く雲</translation>
+        <source>The particle cloud over time</source>
+        <translation>時間とともに動く粒子の雲</translation>
     </message>
     <message>
         <source>Motion masks and motion likelihood</source>
         <translation>動きのマスクと動きの尤度</translation>
     </message>
     <message>
-        <source>Boxes: error, success and precision</source>
-        <translation>枠：誤差、成功率、精度</translation>
+        <source>Box tracking: error, success and precision</source>
+        <translation>枠の追跡：誤差、成功率、精度</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: two people meet, stop and walk back.</source>
@@ -1840,7 +1840,7 @@
         <translation>並んで歩く人</translation>
     </message>
     <message>
-        <source>People who cross</source>
+        <source>People whose paths cross</source>
         <translation>すれ違う人</translation>
     </message>
     <message>
@@ -1860,8 +1860,8 @@
         <translation>Barrera ら 2005：空間中のボール</translation>
     </message>
     <message>
-        <source>Sugandi et al. 2009: boxes in one camera</source>
-        <translation>Sugandi ら 2009：1 台のカメラでの枠</translation>
+        <source>Sugandi et al. 2009: boxes in the images of one camera</source>
+        <translation>Sugandi ら 2009：1 台のカメラの画像での枠</translation>
     </message>
     <message>
         <source>Mohedano et al. 2009: people</source>
@@ -2109,8 +2109,8 @@
         <translation>カメラをキャリブレーションするか、画像の中の枠を追跡する手法を選んでください。</translation>
     </message>
     <message>
-        <source>Check late_by of this camera in the project file; its unit is seconds.</source>
-        <translation>プロジェクトファイルで、このカメラの late_by を確かめてください。単位は秒です。</translation>
+        <source>In the project file, check the value of late_by for this camera. It is in seconds.</source>
+        <translation>プロジェクトファイルで、このカメラの late_by の値を確かめてください。単位は秒です。</translation>
     </message>
     <message>
         <source>Check that the camera sees the target, and check its exposure and white balance.</source>
@@ -2153,8 +2153,8 @@
         <translation>録画をコピーし直すか、それより前のフレームだけを使ってください。</translation>
     </message>
     <message>
-        <source>Correct late_by of this camera in the project file; its unit is seconds.</source>
-        <translation>プロジェクトファイルで、このカメラの late_by を直してください。単位は秒です。</translation>
+        <source>In the project file, correct the value of late_by for this camera. It is in seconds.</source>
+        <translation>プロジェクトファイルで、このカメラの late_by の値を直してください。単位は秒です。</translation>
     </message>
     <message>
         <source>Correct the file, or remove the key truth from the project file.</source>
@@ -2185,7 +2185,7 @@
         <translation>%1 のフレーム %2 を読み込めません: %3。</translation>
     </message>
     <message>
-        <source>Give every camera a table of times, or no camera.</source>
+        <source>Give a table of times to every camera, or to none.</source>
         <translation>すべてのカメラに時刻の表を指定するか、どのカメラにも指定しないでください。</translation>
     </message>
     <message>
@@ -2349,11 +2349,11 @@
         <translation>画像では、全ピクセルの %2 % がターゲット %1 の色です。</translation>
     </message>
     <message>
-        <source>The color of target %1 was found in none of the %2 images that were checked.</source>
+        <source>The color of target %1 was not found in any of the %2 checked images.</source>
         <translation>調べた %2 枚の画像のどれにも、ターゲット %1 の色が見つかりませんでした。</translation>
     </message>
     <message>
-        <source>The color of target %1 was found in none of the images of %2 that were checked.</source>
+        <source>The color of target %1 was not found in any of the checked images of %2.</source>
         <translation>%2 の調べた画像のどれにも、ターゲット %1 の色が見つかりませんでした。</translation>
     </message>
     <message>
@@ -2445,8 +2445,8 @@
         <translation>%1 の動画が途中で切れています: %2。</translation>
     </message>
     <message>
-        <source>There is room for results: %1 GB are free.</source>
-        <translation>結果を保存する空きがあります: %1 GB。</translation>
+        <source>There is enough disk space for results: %1 GB are free.</source>
+        <translation>結果を保存するディスクの空きは十分です: %1 GB。</translation>
     </message>
     <message>
         <source>Turn this camera toward the target, or calibrate it again.</source>
@@ -2706,11 +2706,11 @@
         <translation>テーブルや床タイルの長さなど、わかっている長さが 1 つ必要です。数分で最初の結果が得られます。</translation>
     </message>
     <message>
-        <source>You need a printed board that you can carry through the room. This way calibrates the lenses most accurately.</source>
+        <source>You need a printed board that you can carry through the room. This is the most accurate way to calibrate the lenses.</source>
         <translation>部屋の中を持ち運べる印刷したボードが必要です。レンズを最も正確にキャリブレーションできる方法です。</translation>
     </message>
     <message>
-        <source>You need rough camera positions and a ball to wave. This way gives the most accurate camera positions in a large room.</source>
+        <source>You need rough camera positions and a ball to wave. This is the most accurate way to find the camera positions in a large room.</source>
         <translation>カメラのおおよその位置と、振るためのボールが必要です。広い部屋でカメラの位置を最も正確に求められる方法です。</translation>
     </message>
     <message>
@@ -2718,7 +2718,7 @@
         <translation>これらのカメラと、この画像サイズのためのキャリブレーションファイルが必要です。</translation>
     </message>
     <message>
-        <source>Choose the file. If the file does not contain everything (for example, no unit), the dialog asks you for the rest. The dialog also shows how far each camera would move.</source>
+        <source>Choose the file. If something is missing in the file, such as the unit, the dialog asks you for it. The dialog also shows how far each camera would move.</source>
         <translation>ファイルを選びます。単位などファイルに含まれないものは、ダイアログが尋ねます。各カメラがどれだけ動くかも表示されます。</translation>
     </message>
     <message>
@@ -2778,7 +2778,7 @@
         <translation>カメラ %2 台中 %1 台が完了。最大誤差は %3。</translation>
     </message>
     <message>
-        <source>You need a tape measure and points that the cameras see: at least four for each camera, better six. This way suits cameras that are mounted in a room.</source>
+        <source>You need a tape measure and points that the cameras see: at least four for each camera, better six. Choose this for cameras that are mounted in a room.</source>
         <translation>巻き尺と、カメラに見える点が必要です。カメラごとに少なくとも 4 点、できれば 6 点です。部屋に固定したカメラに向いた方法です。</translation>
     </message>
 </context>
@@ -2789,8 +2789,8 @@
         <translation>%1台以上</translation>
     </message>
     <message>
-        <source>blank: fewer than two cameras</source>
-        <translation>空白：2台未満</translation>
+        <source>blank: seen by fewer than two cameras</source>
+        <translation>空白：見えるカメラが2台未満</translation>
     </message>
     <message>
         <source>Cameras that see a point</source>
@@ -2801,8 +2801,8 @@
         <translation>予想誤差（1 σ）</translation>
     </message>
     <message>
-        <source>blank: no camera</source>
-        <translation>空白：カメラなし</translation>
+        <source>blank: seen by no camera</source>
+        <translation>空白：見えるカメラなし</translation>
     </message>
 </context>
 <context>
@@ -3001,16 +3001,16 @@
         <translation>不在</translation>
     </message>
     <message>
-        <source>This page may not read from here.</source>
-        <translation>このページはここから読み取れません。</translation>
+        <source>Only pages from this server can read the results.</source>
+        <translation>結果を読み取れるのは、このサーバーのページだけです。</translation>
     </message>
     <message>
-        <source>Only GET is possible.</source>
-        <translation>GET のみ使用できます。</translation>
+        <source>Only GET requests are supported.</source>
+        <translation>GET リクエストのみ使用できます。</translation>
     </message>
     <message>
-        <source>There is only one page, at /.</source>
-        <translation>ページは / の 1 つだけです。</translation>
+        <source>This server has only one page: /.</source>
+        <translation>このサーバーのページは / だけです。</translation>
     </message>
 </context>
 <context>
@@ -3124,8 +3124,8 @@
         <translation>縦横比のシグマ</translation>
     </message>
     <message>
-        <source>Counts as hidden below</source>
-        <translation>これ未満で隠れたとみなす</translation>
+        <source>Min. color share</source>
+        <translation>色の最小割合</translation>
     </message>
     <message>
         <source>How far particles move at random along each axis between images, in multiples of the target size, in addition to their constant velocity.</source>
@@ -3648,7 +3648,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>似た物の位置</translation>
     </message>
     <message>
-        <source>%1 from a distractor</source>
+        <source>%1 away from a distractor</source>
         <translation>似た物から %1</translation>
     </message>
     <message>
@@ -3750,7 +3750,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>四辺を切り取ったもの</translation>
     </message>
     <message>
-        <source>cropped at the right and below</source>
+        <source>cropped at the right and at the bottom</source>
         <translation>右と下を切り取ったもの</translation>
     </message>
     <message>
@@ -3791,20 +3791,20 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>%1: %2 枚、%3、欠落 %4 枚、%5</translation>
     </message>
     <message>
-        <source>It contains %1 from before you pressed Record; memory was too small for more.</source>
-        <translation>開始前の %1 を含みます。メモリが足りず、それ以上は保持できませんでした。</translation>
+        <source>The take contains %1 from before you pressed Record. There was not enough memory for more.</source>
+        <translation>テイクは開始前の %1 を含みます。メモリが足りず、それ以上は保持できませんでした。</translation>
     </message>
     <message>
-        <source>It contains %1 from before you pressed Record.</source>
-        <translation>開始前の %1 を含みます。</translation>
+        <source>The take contains %1 from before you pressed Record.</source>
+        <translation>テイクは開始前の %1 を含みます。</translation>
     </message>
     <message>
-        <source>The run began before the take, so it cannot be tracked again from its beginning. Restart the run while you record to avoid this.</source>
+        <source>The run began before the take, so the run cannot be tracked again from its beginning. To avoid this, restart the run while you record.</source>
         <translation>実行はテイクより前に始まったため、最初からもう一度追跡することはできません。これを避けるには、録画中に実行を再開始してください。</translation>
     </message>
     <message>
-        <source>The take gives the results of the live run, to the last bit, in all %1 frames.</source>
-        <translation>テイクは全 %1 フレームで、ライブ実行の結果と最後のビットまで一致します。</translation>
+        <source>Tracking the take gives exactly the results of the live run in all %1 frames.</source>
+        <translation>テイクを追跡した結果は、全 %1 フレームでライブ実行の結果と完全に一致します。</translation>
     </message>
     <message>
         <source>%1 of %2 frames differ from the live run, the first one is frame %3. Positions differ by up to %4.</source>
@@ -3823,7 +3823,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>時間予算が設定されているため、結果はコンピューターの速度に左右されます。</translation>
     </message>
     <message>
-        <source>The images of %1 are stored with slightly other colors, because the camera sends them uncompressed.</source>
+        <source>The images of %1 are stored with slightly different colors, because the camera sends them uncompressed.</source>
         <translation>カメラが非圧縮で送るため、%1 の画像はわずかに異なる色で保存されています。</translation>
     </message>
 </context>
@@ -3871,8 +3871,8 @@ Effective sample size %8 of %9</source>
         <translation>修正済み</translation>
     </message>
     <message>
-        <source>from earlier settings</source>
-        <translation>以前の設定の結果</translation>
+        <source>tracked with earlier settings</source>
+        <translation>以前の設定で追跡</translation>
     </message>
     <message>
         <source>The state of each target appears here during tracking.</source>
@@ -4092,8 +4092,8 @@ Effective sample size %8 of %9</source>
         </translation>
     </message>
     <message>
-        <source>The cameras were calibrated before, and the motion in this recording is not enough to improve that calibration. Keep the old cameras.</source>
-        <translation>カメラはすでにキャリブレーションされており、この記録の動きではそのキャリブレーションを改善できません。以前のカメラを使ってください。</translation>
+        <source>The cameras were calibrated before, and the motion in this recording is not enough to improve that calibration. Keep the previous calibration.</source>
+        <translation>カメラはすでにキャリブレーションされており、この記録の動きではそのキャリブレーションを改善できません。以前のキャリブレーションを使ってください。</translation>
     </message>
     <message>
         <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old ones.</source>
@@ -4302,7 +4302,7 @@ Effective sample size %8 of %9</source>
         <translation>部屋の 3D 表示：カメラ、粒子、推定位置とその軌跡</translation>
     </message>
     <message>
-        <source>No 3D: %1</source>
+        <source>3D view not available: %1</source>
         <translation>3D 表示なし：%1</translation>
     </message>
 </context>
@@ -4455,12 +4455,12 @@ Effective sample size %8 of %9</source>
         <translation>表示中の画像でボードを検出しています…</translation>
     </message>
     <message>
-        <source>No camera sees the board %1 well enough. Show images in which it lies on the floor, or describe it on the page Board.</source>
-        <translation>ボード %1 が十分に写っているカメラがありません。ボードが床に置かれた画像を表示するか、「ボード」ページで指定してください。</translation>
+        <source>No camera sees the described board well enough: %1. Show images in which the board lies on the floor, or correct its description on the page Board.</source>
+        <translation>説明どおりのボードが十分に見えるカメラがありません: %1。ボードが床に置かれている画像を表示するか、「ボード」ページで説明を直してください。</translation>
     </message>
     <message>
-        <source>The cameras were changed meanwhile. Press the button again.</source>
-        <translation>その間にカメラが変更されました。もう一度ボタンを押してください。</translation>
+        <source>The floor was not set, because the cameras have changed in the meantime. Try again.</source>
+        <translation>その間にカメラが変更されたため、床は設定されませんでした。もう一度試してください。</translation>
     </message>
     <message>
         <source>Set the floor from the board</source>
@@ -4500,7 +4500,7 @@ Effective sample size %8 of %9</source>
         <translation>ボードの種類</translation>
     </message>
     <message>
-        <source>Squares per row, per column</source>
+        <source>Squares per row and column</source>
         <translation>マス目の数（横・縦）</translation>
     </message>
     <message>
@@ -4540,7 +4540,7 @@ Effective sample size %8 of %9</source>
         <translation>マーカーの辞書</translation>
     </message>
     <message>
-        <source>The dictionary of the markers that was chosen when the board was made</source>
+        <source>The marker dictionary that was chosen when the board was made</source>
         <translation>ボードを作ったときに選んだマーカーの辞書</translation>
     </message>
     <message>
@@ -4568,8 +4568,8 @@ Effective sample size %8 of %9</source>
         <translation>用紙</translation>
     </message>
     <message>
-        <source>%1 × %2 inner corners; for the command line:</source>
-        <translation>内側の角 %1 × %2。コマンドライン用:</translation>
+        <source>%1 × %2 inner corners. Description for the command line:</source>
+        <translation>内側の角 %1 × %2。コマンドライン用の記述:</translation>
     </message>
     <message>
         <source>Dictionary</source>
@@ -4592,7 +4592,7 @@ Effective sample size %8 of %9</source>
         <translation>OpenCV 4.6 より古いソフトウェアで作った、行数が偶数の ChArUco ボード用です。最初のマス目が白です</translation>
     </message>
     <message>
-        <source>Size of the paper. A board that is larger is split on several sheets</source>
+        <source>Size of the paper. A larger board is split over several sheets</source>
         <translation>用紙の大きさ。用紙より大きいボードは複数の用紙に分割されます</translation>
     </message>
 </context>
@@ -4702,7 +4702,7 @@ Effective sample size %8 of %9</source>
         <translation>%1がボードを見た場所</translation>
     </message>
     <message>
-        <source>Filled: regions and tilts in which the board was shown. Orange: what to show next. Green: the board in the current image</source>
+        <source>Filled: image regions and tilts in which the board was already shown. Orange: what to show next. Green: the board in the current image</source>
         <translation>塗り: ボードを見せた領域と傾き。オレンジ: 次に見せるもの。緑: 現在の画像のボード</translation>
     </message>
     <message>
@@ -10728,8 +10728,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>%1は大きくずれていました。補正で%2回転し、%3移動します。ほかのカメラよりはるかに大きな値です。キャリブレーションの後に動かしませんでしたか?</translation>
     </message>
     <message>
-        <source>The old cameras fit the images as well as the new ones. Keep the old ones, or wave longer and through more of the volume.</source>
-        <translation>以前のカメラも、新しいカメラと同じ程度に画像に合っています。以前のカメラを使うか、より長く、空間のより広い範囲で振ってください。</translation>
+        <source>The previous calibration fits the images as well as the new one. Keep the previous one, or wave longer and through more of the volume.</source>
+        <translation>以前のキャリブレーションも、新しいものと同じ程度に画像に合っています。以前のものを使うか、より長く、空間のより広い範囲で振ってください。</translation>
     </message>
 </context>
 <context>

@@ -26,7 +26,7 @@ const char* phrase(ErrorCode code) {
   case ErrorCode::Mismatch:
     return "does not match the other data";
   case ErrorCode::EndedEarly:
-    return "ended before its expected end";
+    return "ends earlier than expected";
   case ErrorCode::DeviceUnavailable:
     return "the camera cannot be opened";
   case ErrorCode::ConnectionLost:

@@ -128,7 +128,7 @@ std::vector<ActionDeclaration> runActions() {
        "rerun", Qt::CTRL | Qt::Key_R},
       {"actionTrackAgain", group, QT_TRANSLATE_NOOP("Actions", "Track again"),
        QT_TRANSLATE_NOOP("Actions",
-                         "Track again all frames whose results are from earlier settings"),
+                         "Track again every frame that was last tracked with earlier settings"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_R},
       {"actionSlower", group, QT_TRANSLATE_NOOP("Actions", "Slower"),
        QT_TRANSLATE_NOOP("Actions",
@@ -141,7 +141,7 @@ std::vector<ActionDeclaration> runActions() {
       {"actionNormalSpeed", group, QT_TRANSLATE_NOOP("Actions", "Normal speed"),
        QT_TRANSLATE_NOOP("Actions", "Play the recording as fast as it was filmed"), nullptr,
        Qt::Key_Backslash},
-      {"actionSlowStart", group, QT_TRANSLATE_NOOP("Actions", "Slow until converged"),
+      {"actionSlowStart", group, QT_TRANSLATE_NOOP("Actions", "Play slowly until converged"),
        QT_TRANSLATE_NOOP("Actions", "Play the first iterations of a run one by one, until every "
                                     "target is being tracked (five seconds at most)"),
        nullptr, Qt::SHIFT | Qt::Key_Space, true},

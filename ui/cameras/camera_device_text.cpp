@@ -35,7 +35,7 @@ constexpr std::array kControlWords{
     ControlWords{"exposure_time_absolute",
                  QT_TRANSLATE_NOOP("CameraDeviceText", "Exposure time (0.1 ms)")},
     ControlWords{"exposure_dynamic_framerate",
-                 QT_TRANSLATE_NOOP("CameraDeviceText", "Lower rate in the dark")},
+                 QT_TRANSLATE_NOOP("CameraDeviceText", "Lower frame rate in low light")},
     ControlWords{"white_balance_automatic",
                  QT_TRANSLATE_NOOP("CameraDeviceText", "Automatic white balance")},
     ControlWords{"white_balance_temperature",
@@ -114,7 +114,7 @@ QString formatSummary(const capture::CameraDevice& device) {
     formats << (size.rates.empty()
                     ? QStringLiteral("%1 %2").arg(QString::fromStdString(format.pixelFormat),
                                                   imageSizeText(size.width, size.height))
-                    : CameraDeviceText::tr("%1 %2, %3 per second")
+                    : CameraDeviceText::tr("%1 %2, %3 images per second")
                           .arg(QString::fromStdString(format.pixelFormat),
                                imageSizeText(size.width, size.height),
                                rateText(size.rates.front())));
@@ -153,9 +153,9 @@ QString menuItemText(const capture::DeviceControl& control, const capture::Contr
     case 1:
       return CameraDeviceText::tr("off");
     case 2:
-      return CameraDeviceText::tr("on, exposure time by hand");
+      return CameraDeviceText::tr("on, manual exposure time");
     case 3:
-      return CameraDeviceText::tr("on, aperture by hand");
+      return CameraDeviceText::tr("on, manual aperture");
     default:
       break;
     }

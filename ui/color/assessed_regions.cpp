@@ -27,13 +27,14 @@ ImagePickOverlay::Region regionOf(const std::vector<cv::Point>& outline, const Q
 std::map<int, std::vector<ImagePickOverlay::Region>>
 assessedRegions(const ColorAssessment& assessment, const std::vector<setup::FoundOutline>& found) {
   std::map<int, std::vector<ImagePickOverlay::Region>> regions;
-  const QString matches = assessment.isGood() ? AssessedRegions::tr("some pixels match too")
-                                              : AssessedRegions::tr("also matches the color");
+  const QString matches = assessment.isGood()
+                              ? AssessedRegions::tr("some pixels also have the target's color")
+                              : AssessedRegions::tr("also has the target's color");
   for (const DistractorRegion& region : assessment.distractors) {
     regions[region.camera].push_back(regionOf(region.outline, matches));
   }
   const QString also =
-      AssessedRegions::tr("recognized as the target (if it is not, Ctrl+Shift-click it)");
+      AssessedRegions::tr("recognized as the target (if this is wrong, Ctrl+Shift-click here)");
   for (const setup::FoundOutline& target : found) {
     auto& shown = regions[target.camera];
     const bool isSaid = std::ranges::any_of(

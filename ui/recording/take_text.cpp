@@ -98,14 +98,13 @@ QString preRollText(const TakeStatus& take) {
   const QString time = secondsText(take.preRoll, 1);
   const bool isShortened = std::ranges::any_of(
       take.cameras, [](const auto& camera) { return camera.preRoll.shortened; });
-  return isShortened
-             ? QCoreApplication::translate(
-                   "TakeText",
-                   "It contains %1 from before you pressed Record; memory was too small for more.")
-                   .arg(time)
-             : QCoreApplication::translate("TakeText",
-                                           "It contains %1 from before you pressed Record.")
-                   .arg(time);
+  return isShortened ? QCoreApplication::translate("TakeText",
+                                                   "The take contains %1 from before you pressed "
+                                                   "Record. There was not enough memory for more.")
+                           .arg(time)
+                     : QCoreApplication::translate(
+                           "TakeText", "The take contains %1 from before you pressed Record.")
+                           .arg(time);
 }
 
 QString replayText(const ReplayComparison& found) {
@@ -113,13 +112,12 @@ QString replayText(const ReplayComparison& found) {
   QStringList parts;
   if (found.framesBefore > 0) {
     parts += QCoreApplication::translate(
-        "TakeText",
-        "The run began before the take, so it cannot be tracked again from its beginning. "
-        "Restart the run while you record to avoid this.");
+        "TakeText", "The run began before the take, so the run cannot be tracked again from its "
+                    "beginning. To avoid this, restart the run while you record.");
   } else if (found.isSame()) {
     parts += QCoreApplication::translate(
                  "TakeText",
-                 "The take gives the results of the live run, to the last bit, in all %1 frames.")
+                 "Tracking the take gives exactly the results of the live run in all %1 frames.")
                  .arg(found.frames);
   } else {
     parts += QCoreApplication::translate(
@@ -150,10 +148,9 @@ QString replayText(const ReplayComparison& found) {
     for (const std::string& name : found.changedCameras) {
       names += QString::fromStdString(name);
     }
-    parts += QCoreApplication::translate(
-                 "TakeText",
-                 "The images of %1 are stored with slightly other colors, because the camera sends "
-                 "them uncompressed.")
+    parts += QCoreApplication::translate("TakeText",
+                                         "The images of %1 are stored with slightly different "
+                                         "colors, because the camera sends them uncompressed.")
                  .arg(names.join(QStringLiteral(", ")));
   }
   return parts.join(QLatin1Char(' '));

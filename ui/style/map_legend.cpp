@@ -41,9 +41,10 @@ std::vector<Entry> entries(const MapLook& look) {
     all.push_back({toColor(one.color), text});
     before = one.bound;
   }
-  all.push_back({QColor(), counts ? QCoreApplication::translate("MapLegend", "blank: no camera")
-                                  : QCoreApplication::translate("MapLegend",
-                                                                "blank: fewer than two cameras")});
+  all.push_back(
+      {QColor(),
+       counts ? QCoreApplication::translate("MapLegend", "blank: seen by no camera")
+              : QCoreApplication::translate("MapLegend", "blank: seen by fewer than two cameras")});
   return all;
 }
 

@@ -71,7 +71,7 @@ bool hasCalibrationSuffix(const QString& file) {
 std::vector<std::pair<QString, QVariant>> sizeFitChoices() {
   return {{SizeFitText::tr("the same as when calibrated"), {}},
           {SizeFitText::tr("cropped on all sides"), QStringLiteral("crop")},
-          {SizeFitText::tr("cropped at the right and below"), QStringLiteral("trim")},
+          {SizeFitText::tr("cropped at the right and at the bottom"), QStringLiteral("trim")},
           {SizeFitText::tr("scaled"), QStringLiteral("scale")},
           {SizeFitText::tr("rotated clockwise by 90°"), QStringLiteral("rotate-90")},
           {SizeFitText::tr("rotated clockwise by 270°"), QStringLiteral("rotate-270")}};

@@ -76,7 +76,7 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
           : unknown;
   const QString up = isKnown(accuracy.up95)
                          ? CalibrationText::tr("±%1").arg(angleAccuracyText(*accuracy.up95))
-                         : CalibrationText::tr("not measured yet (page Floor)");
+                         : CalibrationText::tr("not measured yet (use the page Floor)");
   const QString inside =
       CalibrationText::tr("In the calibrated volume: position %1, scale %2, upward direction %3 "
                           "(each with a probability of 95 %).")
@@ -85,7 +85,8 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
     return inside;
   }
   return inside + QLatin1Char(' ') +
-         CalibrationText::tr("Outside it, up to %1 away: position ±%2 (extrapolated).")
+         CalibrationText::tr(
+             "Outside the calibrated volume, up to %1 away: position ±%2 (extrapolated).")
              .arg(lengthText(accuracy.outsideDistance, LengthForm::TwoDigits),
                   lengthText(*accuracy.outside95, LengthForm::TwoDigits));
 }

@@ -121,8 +121,8 @@ QString colorAssessmentText(const ColorAssessment& assessment,
   }
   QStringList sentences{separationSentence(assessment.score()), sharesSentence(assessment)};
   if (assessment.sampleLeftOut) {
-    sentences << ColorText::tr("One sample hardly matches the learned color: it resembles its "
-                               "surroundings, or it shows another object.");
+    sentences << ColorText::tr("One sample hardly matches the learned color: the sample resembles "
+                               "its surroundings or shows another object.");
   }
   if (!assessment.distractors.empty()) {
     const DistractorRegion& region = assessment.distractors.front();

@@ -124,7 +124,8 @@ QString TimelineModel::describe(qint64 frame) const {
     }
   }
   if (isOld(frame)) {
-    text += QLatin1Char('\n') + QCoreApplication::translate("Timeline", "from earlier settings");
+    text += QLatin1Char('\n') +
+            QCoreApplication::translate("Timeline", "tracked with earlier settings");
   }
   for (std::size_t k = 0; k < record->targets.size(); ++k) {
     const FrameRecord::Entry& entry = record->targets[k];

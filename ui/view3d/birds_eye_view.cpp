@@ -163,7 +163,8 @@ void BirdsEyeView::paintEvent(QPaintEvent*) {
   if (picture_->image().isNull()) {
     painter.fillRect(rect(), palette().window());
     painter.setPen(palette().color(QPalette::WindowText));
-    const QString text = tr("No 3D: %1").arg(QString::fromStdString(picture_->failure()));
+    const QString text =
+        tr("3D view not available: %1").arg(QString::fromStdString(picture_->failure()));
     painter.drawText(rect().adjusted(kSpacing, kSpacing, -kSpacing, -kSpacing),
                      Qt::AlignCenter | Qt::TextWordWrap, text);
     return;

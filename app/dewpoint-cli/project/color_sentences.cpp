@@ -85,8 +85,8 @@ std::vector<std::string> describeAssessment(const ColorAssessment& assessment,
                     inPercent(*assessment.backgroundShareOfFullRange)));
   }
   if (assessment.sampleLeftOut) {
-    sentences.emplace_back("One sample hardly matches the learned color: it resembles its "
-                           "surroundings, or it shows another object.");
+    sentences.emplace_back("One sample hardly matches the learned color: the sample resembles its "
+                           "surroundings or shows another object.");
   }
   for (const DistractorRegion& region : assessment.distractors) {
     const cv::Point middle = (region.box.tl() + region.box.br()) / 2;

@@ -210,7 +210,7 @@ Status barreraFigure3(const ExperimentOptions& options) {
     return tl::make_unexpected(instants.error());
   }
   const CameraRig& rig = setup.cameras;
-  FigurePage page("Particles in both images (figure 3)", kSilent);
+  FigurePage page("Particles in both camera images (figure 3)", kSilent);
   std::vector<std::vector<std::string>> rows;
   InsideCounts inside;
   for (auto& [iteration, instant] : *instants) {

@@ -263,7 +263,7 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
 
 Status dynamicsFigure8(const ExperimentOptions& options) {
   const std::vector<int> instants{29, 32, 36, 42, 50, 69};
-  FigurePage page("The cloud over time (figure 8)",
+  FigurePage page("The particle cloud over time (figure 8)",
                   "Particles at iterations 29, 32, 36, 42, 50 and 69; the object jumps by 2 m "
                   "before iteration 30. Projected to the plane of the jump.");
   page.paragraph(chosen(kStartsBeside));

@@ -27,7 +27,7 @@ std::string_view experimentGroupTitle(ExperimentGroup group) {
   case ExperimentGroup::Barrera:
     return "Barrera et al. 2005: a ball in space";
   case ExperimentGroup::Sugandi:
-    return "Sugandi et al. 2009: boxes in one camera";
+    return "Sugandi et al. 2009: boxes in the images of one camera";
   case ExperimentGroup::Mohedano:
     return "Mohedano et al. 2009: people";
   case ExperimentGroup::People:
@@ -38,7 +38,7 @@ std::string_view experimentGroupTitle(ExperimentGroup group) {
 
 std::span<const FigureExperiment> figureExperiments() {
   static const std::array kAll{
-      FigureExperiment{"barrera-fig3", "Particles in both images",
+      FigureExperiment{"barrera-fig3", "Particles in both camera images",
                        "Barrera et al. 2005, figure 3: the particles projected into both cameras "
                        "while the cloud finds the ball.",
                        50, &intoFolder<&barreraFigure3>},
@@ -65,7 +65,7 @@ std::span<const FigureExperiment> figureExperiments() {
                        "Barrera et al. 2005, figure 7: the error after the jump of figure 6, for "
                        "motion sigmas from 0.001 to 0.3 m, drawn as an image.",
                        20, &intoFolder<&dynamicsFigure7>},
-      FigureExperiment{"dynamics-fig8", "The cloud over time",
+      FigureExperiment{"dynamics-fig8", "The particle cloud over time",
                        "Barrera et al. 2005, figure 8: the cloud in six iterations, with a small "
                        "and with a large motion sigma.",
                        1, &intoFolder<&dynamicsFigure8>},

@@ -100,7 +100,7 @@ std::span<const FigureExperiment> studyExperiments() {
   static const std::array kAll{
       FigureExperiment{
           .name = "sugandi-rmse",
-          .title = "Boxes: error, success and precision",
+          .title = "Box tracking: error, success and precision",
           .sentence =
               "Sugandi et al. 2009, section 4: compares method sugandi with 100 and with 300 "
               "particles, method histogram, and four trackers of OpenCV, all on the same clips.",
@@ -110,7 +110,7 @@ std::span<const FigureExperiment> studyExperiments() {
           .takesRecordings = true,
           .group = ExperimentGroup::Sugandi},
       sceneOfPeople(
-          "people-crossing", "People who cross",
+          "people-crossing", "People whose paths cross",
           "Mohedano et al. 2009: two people meet and walk on. A method that uses only motion may "
           "mix them up; color tells them apart if their clothes differ.",
           [](const ExperimentOptions& options) { return studyScenario("crossing", options); },

@@ -37,7 +37,7 @@ std::vector<ParameterDeclaration> declareHistogram() {
        "How much of the box's current colors is blended into the reference colors after each "
        "image; 0 keeps the colors of the first image.",
        false},
-      {"hidden_below", ParameterKind::Real, "Counts as hidden below", "", 0.0, 1.0, 0.05, 0.45,
+      {"hidden_below", ParameterKind::Real, "Min. color share", "", 0.0, 1.0, 0.05, 0.45,
        "The target counts as hidden and keeps its position if less than this share of its usual "
        "colors is found.",
        false},

@@ -42,7 +42,7 @@ int rowsOfLabel(int width, const QString& text) {
 
 TEST(PickMarks, ALongLabelOfARegionIsDivided) {
   const QString text =
-      QStringLiteral("recognized as the target (if it is not, Ctrl+Shift-click it)");
+      QStringLiteral("recognized as the target (if this is wrong, Ctrl+Shift-click here)");
   const int one = rowsOfLabel(2000, text);
   EXPECT_GT(one, 5);
   const double whole = QFontMetricsF(QFont()).horizontalAdvance(text);

@@ -18,8 +18,8 @@ QString labelAt(double separability) {
 }
 
 TEST(AssessedRegions, OfAGoodColorLittleMatchesElsewhere) {
-  EXPECT_EQ(labelAt(0.97), QStringLiteral("some pixels match too"));
-  EXPECT_EQ(labelAt(0.6), QStringLiteral("also matches the color"));
+  EXPECT_EQ(labelAt(0.97), QStringLiteral("some pixels also have the target's color"));
+  EXPECT_EQ(labelAt(0.6), QStringLiteral("also has the target's color"));
 }
 
 } // namespace

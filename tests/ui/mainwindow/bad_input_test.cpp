@@ -188,7 +188,7 @@ void BadInputTest::aTruncatedVideoKeepsWhatWasTracked() {
   openGood(changed("camera-1.mkv", "half.mkv"));
   window_->findChild<QAction*>("actionPlay")->trigger();
   QVERIFY(waitFor([this] { return window_->shown()->state == PlayState::Ended; }));
-  expectNotice({"half.mkv", "'camera 1'", "ended before"});
+  expectNotice({"half.mkv", "'camera 1'", "ends earlier"});
   QVERIFY(window_->shown()->frame > 3); // a quarter of half of 24 frames, at least, was tracked
 }
 

@@ -195,7 +195,7 @@ void BoardForm::retranslateUi() {
   name(kind_, tr("Kind of board"),
        tr("A ChArUco board may be partly hidden, or partly outside the image; a chessboard must be "
           "completely visible"));
-  squaresLabel_->setText(tr("Squares per row, per column"));
+  squaresLabel_->setText(tr("Squares per row and column"));
   name(columns_, tr("Squares in a row"),
        tr("Number of squares in a row, black and white together"));
   name(rows_, tr("Squares in a column"),
@@ -210,7 +210,7 @@ void BoardForm::retranslateUi() {
        tr("Length of one side of a marker, with its black border"));
   dictionaryLabel_->setText(tr("Dictionary"));
   name(dictionary_, tr("Dictionary of the markers"),
-       tr("The dictionary of the markers that was chosen when the board was made"));
+       tr("The marker dictionary that was chosen when the board was made"));
   legacy_->setText(tr("Legacy layout (even rows)"));
   legacy_->setToolTip(tr("For ChArUco boards with an even number of rows that were made with "
                          "software older than OpenCV 4.6: their first square is white"));
@@ -219,8 +219,7 @@ void BoardForm::retranslateUi() {
   print_->setText(tr("Print this board…"));
   print_->setToolTip(
       tr("Save the board as a PDF at its true size, with a scale bar to check with a ruler"));
-  name(paper_, tr("Paper"),
-       tr("Size of the paper. A board that is larger is split on several sheets"));
+  name(paper_, tr("Paper"), tr("Size of the paper. A larger board is split over several sheets"));
   refresh();
 }
 
@@ -249,7 +248,7 @@ void BoardForm::refresh() {
   legacy_->setChecked(board.legacy);
   inverted_->setChecked(board.inverted);
   summary_->setText(
-      tr("%1 × %2 inner corners; for the command line:")
+      tr("%1 × %2 inner corners. Description for the command line:")
           .arg(QString::number(board.cornerColumns()), QString::number(board.cornerRows())) +
       QLatin1Char('\n') + QString::fromStdString(boardText(board)));
 }

@@ -135,8 +135,8 @@ void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_
       tr("Time for which the board was held still in front of %1").arg(calibrator_.nameOf(camera)));
   row.map->setAccessibleName(
       tr("Positions in which %1 saw the board").arg(calibrator_.nameOf(camera)));
-  row.map->setToolTip(tr("Filled: regions and tilts in which the board was shown. Orange: what to "
-                         "show next. Green: the board in the current image"));
+  row.map->setToolTip(tr("Filled: image regions and tilts in which the board was already shown. "
+                         "Orange: what to show next. Green: the board in the current image"));
 }
 
 void BoardLive::retranslateUi() {

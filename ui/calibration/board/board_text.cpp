@@ -41,9 +41,11 @@ QString missReason(const QString& image, const BoardMiss& miss) {
   case BoardMiss::Reason::TooFewCorners:
     return BoardText::tr("%1 (too few corners: %2)").arg(image, QString::number(miss.corners));
   case BoardMiss::Reason::Blurred:
-    return BoardText::tr("%1 (blurred, edge width %2)").arg(image, pixelText(miss.edgeWidthPx, 0));
+    return BoardText::tr("%1 (blurred: edges are %2 wide)")
+        .arg(image, pixelText(miss.edgeWidthPx, 0));
   case BoardMiss::Reason::TooSmall:
-    return BoardText::tr("%1 (too small, squares of %2)").arg(image, pixelText(miss.squarePx, 0));
+    return BoardText::tr("%1 (too small: squares are only %2 wide)")
+        .arg(image, pixelText(miss.squarePx, 0));
   case BoardMiss::Reason::Unknown:
     break;
   }
@@ -137,13 +139,13 @@ QString regionText(int region) {
 QString tiltText(BoardTilt tilt) {
   switch (tilt) {
   case BoardTilt::LeftNear:
-    return BoardText::tr("left side closer");
+    return BoardText::tr("left side closer to the camera");
   case BoardTilt::RightNear:
-    return BoardText::tr("right side closer");
+    return BoardText::tr("right side closer to the camera");
   case BoardTilt::TopNear:
-    return BoardText::tr("upper side closer");
+    return BoardText::tr("upper side closer to the camera");
   case BoardTilt::BottomNear:
-    return BoardText::tr("lower side closer");
+    return BoardText::tr("lower side closer to the camera");
   case BoardTilt::Flat:
     break;
   }
@@ -254,12 +256,12 @@ QString mirroredQuestion(const BoardCalibrator& calibrator) {
   }
   const QString cameras = names.join(QStringLiteral(", "));
   return calibrator.mirrored().cause == MirroredVideos::Cause::Videos
-             ? BoardText::tr(
-                   "The video of %1 is mirrored: it shows the board mirrored, but another "
-                   "camera shows it as it is.")
+             ? BoardText::tr("The video of %1 is mirrored: it shows the board mirrored, but "
+                             "another camera shows the board the right way round.")
                    .arg(cameras)
-             : BoardText::tr("The board or the video of %1 is mirrored: no camera shows the board "
-                             "as it is. Check whether writing in the images is readable.")
+             : BoardText::tr(
+                   "The board or the video of %1 is mirrored: no camera shows the board the right "
+                   "way round. Check whether writing in the images is readable.")
                    .arg(cameras);
 }
 

@@ -68,19 +68,18 @@ WayText wayText(CalibrationWay way) {
             GuideText::tr("You need one known length, such as the length of a table or of a floor "
                           "tile. You get a first result within minutes.")};
   case CalibrationWay::Points:
-    return {
-        GuideText::tr("Measured points"),
-        GuideText::tr("You need a tape measure and points that the cameras see: at least four for "
-                      "each camera, better six. This way suits cameras that are mounted in a "
-                      "room.")};
+    return {GuideText::tr("Measured points"),
+            GuideText::tr(
+                "You need a tape measure and points that the cameras see: at least four for each "
+                "camera, better six. Choose this for cameras that are mounted in a room.")};
   case CalibrationWay::Board:
     return {GuideText::tr("Printed board"),
-            GuideText::tr("You need a printed board that you can carry through the room. This way "
-                          "calibrates the lenses most accurately.")};
+            GuideText::tr("You need a printed board that you can carry through the room. This is "
+                          "the most accurate way to calibrate the lenses.")};
   case CalibrationWay::Wand:
     return {GuideText::tr("Wand: a ball, or a stick with two balls"),
-            GuideText::tr("You need rough camera positions and a ball to wave. This way gives the "
-                          "most accurate camera positions in a large room.")};
+            GuideText::tr("You need rough camera positions and a ball to wave. This is the most "
+                          "accurate way to find the camera positions in a large room.")};
   case CalibrationWay::File:
     break;
   }
@@ -92,12 +91,11 @@ WayText wayText(CalibrationWay way) {
 StepText stepText(GuideStep step) {
   switch (step) {
   case GuideStep::ImportFile:
-    return {
-        GuideText::tr("File"), GuideText::tr("Import the file"),
-        GuideText::tr(
-            "Choose the file. If the file does not contain everything (for example, no unit), the "
-            "dialog asks you for the rest. The dialog also shows how far each camera would move."),
-        GuideText::tr("Import calibration…")};
+    return {GuideText::tr("File"), GuideText::tr("Import the file"),
+            GuideText::tr(
+                "Choose the file. If something is missing in the file, such as the unit, the "
+                "dialog asks you for it. The dialog also shows how far each camera would move."),
+            GuideText::tr("Import calibration…")};
   case GuideStep::PrintBoard:
     return {
         GuideText::tr("Print"), GuideText::tr("Print a board"),

@@ -192,8 +192,8 @@ void WandOutcome::showOutcome() {
     }
     if (isUnneeded(*found)) {
       notes << QStringLiteral("⚠ ") +
-                   tr("The old cameras fit the images as well as the new ones. Keep the old ones, "
-                      "or wave longer and through more of the volume.");
+                   tr("The previous calibration fits the images as well as the new one. Keep the "
+                      "previous one, or wave longer and through more of the volume.");
     }
     if (isKnownBetter(*found) && !isUnneeded(*found)) {
       notes << QStringLiteral("⚠ ") + knownBetterMessage(*found);

@@ -116,7 +116,7 @@ QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames) {
 QString knownBetterMessage(const WandRefinement& refinement) {
   if (!refinement.beforeError) {
     return WandText::tr("The cameras were calibrated before, and the motion in this recording is "
-                        "not enough to improve that calibration. Keep the old cameras.");
+                        "not enough to improve that calibration. Keep the previous calibration.");
   }
   return WandText::tr("The old camera positions are known more accurately (±%1) than the new ones "
                       "(±%2). Keep the old ones.")

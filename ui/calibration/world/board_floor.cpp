@@ -56,15 +56,17 @@ void BoardFloor::apply() {
 
 void BoardFloor::finish(const Project& searched, const Result<FloorFromBoard>& found) {
   if (!found) {
-    resultText_ = found.error().code == ErrorCode::NotFound
-                      ? tr("No camera sees the board %1 well enough. Show images in which it lies "
-                           "on the floor, or describe it on the page Board.")
-                            .arg(boardName())
-                      : errorText(found.error());
+    resultText_ =
+        found.error().code == ErrorCode::NotFound
+            ? tr("No camera sees the described board well enough: %1. Show images in which the "
+                 "board lies on the floor, or correct its description on the page Board.")
+                  .arg(boardName())
+            : errorText(found.error());
     return;
   }
   if (!(document_.project().cameras == searched.cameras)) {
-    resultText_ = tr("The cameras were changed meanwhile. Press the button again.");
+    resultText_ =
+        tr("The floor was not set, because the cameras have changed in the meantime. Try again.");
     return;
   }
   const auto edited = document_.edit(tr("Set the floor from the board"),
