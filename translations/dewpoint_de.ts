@@ -756,8 +756,8 @@
         <translation>Zeigen, wie wahrscheinlich jede Position um das Ziel ist. Kreise markieren Positionen, an denen das Verfahren das Ziel vermutet</translation>
     </message>
     <message>
-        <source>For each target, mark the particle with the highest weight (MAP) with a triangle, in all views</source>
-        <translation>Für jedes Ziel das Partikel mit dem höchsten Gewicht (MAP) mit einem Dreieck markieren, in allen Ansichten</translation>
+        <source>In all views, draw a triangle at the particle of each target that has the highest weight</source>
+        <translation>In allen Ansichten ein Dreieck an dem Partikel jedes Ziels zeichnen, das das höchste Gewicht hat</translation>
     </message>
     <message>
         <source>When a target&apos;s particles are too close together to tell apart, show them enlarged</source>
@@ -780,8 +780,8 @@
         <translation>Vogelperspektive in Perspektive; zum Drehen ziehen</translation>
     </message>
     <message>
-        <source>Position along x, y and z, with a band of plus and minus two standard deviations, and the truth if it is known</source>
-        <translation>Position entlang x, y und z, mit einem Band von plus und minus zwei Standardabweichungen, und die Wahrheit, wenn sie bekannt ist</translation>
+        <source>Position along x, y and z, with a band of plus and minus two standard deviations, and the true position if it is known</source>
+        <translation>Position entlang x, y und z, mit einem Band von plus und minus zwei Standardabweichungen, und die wahre Position, wenn sie bekannt ist</translation>
     </message>
     <message>
         <source>Time that one filter iteration takes for one target, in microseconds</source>
@@ -812,7 +812,7 @@
         <translation>Farben sperren</translation>
     </message>
     <message>
-        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <source>Switch off the automatic exposure, gain and white balance of all connected cameras, and keep the current values</source>
         <translation>Belichtung, Verstärkung und Weißabgleich aller angeschlossenen Kameras nicht mehr automatisch regeln und die jetzigen Werte behalten</translation>
     </message>
     <message>
@@ -828,7 +828,7 @@
         <translation>Nummer und Notizen der Aufnahme …</translation>
     </message>
     <message>
-        <source>Set number and notes of the next take, or notes of this one</source>
+        <source>Set the number and notes of the next take, or the notes of the current take</source>
         <translation>Nummer und Notizen der nächsten Aufnahme oder Notizen der laufenden festlegen</translation>
     </message>
     <message>
@@ -4000,24 +4000,24 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>WandSettings</name>
     <message>
-        <source>touches the floor</source>
-        <translation>berührt den Boden</translation>
+        <source>The ball touches the floor</source>
+        <translation>Der Ball berührt den Boden</translation>
     </message>
     <message>
-        <source>is at one end of the known distance</source>
-        <translation>ist am einen Ende der bekannten Strecke</translation>
+        <source>The ball is at one end of the known distance</source>
+        <translation>Der Ball ist am einen Ende der bekannten Strecke</translation>
     </message>
     <message>
-        <source>is at the other end of the known distance</source>
-        <translation>ist am anderen Ende der bekannten Strecke</translation>
+        <source>The ball is at the other end of the known distance</source>
+        <translation>Der Ball ist am anderen Ende der bekannten Strecke</translation>
     </message>
     <message>
-        <source>begins to fall</source>
-        <translation>beginnt zu fallen</translation>
+        <source>The ball begins to fall</source>
+        <translation>Der Ball beginnt zu fallen</translation>
     </message>
     <message>
-        <source>is still falling</source>
-        <translation>fällt noch</translation>
+        <source>The ball is still falling</source>
+        <translation>Der Ball fällt noch</translation>
     </message>
     <message>
         <source>At least two cameras must see the ball.</source>
@@ -5097,8 +5097,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>%1: mit dem exportierten Objektiv lassen sich %2 von 81 geprüften Richtungen nicht mehr ins Bild projizieren</translation>
     </message>
     <message>
-        <source>usual for the format</source>
-        <translation>wie im Format üblich</translation>
+        <source>default of the format</source>
+        <translation>Voreinstellung des Formats</translation>
     </message>
     <message>
         <source>No accuracy is lost: points are projected to the same pixels as before.</source>
@@ -5108,8 +5108,8 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::CalibrationFit</name>
     <message>
-        <source>The images are:</source>
-        <translation>Die Bilder sind:</translation>
+        <source>Images compared with the calibration:</source>
+        <translation>Bilder im Vergleich zur Kalibrierung:</translation>
     </message>
     <message>
         <source>How the images differ from those of the calibration, if they have another size</source>
@@ -5191,20 +5191,20 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Fuß</translation>
     </message>
     <message>
-        <source>k1 k2 p1 p2 of a pinhole</source>
-        <translation>k1 k2 p1 p2 einer Lochkamera</translation>
+        <source>k1 k2 p1 p2 (pinhole)</source>
+        <translation>k1 k2 p1 p2 (Lochkamera)</translation>
     </message>
     <message>
-        <source>k1 k2 k3 k4 of a fisheye</source>
-        <translation>k1 k2 k3 k4 eines Fischauges</translation>
+        <source>k1 k2 k3 k4 (fisheye)</source>
+        <translation>k1 k2 k3 k4 (Fischauge)</translation>
     </message>
     <message>
-        <source>camera from world</source>
-        <translation>Kamera aus Welt</translation>
+        <source>from world to camera</source>
+        <translation>von der Welt zur Kamera</translation>
     </message>
     <message>
-        <source>world from camera</source>
-        <translation>Welt aus Kamera</translation>
+        <source>from camera to world</source>
+        <translation>von der Kamera zur Welt</translation>
     </message>
     <message>
         <source>Format</source>
@@ -5247,8 +5247,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>If the file holds only one camera: the project camera that gets its calibration</source>
-        <translation>Wenn die Datei nur eine Kamera enthält: die Kamera des Projekts, die deren Kalibrierung erhält</translation>
+        <source>Project camera that gets the calibration, if the file contains only one camera</source>
+        <translation>Kamera des Projekts, die die Kalibrierung erhält, wenn die Datei nur eine Kamera enthält</translation>
     </message>
     <message>
         <source>The file does not contain everything. Set “%1” above.</source>
@@ -5311,8 +5311,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Kalibrierung anwenden</translation>
     </message>
     <message>
-        <source>usual for the format</source>
-        <translation>wie im Format üblich</translation>
+        <source>default of the format</source>
+        <translation>Voreinstellung des Formats</translation>
     </message>
     <message>
         <source>Lens model (4 coefficients)</source>
@@ -5799,14 +5799,14 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Die Videos haben verschiedene Bildraten: Bild N zeigt nicht in jedem denselben Zeitpunkt.</translation>
     </message>
     <message numerus="yes">
-        <source>Videos differ in length: using the first %n frames.</source>
+        <source>The videos differ in length: only the first %n frames are used.</source>
         <translation>
             <numerusform>Die Videos sind verschieden lang: Nur das erste Bild (%n) wird verwendet.</numerusform>
             <numerusform>Die Videos sind verschieden lang: Die ersten %n Bilder werden verwendet.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Videos differ in size: each camera keeps its own size.</source>
+        <source>The videos differ in size: each camera keeps its own size.</source>
         <translation>Die Videos sind verschieden groß: Jede Kamera behält ihre Größe.</translation>
     </message>
 </context>
@@ -5817,12 +5817,12 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Kameras – Dewpoint</translation>
     </message>
     <message>
-        <source>Switch to formats that fit</source>
-        <translation>Passende Formate verwenden</translation>
+        <source>Use formats that fit the bus</source>
+        <translation>Zum Bus passende Formate verwenden</translation>
     </message>
     <message>
-        <source>These formats fit: %1.</source>
-        <translation>Diese Formate passen: %1.</translation>
+        <source>These formats fit the USB bus: %1.</source>
+        <translation>Diese Formate passen zum USB-Bus: %1.</translation>
     </message>
 </context>
 <context>
@@ -5999,8 +5999,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Das Objekt anklicken oder einen Rahmen darum ziehen</translation>
     </message>
     <message>
-        <source>Tracked from its box in %1, frame %2: %3 × %4. This method needs no color. To set another box, press Box and click the object.</source>
-        <translation>Verfolgt ab seinem Rahmen in %1, Bild %2: %3 × %4. Dieses Verfahren braucht keine Farbe. Für einen anderen Rahmen drücken Sie „Rahmen“ und klicken das Objekt an.</translation>
+        <source>The target is tracked from its box in frame %2 of %1 (%3 × %4 pixels). This method needs no color. To set another box, press Box and click the object.</source>
+        <translation>Das Ziel wird ab seinem Rahmen in Bild %2 von %1 verfolgt (%3 × %4 Pixel). Dieses Verfahren braucht keine Farbe. Für einen anderen Rahmen drücken Sie „Rahmen“ und klicken das Objekt an.</translation>
     </message>
     <message>
         <source>Click the object or drag a box around it in any camera view.</source>
@@ -6077,7 +6077,7 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Gelernt aus</translation>
     </message>
     <message>
-        <source>Samples the color was learned from</source>
+        <source>Samples from which the color was learned</source>
         <translation>Proben, aus denen die Farbe gelernt wurde</translation>
     </message>
     <message>
@@ -6471,8 +6471,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Wie oft jeder Fall gerechnet wird, jedes Mal mit einer anderen Startzahl. Mehr Läufe dauern länger und liefern sicherere Ergebnisse.</translation>
     </message>
     <message>
-        <source>No program was found that shows the report. It is in %1.</source>
-        <translation>Es wurde kein Programm gefunden, das den Bericht anzeigt. Er liegt in %1.</translation>
+        <source>No program was found that can show the report. The report is in %1.</source>
+        <translation>Es wurde kein Programm gefunden, das den Bericht anzeigen kann. Der Bericht liegt in %1.</translation>
     </message>
 </context>
 <context>
@@ -6713,8 +6713,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>%1 (bei diesem Format üblich)</translation>
     </message>
     <message>
-        <source>tracked to %1</source>
-        <translation>verfolgt bis %1</translation>
+        <source>tracked only up to %1</source>
+        <translation>nur bis %1 verfolgt</translation>
     </message>
 </context>
 <context>
@@ -6739,7 +6739,7 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Helligkeit der Pixel des Ziels</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars are drawn in the color of text.</source>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars have the same color as the text.</source>
         <translation>Helligkeit der Pixel des Ziels, von Schwarz links bis Weiß rechts. Pixel, die zu dunkel oder überbelichtet sind, haben ihre Farbe verloren. Ihre Balken haben die Farbe des Textes.</translation>
     </message>
 </context>
@@ -6795,7 +6795,7 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Format</translation>
     </message>
     <message>
-        <source>Format in which the device sends its images. Compressed formats, such as MJPG, need less of the USB bus</source>
+        <source>Format in which the device sends its images. Compressed formats, such as MJPG, use less of the bandwidth of the USB bus</source>
         <translation>Format, in dem das Gerät seine Bilder sendet. Komprimierte Formate wie MJPG belasten den USB-Bus weniger</translation>
     </message>
     <message>
@@ -6803,7 +6803,7 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Size of the images, pixels</source>
+        <source>Size of the images, in pixels</source>
         <translation>Größe der Bilder in Pixeln</translation>
     </message>
     <message>
@@ -7712,12 +7712,12 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>Ausgänge – Dewpoint</translation>
     </message>
     <message>
-        <source>Where results go while a run lasts. Nothing is sent before you choose Run › Send results.</source>
-        <translation>Wohin Ergebnisse während eines Laufs gehen. Gesendet wird erst, wenn Sie Lauf › Ergebnisse senden wählen.</translation>
+        <source>Choose where results are sent during a run. Nothing is sent before you choose Run › Send results.</source>
+        <translation>Wählen Sie, wohin Ergebnisse während eines Laufs gesendet werden. Gesendet wird erst, wenn Sie Lauf › Ergebnisse senden wählen.</translation>
     </message>
     <message>
-        <source>JSON lines, TCP port</source>
-        <translation>JSON-Zeilen, TCP-Port</translation>
+        <source>TCP port for JSON lines</source>
+        <translation>TCP-Port für JSON-Zeilen</translation>
     </message>
     <message>
         <source>Programs that connect to this port get one line of JSON for each frame</source>
@@ -7728,8 +7728,8 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>TCP-Port</translation>
     </message>
     <message>
-        <source>WebSocket and web page, port</source>
-        <translation>WebSocket und Webseite, Port</translation>
+        <source>Port for WebSocket and web page</source>
+        <translation>Port für WebSocket und Webseite</translation>
     </message>
     <message>
         <source>Port of a web page that shows the targets in a browser. At the same port, programs get the results through a WebSocket</source>
@@ -7788,8 +7788,8 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>Einheit der gesendeten Positionen</translation>
     </message>
     <message>
-        <source>Frames per second, at most</source>
-        <translation>Höchstens Bilder pro Sekunde</translation>
+        <source>Max. frames per second</source>
+        <translation>Max. Bilder pro Sekunde</translation>
     </message>
     <message>
         <source>Largest number of frames per second that are sent. 0: all frames</source>
@@ -8692,7 +8692,7 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Farben sperren</translation>
     </message>
     <message>
-        <source>Switch the automatic exposure, gain and white balance of this camera off, and keep the present values</source>
+        <source>Switch off the automatic exposure, gain and white balance of this camera, and keep the current values</source>
         <translation>Belichtung, Verstärkung und Weißabgleich dieser Kamera nicht mehr automatisch regeln und die jetzigen Werte behalten</translation>
     </message>
     <message>
@@ -8700,7 +8700,7 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Alle Kameras sperren</translation>
     </message>
     <message>
-        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <source>Switch off the automatic exposure, gain and white balance of all connected cameras, and keep the current values</source>
         <translation>Belichtung, Verstärkung und Weißabgleich aller angeschlossenen Kameras nicht mehr automatisch regeln und die jetzigen Werte behalten</translation>
     </message>
     <message>
@@ -8946,8 +8946,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
 <context>
     <name>dewpoint::ui::RunDetails</name>
     <message>
-        <source>median %1, 99 % of them at most %2, longest %3</source>
-        <translation>Median %1, 99 % davon höchstens %2, längste %3</translation>
+        <source>median %1, 99 % at most %2, longest %3</source>
+        <translation>Median %1, 99 % höchstens %2, längste %3</translation>
     </message>
     <message>
         <source>not set</source>
@@ -9002,16 +9002,16 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Median: Aufnahme %1 · Dekodieren %2 · Warten %3 · Rechnen %4 · Zeichnen %5</translation>
     </message>
     <message>
-        <source>Counted from the arrival of the image where a camera does not report capture times</source>
-        <translation>Ab der Ankunft des Bildes gezählt, wo eine Kamera keine Aufnahmezeiten meldet</translation>
+        <source>If a camera does not report capture times, the time is counted from the arrival of its image</source>
+        <translation>Meldet eine Kamera keine Aufnahmezeiten, wird die Zeit ab der Ankunft ihres Bildes gezählt</translation>
     </message>
     <message>
         <source>Time from light to estimate</source>
         <translation>Zeit vom Licht bis zur Schätzung</translation>
     </message>
     <message>
-        <source>Memory for going back</source>
-        <translation>Speicher für den Rückblick</translation>
+        <source>Memory for earlier frames</source>
+        <translation>Speicher für frühere Bilder</translation>
     </message>
     <message>
         <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
@@ -9033,8 +9033,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Neu beginnen</translation>
     </message>
     <message>
-        <source>Use image size</source>
-        <translation>Größe der Bilder übernehmen</translation>
+        <source>Use image size of the cameras</source>
+        <translation>Bildgröße der Kameras übernehmen</translation>
     </message>
     <message>
         <source>The recording has ended. Track it again from the beginning? The results so far will be lost.</source>
@@ -9526,8 +9526,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>nächste freie Nummer</translation>
     </message>
     <message>
-        <source>Number of the take and of its folder. It counts up by itself.</source>
-        <translation>Nummer der Aufnahme und ihres Ordners. Sie zählt von selbst weiter.</translation>
+        <source>Number of the take and of its folder. The number increases by itself with each take.</source>
+        <translation>Nummer der Aufnahme und ihres Ordners. Die Nummer erhöht sich mit jeder Aufnahme von selbst.</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -9707,8 +9707,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>automatisch</translation>
     </message>
     <message>
-        <source>Number of threads of the filter; it does not change the results</source>
-        <translation>Zahl der Threads des Filters; sie ändert die Ergebnisse nicht</translation>
+        <source>Number of threads that compute the filter. The results do not depend on it</source>
+        <translation>Zahl der Threads, die den Filter berechnen. Die Ergebnisse hängen nicht davon ab</translation>
     </message>
     <message>
         <source>The new number is used from the next frame.</source>
@@ -9756,10 +9756,6 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
 </context>
 <context>
     <name>dewpoint::ui::TouchedInstantList</name>
-    <message>
-        <source>The ball %1</source>
-        <translation>Der Ball %1</translation>
-    </message>
     <message>
         <source>What the ball does at this time</source>
         <translation>Was der Ball zu diesem Zeitpunkt tut</translation>
@@ -10011,12 +10007,12 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Flächen um gute und brauchbare Bereiche</translation>
     </message>
     <message>
-        <source>Volume from x, y, z</source>
-        <translation>Raum von x, y, z</translation>
+        <source>Volume: minimum x, y, z</source>
+        <translation>Raum: kleinste x, y, z</translation>
     </message>
     <message>
-        <source>to x, y, z</source>
-        <translation>bis x, y, z</translation>
+        <source>Volume: maximum x, y, z</source>
+        <translation>Raum: größte x, y, z</translation>
     </message>
     <message>
         <source>Minimum %1 of the map&apos;s volume</source>
@@ -10027,8 +10023,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Größter Wert von %1 im Raum der Karte</translation>
     </message>
     <message>
-        <source>Use reference grid</source>
-        <translation>Bezugsgitter verwenden</translation>
+        <source>Set from reference grid</source>
+        <translation>Aus Bezugsgitter setzen</translation>
     </message>
     <message>
         <source>Use the volume above the reference grid, up to the highest camera</source>
@@ -10194,16 +10190,16 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Von</translation>
     </message>
     <message>
-        <source>First time to show, 0 to 1,000,000 s</source>
-        <translation>Erste gezeigte Zeit, 0 bis 1.000.000 s</translation>
+        <source>Time in the recording at which the video begins, 0 to 1,000,000 s</source>
+        <translation>Zeit in der Aufnahme, bei der das Video beginnt, 0 bis 1.000.000 s</translation>
     </message>
     <message>
         <source>To</source>
         <translation>Bis</translation>
     </message>
     <message>
-        <source>Last time to show, 0 to 1,000,000 s. The end is the last tracked frame; later frames have no results</source>
-        <translation>Letzte gezeigte Zeit, 0 bis 1.000.000 s. Das Ende ist der letzte verfolgte Frame; spätere Frames haben keine Ergebnisse</translation>
+        <source>Time in the recording at which the video ends, 0 to 1,000,000 s. The end is the last tracked frame; later frames have no results</source>
+        <translation>Zeit in der Aufnahme, bei der das Video endet, 0 bis 1.000.000 s. Das Ende ist das letzte verfolgte Bild; spätere Bilder haben keine Ergebnisse</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -10370,12 +10366,12 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
 <context>
     <name>dewpoint::ui::VolumeForm</name>
     <message>
-        <source>From X, Y, Z</source>
-        <translation>Von X, Y, Z</translation>
+        <source>Minimum X, Y, Z</source>
+        <translation>Kleinste X, Y, Z</translation>
     </message>
     <message>
-        <source>To X, Y, Z</source>
-        <translation>Bis X, Y, Z</translation>
+        <source>Maximum X, Y, Z</source>
+        <translation>Größte X, Y, Z</translation>
     </message>
     <message>
         <source>Minimum %1 of the volume of interest</source>

@@ -88,10 +88,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Videos differ in length: using the first %n frames.</source>
+        <source>The videos differ in length: only the first %n frames are used.</source>
         <translation>
-            <numerusform>Videos differ in length: using the first %n frame.</numerusform>
-            <numerusform>Videos differ in length: using the first %n frames.</numerusform>
+            <numerusform>The videos differ in length: only the first frame (%n) is used.</numerusform>
+            <numerusform>The videos differ in length: only the first %n frames are used.</numerusform>
         </translation>
     </message>
 </context>

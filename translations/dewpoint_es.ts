@@ -756,8 +756,8 @@
         <translation>Mostrar la verosimilitud de cada posición alrededor del objetivo. Los círculos marcan posiciones en las que el método supone que puede estar el objetivo</translation>
     </message>
     <message>
-        <source>For each target, mark the particle with the highest weight (MAP) with a triangle, in all views</source>
-        <translation>Marcar con un triángulo, en todas las vistas, la partícula de mayor peso (MAP) de cada objetivo</translation>
+        <source>In all views, draw a triangle at the particle of each target that has the highest weight</source>
+        <translation>Dibujar en todas las vistas un triángulo en la partícula de mayor peso de cada objetivo</translation>
     </message>
     <message>
         <source>When a target&apos;s particles are too close together to tell apart, show them enlarged</source>
@@ -780,8 +780,8 @@
         <translation>Vista de pájaro en perspectiva; arrastre para girarla</translation>
     </message>
     <message>
-        <source>Position along x, y and z, with a band of plus and minus two standard deviations, and the truth if it is known</source>
-        <translation>Posición en x, y y z, con una banda de más y menos dos desviaciones típicas, y la verdad si se conoce</translation>
+        <source>Position along x, y and z, with a band of plus and minus two standard deviations, and the true position if it is known</source>
+        <translation>Posición en x, y y z, con una banda de más y menos dos desviaciones típicas, y la posición verdadera si se conoce</translation>
     </message>
     <message>
         <source>Time that one filter iteration takes for one target, in microseconds</source>
@@ -812,7 +812,7 @@
         <translation>Fijar colores</translation>
     </message>
     <message>
-        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <source>Switch off the automatic exposure, gain and white balance of all connected cameras, and keep the current values</source>
         <translation>Desactivar la exposición, la ganancia y el balance de blancos automáticos de todas las cámaras conectadas y conservar los valores actuales</translation>
     </message>
     <message>
@@ -828,7 +828,7 @@
         <translation>Número y notas de la toma…</translation>
     </message>
     <message>
-        <source>Set number and notes of the next take, or notes of this one</source>
+        <source>Set the number and notes of the next take, or the notes of the current take</source>
         <translation>Fijar el número y las notas de la próxima toma, o las notas de la actual</translation>
     </message>
     <message>
@@ -4000,24 +4000,24 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>WandSettings</name>
     <message>
-        <source>touches the floor</source>
-        <translation>toca el suelo</translation>
+        <source>The ball touches the floor</source>
+        <translation>La pelota toca el suelo</translation>
     </message>
     <message>
-        <source>is at one end of the known distance</source>
-        <translation>está en un extremo de la distancia conocida</translation>
+        <source>The ball is at one end of the known distance</source>
+        <translation>La pelota está en un extremo de la distancia conocida</translation>
     </message>
     <message>
-        <source>is at the other end of the known distance</source>
-        <translation>está en el otro extremo de la distancia conocida</translation>
+        <source>The ball is at the other end of the known distance</source>
+        <translation>La pelota está en el otro extremo de la distancia conocida</translation>
     </message>
     <message>
-        <source>begins to fall</source>
-        <translation>empieza a caer</translation>
+        <source>The ball begins to fall</source>
+        <translation>La pelota empieza a caer</translation>
     </message>
     <message>
-        <source>is still falling</source>
-        <translation>todavía cae</translation>
+        <source>The ball is still falling</source>
+        <translation>La pelota todavía cae</translation>
     </message>
     <message>
         <source>At least two cameras must see the ball.</source>
@@ -5097,8 +5097,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>%1: con la lente exportada, %2 de 81 direcciones probadas ya no se pueden proyectar en la imagen</translation>
     </message>
     <message>
-        <source>usual for the format</source>
-        <translation>lo habitual en el formato</translation>
+        <source>default of the format</source>
+        <translation>valor habitual del formato</translation>
     </message>
     <message>
         <source>No accuracy is lost: points are projected to the same pixels as before.</source>
@@ -5108,8 +5108,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::CalibrationFit</name>
     <message>
-        <source>The images are:</source>
-        <translation>Las imágenes son:</translation>
+        <source>Images compared with the calibration:</source>
+        <translation>Imágenes respecto a la calibración:</translation>
     </message>
     <message>
         <source>How the images differ from those of the calibration, if they have another size</source>
@@ -5191,20 +5191,20 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>pies</translation>
     </message>
     <message>
-        <source>k1 k2 p1 p2 of a pinhole</source>
-        <translation>k1 k2 p1 p2 de una estenopeica</translation>
+        <source>k1 k2 p1 p2 (pinhole)</source>
+        <translation>k1 k2 p1 p2 (estenopeica)</translation>
     </message>
     <message>
-        <source>k1 k2 k3 k4 of a fisheye</source>
-        <translation>k1 k2 k3 k4 de un ojo de pez</translation>
+        <source>k1 k2 k3 k4 (fisheye)</source>
+        <translation>k1 k2 k3 k4 (ojo de pez)</translation>
     </message>
     <message>
-        <source>camera from world</source>
-        <translation>cámara desde mundo</translation>
+        <source>from world to camera</source>
+        <translation>del mundo a la cámara</translation>
     </message>
     <message>
-        <source>world from camera</source>
-        <translation>mundo desde cámara</translation>
+        <source>from camera to world</source>
+        <translation>de la cámara al mundo</translation>
     </message>
     <message>
         <source>Format</source>
@@ -5247,8 +5247,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Cámara</translation>
     </message>
     <message>
-        <source>If the file holds only one camera: the project camera that gets its calibration</source>
-        <translation>Si el archivo contiene una sola cámara: la cámara del proyecto que recibe su calibración</translation>
+        <source>Project camera that gets the calibration, if the file contains only one camera</source>
+        <translation>Cámara del proyecto que recibe la calibración, si el archivo contiene una sola cámara</translation>
     </message>
     <message>
         <source>The file does not contain everything. Set “%1” above.</source>
@@ -5311,8 +5311,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Aplicar calibración</translation>
     </message>
     <message>
-        <source>usual for the format</source>
-        <translation>lo habitual en el formato</translation>
+        <source>default of the format</source>
+        <translation>valor habitual del formato</translation>
     </message>
     <message>
         <source>Lens model (4 coefficients)</source>
@@ -5799,14 +5799,14 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Los vídeos tienen distinta frecuencia de fotogramas: el fotograma N no muestra el mismo instante en todos.</translation>
     </message>
     <message numerus="yes">
-        <source>Videos differ in length: using the first %n frames.</source>
+        <source>The videos differ in length: only the first %n frames are used.</source>
         <translation>
             <numerusform>Los vídeos tienen distinta duración: se usa el primer fotograma (%n).</numerusform>
             <numerusform>Los vídeos tienen distinta duración: se usan los primeros %n fotogramas.</numerusform>
         </translation>
     </message>
     <message>
-        <source>Videos differ in size: each camera keeps its own size.</source>
+        <source>The videos differ in size: each camera keeps its own size.</source>
         <translation>Los vídeos tienen distinto tamaño: cada cámara conserva el suyo.</translation>
     </message>
 </context>
@@ -5817,12 +5817,12 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Cámaras – Dewpoint</translation>
     </message>
     <message>
-        <source>Switch to formats that fit</source>
-        <translation>Usar formatos que caben</translation>
+        <source>Use formats that fit the bus</source>
+        <translation>Usar formatos que caben en el bus</translation>
     </message>
     <message>
-        <source>These formats fit: %1.</source>
-        <translation>Estos formatos caben: %1.</translation>
+        <source>These formats fit the USB bus: %1.</source>
+        <translation>Estos formatos caben en el bus USB: %1.</translation>
     </message>
 </context>
 <context>
@@ -5999,8 +5999,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Haga clic en el objeto o dibuje un recuadro a su alrededor</translation>
     </message>
     <message>
-        <source>Tracked from its box in %1, frame %2: %3 × %4. This method needs no color. To set another box, press Box and click the object.</source>
-        <translation>Se sigue desde su recuadro en %1, fotograma %2: %3 × %4. Este método no necesita color. Para otro recuadro, pulse Recuadro y haga clic en el objeto.</translation>
+        <source>The target is tracked from its box in frame %2 of %1 (%3 × %4 pixels). This method needs no color. To set another box, press Box and click the object.</source>
+        <translation>El objetivo se sigue desde su recuadro en el fotograma %2 de %1 (%3 × %4 píxeles). Este método no necesita color. Para otro recuadro, pulse Recuadro y haga clic en el objeto.</translation>
     </message>
     <message>
         <source>Click the object or drag a box around it in any camera view.</source>
@@ -6077,7 +6077,7 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Aprendido de</translation>
     </message>
     <message>
-        <source>Samples the color was learned from</source>
+        <source>Samples from which the color was learned</source>
         <translation>Muestras de las que se aprendió el color</translation>
     </message>
     <message>
@@ -6471,8 +6471,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Cuántas veces se ejecuta cada caso, cada vez con otra semilla. Más ejecuciones tardan más y dan resultados más seguros.</translation>
     </message>
     <message>
-        <source>No program was found that shows the report. It is in %1.</source>
-        <translation>No se encontró ningún programa que muestre el informe. Está en %1.</translation>
+        <source>No program was found that can show the report. The report is in %1.</source>
+        <translation>No se encontró ningún programa que pueda mostrar el informe. El informe está en %1.</translation>
     </message>
 </context>
 <context>
@@ -6713,8 +6713,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>%1 (habitual en este formato)</translation>
     </message>
     <message>
-        <source>tracked to %1</source>
-        <translation>seguido hasta %1</translation>
+        <source>tracked only up to %1</source>
+        <translation>seguido solo hasta %1</translation>
     </message>
 </context>
 <context>
@@ -6739,7 +6739,7 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Brillo de los píxeles del objetivo</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars are drawn in the color of text.</source>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars have the same color as the text.</source>
         <translation>Brillo de los píxeles del objetivo, de negro a la izquierda a blanco a la derecha. Los píxeles demasiado oscuros o sobreexpuestos han perdido su color. Sus barras tienen el color del texto.</translation>
     </message>
 </context>
@@ -6795,15 +6795,15 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Formato</translation>
     </message>
     <message>
-        <source>Format in which the device sends its images. Compressed formats, such as MJPG, need less of the USB bus</source>
-        <translation>Formato en que el dispositivo envía sus imágenes. Los formatos comprimidos, como MJPG, ocupan menos el bus USB</translation>
+        <source>Format in which the device sends its images. Compressed formats, such as MJPG, use less of the bandwidth of the USB bus</source>
+        <translation>Formato en que el dispositivo envía sus imágenes. Los formatos comprimidos, como MJPG, ocupan menos ancho de banda del bus USB</translation>
     </message>
     <message>
         <source>Size</source>
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>Size of the images, pixels</source>
+        <source>Size of the images, in pixels</source>
         <translation>Tamaño de las imágenes en píxeles</translation>
     </message>
     <message>
@@ -7712,12 +7712,12 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>Salidas – Dewpoint</translation>
     </message>
     <message>
-        <source>Where results go while a run lasts. Nothing is sent before you choose Run › Send results.</source>
-        <translation>Adónde van los resultados durante una ejecución. No se envía nada hasta que elija Ejecución › Enviar resultados.</translation>
+        <source>Choose where results are sent during a run. Nothing is sent before you choose Run › Send results.</source>
+        <translation>Elija adónde se envían los resultados durante una ejecución. No se envía nada hasta que elija Ejecución › Enviar resultados.</translation>
     </message>
     <message>
-        <source>JSON lines, TCP port</source>
-        <translation>Líneas JSON, puerto TCP</translation>
+        <source>TCP port for JSON lines</source>
+        <translation>Puerto TCP para líneas JSON</translation>
     </message>
     <message>
         <source>Programs that connect to this port get one line of JSON for each frame</source>
@@ -7728,8 +7728,8 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>Puerto TCP</translation>
     </message>
     <message>
-        <source>WebSocket and web page, port</source>
-        <translation>WebSocket y página web, puerto</translation>
+        <source>Port for WebSocket and web page</source>
+        <translation>Puerto para WebSocket y página web</translation>
     </message>
     <message>
         <source>Port of a web page that shows the targets in a browser. At the same port, programs get the results through a WebSocket</source>
@@ -7788,8 +7788,8 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>Unidad de las posiciones que se envían</translation>
     </message>
     <message>
-        <source>Frames per second, at most</source>
-        <translation>Fotogramas por segundo, como máximo</translation>
+        <source>Max. frames per second</source>
+        <translation>Máx. de fotogramas por segundo</translation>
     </message>
     <message>
         <source>Largest number of frames per second that are sent. 0: all frames</source>
@@ -8692,7 +8692,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Fijar colores</translation>
     </message>
     <message>
-        <source>Switch the automatic exposure, gain and white balance of this camera off, and keep the present values</source>
+        <source>Switch off the automatic exposure, gain and white balance of this camera, and keep the current values</source>
         <translation>Desactivar la exposición, la ganancia y el balance de blancos automáticos de esta cámara y conservar los valores actuales</translation>
     </message>
     <message>
@@ -8700,7 +8700,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Fijar todas las cámaras</translation>
     </message>
     <message>
-        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <source>Switch off the automatic exposure, gain and white balance of all connected cameras, and keep the current values</source>
         <translation>Desactivar la exposición, la ganancia y el balance de blancos automáticos de todas las cámaras conectadas y conservar los valores actuales</translation>
     </message>
     <message>
@@ -8946,7 +8946,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
 <context>
     <name>dewpoint::ui::RunDetails</name>
     <message>
-        <source>median %1, 99 % of them at most %2, longest %3</source>
+        <source>median %1, 99 % at most %2, longest %3</source>
         <translation>mediana %1, el 99 % como mucho %2, máximo %3</translation>
     </message>
     <message>
@@ -9002,16 +9002,16 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Mediana: captura %1 · decodificación %2 · espera %3 · cálculo %4 · dibujo %5</translation>
     </message>
     <message>
-        <source>Counted from the arrival of the image where a camera does not report capture times</source>
-        <translation>Contado desde la llegada de la imagen si una cámara no indica los tiempos de captura</translation>
+        <source>If a camera does not report capture times, the time is counted from the arrival of its image</source>
+        <translation>Si una cámara no indica los tiempos de captura, el tiempo se cuenta desde la llegada de su imagen</translation>
     </message>
     <message>
         <source>Time from light to estimate</source>
         <translation>Tiempo desde la luz hasta la estimación</translation>
     </message>
     <message>
-        <source>Memory for going back</source>
-        <translation>Memoria para volver atrás</translation>
+        <source>Memory for earlier frames</source>
+        <translation>Memoria para fotogramas anteriores</translation>
     </message>
     <message>
         <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
@@ -9033,8 +9033,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Reiniciar</translation>
     </message>
     <message>
-        <source>Use image size</source>
-        <translation>Tomar el tamaño de las imágenes</translation>
+        <source>Use image size of the cameras</source>
+        <translation>Tomar el tamaño de imagen de las cámaras</translation>
     </message>
     <message>
         <source>The recording has ended. Track it again from the beginning? The results so far will be lost.</source>
@@ -9526,8 +9526,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>siguiente número libre</translation>
     </message>
     <message>
-        <source>Number of the take and of its folder. It counts up by itself.</source>
-        <translation>Número de la toma y de su carpeta. Aumenta por sí solo.</translation>
+        <source>Number of the take and of its folder. The number increases by itself with each take.</source>
+        <translation>Número de la toma y de su carpeta. El número aumenta por sí solo con cada toma.</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -9707,8 +9707,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>automático</translation>
     </message>
     <message>
-        <source>Number of threads of the filter; it does not change the results</source>
-        <translation>Número de hilos del filtro; no cambia los resultados</translation>
+        <source>Number of threads that compute the filter. The results do not depend on it</source>
+        <translation>Número de hilos que calculan el filtro. Los resultados no dependen de él</translation>
     </message>
     <message>
         <source>The new number is used from the next frame.</source>
@@ -9756,10 +9756,6 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
 </context>
 <context>
     <name>dewpoint::ui::TouchedInstantList</name>
-    <message>
-        <source>The ball %1</source>
-        <translation>La pelota %1</translation>
-    </message>
     <message>
         <source>What the ball does at this time</source>
         <translation>Qué hace la pelota en este instante</translation>
@@ -10011,12 +10007,12 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Superficies en torno a zonas buenas y aceptables</translation>
     </message>
     <message>
-        <source>Volume from x, y, z</source>
-        <translation>Volumen desde x, y, z</translation>
+        <source>Volume: minimum x, y, z</source>
+        <translation>Volumen: mínimo x, y, z</translation>
     </message>
     <message>
-        <source>to x, y, z</source>
-        <translation>hasta x, y, z</translation>
+        <source>Volume: maximum x, y, z</source>
+        <translation>Volumen: máximo x, y, z</translation>
     </message>
     <message>
         <source>Minimum %1 of the map&apos;s volume</source>
@@ -10027,8 +10023,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Valor máximo de %1 del volumen del mapa</translation>
     </message>
     <message>
-        <source>Use reference grid</source>
-        <translation>Usar cuadrícula</translation>
+        <source>Set from reference grid</source>
+        <translation>Tomar de la cuadrícula</translation>
     </message>
     <message>
         <source>Use the volume above the reference grid, up to the highest camera</source>
@@ -10194,16 +10190,16 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Desde</translation>
     </message>
     <message>
-        <source>First time to show, 0 to 1,000,000 s</source>
-        <translation>Primer instante que se muestra, de 0 a 1.000.000 s</translation>
+        <source>Time in the recording at which the video begins, 0 to 1,000,000 s</source>
+        <translation>Instante de la grabación en que empieza el vídeo, de 0 a 1.000.000 s</translation>
     </message>
     <message>
         <source>To</source>
         <translation>Hasta</translation>
     </message>
     <message>
-        <source>Last time to show, 0 to 1,000,000 s. The end is the last tracked frame; later frames have no results</source>
-        <translation>Último instante que se muestra, de 0 a 1.000.000 s. El final es el último fotograma seguido; los posteriores no tienen resultados</translation>
+        <source>Time in the recording at which the video ends, 0 to 1,000,000 s. The end is the last tracked frame; later frames have no results</source>
+        <translation>Instante de la grabación en que termina el vídeo, de 0 a 1.000.000 s. El final es el último fotograma seguido; los posteriores no tienen resultados</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -10370,12 +10366,12 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
 <context>
     <name>dewpoint::ui::VolumeForm</name>
     <message>
-        <source>From X, Y, Z</source>
-        <translation>Desde X, Y, Z</translation>
+        <source>Minimum X, Y, Z</source>
+        <translation>Mínimo X, Y, Z</translation>
     </message>
     <message>
-        <source>To X, Y, Z</source>
-        <translation>Hasta X, Y, Z</translation>
+        <source>Maximum X, Y, Z</source>
+        <translation>Máximo X, Y, Z</translation>
     </message>
     <message>
         <source>Minimum %1 of the volume of interest</source>

@@ -756,8 +756,8 @@
         <translation>ターゲット周辺の各位置の尤度を表示します。円は、手法がターゲットの候補とする位置を示します</translation>
     </message>
     <message>
-        <source>For each target, mark the particle with the highest weight (MAP) with a triangle, in all views</source>
-        <translation>すべてのビューで、各ターゲットの重みが最大の粒子（MAP）を三角形で示します</translation>
+        <source>In all views, draw a triangle at the particle of each target that has the highest weight</source>
+        <translation>すべてのビューで、各ターゲットの重みが最大の粒子に三角形を描きます</translation>
     </message>
     <message>
         <source>When a target&apos;s particles are too close together to tell apart, show them enlarged</source>
@@ -780,8 +780,8 @@
         <translation>透視図の鳥瞰図。ドラッグで回転します</translation>
     </message>
     <message>
-        <source>Position along x, y and z, with a band of plus and minus two standard deviations, and the truth if it is known</source>
-        <translation>x、y、z 方向の位置と標準偏差の ±2 倍の帯、わかる場合は真値</translation>
+        <source>Position along x, y and z, with a band of plus and minus two standard deviations, and the true position if it is known</source>
+        <translation>x、y、z 方向の位置と標準偏差の ±2 倍の帯、わかる場合は真の位置</translation>
     </message>
     <message>
         <source>Time that one filter iteration takes for one target, in microseconds</source>
@@ -812,7 +812,7 @@
         <translation>色を固定</translation>
     </message>
     <message>
-        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <source>Switch off the automatic exposure, gain and white balance of all connected cameras, and keep the current values</source>
         <translation>接続されたすべてのカメラの自動露出、自動ゲイン、自動ホワイトバランスをオフにし、現在の値を保ちます</translation>
     </message>
     <message>
@@ -828,7 +828,7 @@
         <translation>テイクの番号とメモ…</translation>
     </message>
     <message>
-        <source>Set number and notes of the next take, or notes of this one</source>
+        <source>Set the number and notes of the next take, or the notes of the current take</source>
         <translation>次のテイクの番号とメモ、または録画中のテイクのメモを設定します</translation>
     </message>
     <message>
@@ -3998,24 +3998,24 @@ Effective sample size %8 of %9</source>
 <context>
     <name>WandSettings</name>
     <message>
-        <source>touches the floor</source>
-        <translation>床に触れている</translation>
+        <source>The ball touches the floor</source>
+        <translation>ボールが床に触れている</translation>
     </message>
     <message>
-        <source>is at one end of the known distance</source>
-        <translation>既知の距離の一方の端にある</translation>
+        <source>The ball is at one end of the known distance</source>
+        <translation>ボールが既知の距離の一方の端にある</translation>
     </message>
     <message>
-        <source>is at the other end of the known distance</source>
-        <translation>既知の距離のもう一方の端にある</translation>
+        <source>The ball is at the other end of the known distance</source>
+        <translation>ボールが既知の距離のもう一方の端にある</translation>
     </message>
     <message>
-        <source>begins to fall</source>
-        <translation>落ち始める</translation>
+        <source>The ball begins to fall</source>
+        <translation>ボールが落ち始める</translation>
     </message>
     <message>
-        <source>is still falling</source>
-        <translation>まだ落ちている</translation>
+        <source>The ball is still falling</source>
+        <translation>ボールがまだ落ちている</translation>
     </message>
     <message>
         <source>At least two cameras must see the ball.</source>
@@ -5091,7 +5091,7 @@ Effective sample size %8 of %9</source>
         <translation>%1: 書き出したレンズでは、調べた 81 方向のうち %2 方向を画像に投影できなくなりました</translation>
     </message>
     <message>
-        <source>usual for the format</source>
+        <source>default of the format</source>
         <translation>形式の標準</translation>
     </message>
     <message>
@@ -5102,8 +5102,8 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::CalibrationFit</name>
     <message>
-        <source>The images are:</source>
-        <translation>画像:</translation>
+        <source>Images compared with the calibration:</source>
+        <translation>キャリブレーション時と比べた画像:</translation>
     </message>
     <message>
         <source>How the images differ from those of the calibration, if they have another size</source>
@@ -5185,19 +5185,19 @@ Effective sample size %8 of %9</source>
         <translation>フィート</translation>
     </message>
     <message>
-        <source>k1 k2 p1 p2 of a pinhole</source>
-        <translation>ピンホールの k1 k2 p1 p2</translation>
+        <source>k1 k2 p1 p2 (pinhole)</source>
+        <translation>k1 k2 p1 p2（ピンホール）</translation>
     </message>
     <message>
-        <source>k1 k2 k3 k4 of a fisheye</source>
-        <translation>魚眼の k1 k2 k3 k4</translation>
+        <source>k1 k2 k3 k4 (fisheye)</source>
+        <translation>k1 k2 k3 k4（魚眼）</translation>
     </message>
     <message>
-        <source>camera from world</source>
+        <source>from world to camera</source>
         <translation>世界からカメラへ</translation>
     </message>
     <message>
-        <source>world from camera</source>
+        <source>from camera to world</source>
         <translation>カメラから世界へ</translation>
     </message>
     <message>
@@ -5241,7 +5241,7 @@ Effective sample size %8 of %9</source>
         <translation>カメラ</translation>
     </message>
     <message>
-        <source>If the file holds only one camera: the project camera that gets its calibration</source>
+        <source>Project camera that gets the calibration, if the file contains only one camera</source>
         <translation>ファイルにカメラが 1 台分しかない場合に、そのキャリブレーションを使うプロジェクトのカメラ</translation>
     </message>
     <message>
@@ -5305,7 +5305,7 @@ Effective sample size %8 of %9</source>
         <translation>キャリブレーションを適用</translation>
     </message>
     <message>
-        <source>usual for the format</source>
+        <source>default of the format</source>
         <translation>形式の標準</translation>
     </message>
     <message>
@@ -5790,13 +5790,13 @@ Position x, y, z: %4, %5, %6</source>
         <translation>動画のフレームレートが異なります: フレーム N はすべての動画で同じ時刻を示すわけではありません。</translation>
     </message>
     <message numerus="yes">
-        <source>Videos differ in length: using the first %n frames.</source>
+        <source>The videos differ in length: only the first %n frames are used.</source>
         <translation>
             <numerusform>動画の長さが異なります: 最初の %n フレームを使います。</numerusform>
         </translation>
     </message>
     <message>
-        <source>Videos differ in size: each camera keeps its own size.</source>
+        <source>The videos differ in size: each camera keeps its own size.</source>
         <translation>動画の大きさが異なります: 各カメラはそれぞれの大きさのままです。</translation>
     </message>
 </context>
@@ -5807,12 +5807,12 @@ Position x, y, z: %4, %5, %6</source>
         <translation>カメラ – Dewpoint</translation>
     </message>
     <message>
-        <source>Switch to formats that fit</source>
-        <translation>収まる形式を使用</translation>
+        <source>Use formats that fit the bus</source>
+        <translation>バスに収まる形式を使用</translation>
     </message>
     <message>
-        <source>These formats fit: %1.</source>
-        <translation>収まる形式: %1。</translation>
+        <source>These formats fit the USB bus: %1.</source>
+        <translation>USB バスに収まる形式: %1。</translation>
     </message>
 </context>
 <context>
@@ -5989,8 +5989,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>物体をクリックするか、枠で囲む</translation>
     </message>
     <message>
-        <source>Tracked from its box in %1, frame %2: %3 × %4. This method needs no color. To set another box, press Box and click the object.</source>
-        <translation>%1 のフレーム %2 の枠（%3 × %4）から追跡しています。この手法に色は要りません。別の枠にするには「枠」を押して物体をクリックします。</translation>
+        <source>The target is tracked from its box in frame %2 of %1 (%3 × %4 pixels). This method needs no color. To set another box, press Box and click the object.</source>
+        <translation>ターゲットを、%1 のフレーム %2 の枠（%3 × %4 ピクセル）から追跡しています。この手法に色は要りません。別の枠にするには「枠」を押して物体をクリックします。</translation>
     </message>
     <message>
         <source>Click the object or drag a box around it in any camera view.</source>
@@ -6067,7 +6067,7 @@ Position x, y, z: %4, %5, %6</source>
         <translation>学習に使った見本</translation>
     </message>
     <message>
-        <source>Samples the color was learned from</source>
+        <source>Samples from which the color was learned</source>
         <translation>色の学習に使った見本</translation>
     </message>
     <message>
@@ -6461,7 +6461,7 @@ Position x, y, z: %4, %5, %6</source>
         <translation>各ケースを、毎回別のシードで何回実行するか。多いほど時間がかかり、結果が確かになります。</translation>
     </message>
     <message>
-        <source>No program was found that shows the report. It is in %1.</source>
+        <source>No program was found that can show the report. The report is in %1.</source>
         <translation>レポートを表示するプログラムが見つかりません。レポートは %1 にあります。</translation>
     </message>
 </context>
@@ -6703,8 +6703,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>%1（この形式の標準）</translation>
     </message>
     <message>
-        <source>tracked to %1</source>
-        <translation>%1 まで追跡済み</translation>
+        <source>tracked only up to %1</source>
+        <translation>追跡済みは %1 まで</translation>
     </message>
 </context>
 <context>
@@ -6729,7 +6729,7 @@ Position x, y, z: %4, %5, %6</source>
         <translation>ターゲットのピクセルの明るさ</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars are drawn in the color of text.</source>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars have the same color as the text.</source>
         <translation>ターゲットのピクセルの明るさ。左が黒、右が白です。暗すぎるピクセルと露出オーバーのピクセルは色を失っています。その棒は文字と同じ色です。</translation>
     </message>
 </context>
@@ -6784,15 +6784,15 @@ Position x, y, z: %4, %5, %6</source>
         <translation>形式</translation>
     </message>
     <message>
-        <source>Format in which the device sends its images. Compressed formats, such as MJPG, need less of the USB bus</source>
-        <translation>デバイスが画像を送る形式。MJPG などの圧縮形式は USB バスの使用量が少なくなります</translation>
+        <source>Format in which the device sends its images. Compressed formats, such as MJPG, use less of the bandwidth of the USB bus</source>
+        <translation>デバイスが画像を送る形式。MJPG などの圧縮形式は USB バスの帯域の使用量が少なくなります</translation>
     </message>
     <message>
         <source>Size</source>
         <translation>サイズ</translation>
     </message>
     <message>
-        <source>Size of the images, pixels</source>
+        <source>Size of the images, in pixels</source>
         <translation>画像のサイズ (ピクセル)</translation>
     </message>
     <message>
@@ -7697,12 +7697,12 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>出力 – Dewpoint</translation>
     </message>
     <message>
-        <source>Where results go while a run lasts. Nothing is sent before you choose Run › Send results.</source>
-        <translation>実行中の結果の送信先です。「実行 › 結果を送信」を選ぶまで何も送信されません。</translation>
+        <source>Choose where results are sent during a run. Nothing is sent before you choose Run › Send results.</source>
+        <translation>実行中の結果の送信先を選びます。「実行 › 結果を送信」を選ぶまで何も送信されません。</translation>
     </message>
     <message>
-        <source>JSON lines, TCP port</source>
-        <translation>JSON 行、TCP ポート</translation>
+        <source>TCP port for JSON lines</source>
+        <translation>JSON 行の TCP ポート</translation>
     </message>
     <message>
         <source>Programs that connect to this port get one line of JSON for each frame</source>
@@ -7713,8 +7713,8 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>TCP ポート</translation>
     </message>
     <message>
-        <source>WebSocket and web page, port</source>
-        <translation>WebSocket とウェブページ、ポート</translation>
+        <source>Port for WebSocket and web page</source>
+        <translation>WebSocket とウェブページのポート</translation>
     </message>
     <message>
         <source>Port of a web page that shows the targets in a browser. At the same port, programs get the results through a WebSocket</source>
@@ -7773,7 +7773,7 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>送信する位置の単位</translation>
     </message>
     <message>
-        <source>Frames per second, at most</source>
+        <source>Max. frames per second</source>
         <translation>1 秒あたりの最大フレーム数</translation>
     </message>
     <message>
@@ -8675,7 +8675,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>色を固定</translation>
     </message>
     <message>
-        <source>Switch the automatic exposure, gain and white balance of this camera off, and keep the present values</source>
+        <source>Switch off the automatic exposure, gain and white balance of this camera, and keep the current values</source>
         <translation>このカメラの自動露出、自動ゲイン、自動ホワイトバランスをオフにし、現在の値を保ちます</translation>
     </message>
     <message>
@@ -8683,7 +8683,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>すべてのカメラを固定</translation>
     </message>
     <message>
-        <source>Switch the automatic exposure, gain and white balance of all connected cameras off, and keep the present values</source>
+        <source>Switch off the automatic exposure, gain and white balance of all connected cameras, and keep the current values</source>
         <translation>接続されたすべてのカメラの自動露出、自動ゲイン、自動ホワイトバランスをオフにし、現在の値を保ちます</translation>
     </message>
     <message>
@@ -8927,7 +8927,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
 <context>
     <name>dewpoint::ui::RunDetails</name>
     <message>
-        <source>median %1, 99 % of them at most %2, longest %3</source>
+        <source>median %1, 99 % at most %2, longest %3</source>
         <translation>中央値 %1、99 % が %2 以内、最長 %3</translation>
     </message>
     <message>
@@ -8983,16 +8983,16 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>中央値: 撮影 %1 · デコード %2 · 待機 %3 · 計算 %4 · 描画 %5</translation>
     </message>
     <message>
-        <source>Counted from the arrival of the image where a camera does not report capture times</source>
-        <translation>撮影時刻を報告しないカメラは、画像の到着から数えています</translation>
+        <source>If a camera does not report capture times, the time is counted from the arrival of its image</source>
+        <translation>カメラが撮影時刻を報告しない場合、時間は画像の到着から数えます</translation>
     </message>
     <message>
         <source>Time from light to estimate</source>
         <translation>光から推定までの時間</translation>
     </message>
     <message>
-        <source>Memory for going back</source>
-        <translation>過去に戻るためのメモリ</translation>
+        <source>Memory for earlier frames</source>
+        <translation>前のフレーム用のメモリ</translation>
     </message>
     <message>
         <source>Memory for going back to earlier frames: images, particles and saved states of the method. When it is full, only the estimates of older frames are kept.</source>
@@ -9014,8 +9014,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>最初から</translation>
     </message>
     <message>
-        <source>Use image size</source>
-        <translation>画像のサイズを取り込む</translation>
+        <source>Use image size of the cameras</source>
+        <translation>カメラの画像のサイズを取り込む</translation>
     </message>
     <message>
         <source>The recording has ended. Track it again from the beginning? The results so far will be lost.</source>
@@ -9507,8 +9507,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>次の空き番号</translation>
     </message>
     <message>
-        <source>Number of the take and of its folder. It counts up by itself.</source>
-        <translation>テイクとそのフォルダーの番号です。自動的に増えます。</translation>
+        <source>Number of the take and of its folder. The number increases by itself with each take.</source>
+        <translation>テイクとそのフォルダーの番号です。番号はテイクごとに自動的に増えます。</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -9688,8 +9688,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>自動</translation>
     </message>
     <message>
-        <source>Number of threads of the filter; it does not change the results</source>
-        <translation>フィルターのスレッド数。結果は変わりません</translation>
+        <source>Number of threads that compute the filter. The results do not depend on it</source>
+        <translation>フィルターを計算するスレッドの数。結果は変わりません</translation>
     </message>
     <message>
         <source>The new number is used from the next frame.</source>
@@ -9737,10 +9737,6 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
 </context>
 <context>
     <name>dewpoint::ui::TouchedInstantList</name>
-    <message>
-        <source>The ball %1</source>
-        <translation>ボールが%1</translation>
-    </message>
     <message>
         <source>What the ball does at this time</source>
         <translation>この時刻のボールの状態</translation>
@@ -9989,12 +9985,12 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>良い範囲とまずまずの範囲を囲む面</translation>
     </message>
     <message>
-        <source>Volume from x, y, z</source>
-        <translation>空間の始まり x, y, z</translation>
+        <source>Volume: minimum x, y, z</source>
+        <translation>空間の最小値 x, y, z</translation>
     </message>
     <message>
-        <source>to x, y, z</source>
-        <translation>終わり x, y, z</translation>
+        <source>Volume: maximum x, y, z</source>
+        <translation>空間の最大値 x, y, z</translation>
     </message>
     <message>
         <source>Minimum %1 of the map&apos;s volume</source>
@@ -10005,7 +10001,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>マップの空間の %1 の最大値</translation>
     </message>
     <message>
-        <source>Use reference grid</source>
+        <source>Set from reference grid</source>
         <translation>基準格子に合わせる</translation>
     </message>
     <message>
@@ -10172,16 +10168,16 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>開始</translation>
     </message>
     <message>
-        <source>First time to show, 0 to 1,000,000 s</source>
-        <translation>最初に示す時刻、0~1,000,000 s</translation>
+        <source>Time in the recording at which the video begins, 0 to 1,000,000 s</source>
+        <translation>動画の始まりとなる記録内の時刻、0~1,000,000 s</translation>
     </message>
     <message>
         <source>To</source>
         <translation>終了</translation>
     </message>
     <message>
-        <source>Last time to show, 0 to 1,000,000 s. The end is the last tracked frame; later frames have no results</source>
-        <translation>最後に示す時刻、0~1,000,000 s。「終わり」は追跡済みの最後のフレームです。それより後のフレームに結果はありません</translation>
+        <source>Time in the recording at which the video ends, 0 to 1,000,000 s. The end is the last tracked frame; later frames have no results</source>
+        <translation>動画の終わりとなる記録内の時刻、0~1,000,000 s。「終わり」は追跡済みの最後のフレームです。それより後のフレームに結果はありません</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -10348,12 +10344,12 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
 <context>
     <name>dewpoint::ui::VolumeForm</name>
     <message>
-        <source>From X, Y, Z</source>
-        <translation>始点 X, Y, Z</translation>
+        <source>Minimum X, Y, Z</source>
+        <translation>最小値 X, Y, Z</translation>
     </message>
     <message>
-        <source>To X, Y, Z</source>
-        <translation>終点 X, Y, Z</translation>
+        <source>Maximum X, Y, Z</source>
+        <translation>最大値 X, Y, Z</translation>
     </message>
     <message>
         <source>Minimum %1 of the volume of interest</source>

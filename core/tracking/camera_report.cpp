@@ -35,7 +35,7 @@ std::string words(const CameraReport& report) {
   case CameraStatus::Hidden:
     return "hidden";
   case CameraStatus::Distractor:
-    return report.pixels >= 1.0 ? fmt::format("{:.0f} px from a distractor", report.pixels)
+    return report.pixels >= 1.0 ? fmt::format("{:.0f} px away from a distractor", report.pixels)
                                 : "at a distractor";
   case CameraStatus::NoColor:
     return "no matching color";

@@ -128,7 +128,7 @@ TEST(BarreraReports, SayWhereTheColorIs) {
 
 TEST(ReasonSentence, NamesCamerasAndRounds) {
   EXPECT_EQ(describeReasons({{CameraStatus::Distractor, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
-            "camera a: 3 px from a distractor; camera 2: hidden");
+            "camera a: 3 px away from a distractor; camera 2: hidden");
   EXPECT_EQ(describeReasons({}, {}), "");
 }
 

@@ -12,8 +12,8 @@ std::vector<ActionDeclaration> cameraActions() {
        QT_TRANSLATE_NOOP("Actions", "Add, remove, exchange and adjust the cameras of the project"),
        nullptr, Qt::Key_F8},
       {"actionLockColors", group, QT_TRANSLATE_NOOP("Actions", "Lock colors"),
-       QT_TRANSLATE_NOOP("Actions", "Switch the automatic exposure, gain and white balance of all "
-                                    "connected cameras off, and keep the present values"),
+       QT_TRANSLATE_NOOP("Actions", "Switch off the automatic exposure, gain and white balance of "
+                                    "all connected cameras, and keep the current values"),
        nullptr, Qt::SHIFT | Qt::Key_F8},
   };
 }

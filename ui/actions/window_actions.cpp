@@ -184,7 +184,9 @@ std::vector<ActionDeclaration> runActions() {
                          "or stop recording"),
        "record", Qt::Key_F9, true},
       {"actionTakeNotes", group, QT_TRANSLATE_NOOP("Actions", "Take number and notes…"),
-       QT_TRANSLATE_NOOP("Actions", "Set number and notes of the next take, or notes of this one")},
+       QT_TRANSLATE_NOOP(
+           "Actions",
+           "Set the number and notes of the next take, or the notes of the current take")},
       {"actionSendResults", group, QT_TRANSLATE_NOOP("Actions", "Send results"),
        QT_TRANSLATE_NOOP("Actions", "Start or stop sending positions to other programs during the "
                                     "run. Nothing is sent before you choose this"),
@@ -214,8 +216,8 @@ std::vector<ActionDeclaration> viewActions() {
                                     "mark positions at which the method suspects the target"),
        "evidence", Qt::Key_E, true},
       {"actionShowBest", group, QT_TRANSLATE_NOOP("Actions", "Show best particle"),
-       QT_TRANSLATE_NOOP("Actions", "For each target, mark the particle with the highest weight "
-                                    "(MAP) with a triangle, in all views"),
+       QT_TRANSLATE_NOOP("Actions", "In all views, draw a triangle at the particle of each target "
+                                    "that has the highest weight"),
        nullptr, Qt::SHIFT | Qt::Key_E, true},
       {"actionShowMagnifier", group, QT_TRANSLATE_NOOP("Actions", "Show magnifier"),
        QT_TRANSLATE_NOOP(
@@ -294,7 +296,7 @@ std::vector<ActionDeclaration> plotActions() {
   return {
       {"actionPlotPosition", group, QT_TRANSLATE_NOOP("Actions", "Plot position"),
        QT_TRANSLATE_NOOP("Actions", "Position along x, y and z, with a band of plus and minus two "
-                                    "standard deviations, and the truth if it is known"),
+                                    "standard deviations, and the true position if it is known"),
        nullptr, Qt::CTRL | Qt::Key_1, true},
       {"actionPlotSpread", group, QT_TRANSLATE_NOOP("Actions", "Plot spread"),
        QT_TRANSLATE_NOOP("Actions", "Standard deviation of the particles along x, y and z"),

@@ -174,13 +174,13 @@ void OutputDialog::apply() {
 
 void OutputDialog::retranslateUi() {
   setWindowTitle(tr("Outputs – Dewpoint"));
-  intro_->setText(tr("Where results go while a run lasts. Nothing is sent before you choose Run › "
-                     "Send results."));
-  tcp_->setText(tr("JSON lines, TCP port"));
+  intro_->setText(tr("Choose where results are sent during a run. Nothing is sent before you "
+                     "choose Run › Send results."));
+  tcp_->setText(tr("TCP port for JSON lines"));
   tcp_->setToolTip(tr("Programs that connect to this port get one line of JSON for each frame"));
   tcpPort_->setAccessibleName(tr("TCP port"));
   tcpPort_->setToolTip(tcp_->toolTip());
-  web_->setText(tr("WebSocket and web page, port"));
+  web_->setText(tr("Port for WebSocket and web page"));
   web_->setToolTip(tr("Port of a web page that shows the targets in a browser. At the same port, "
                       "programs get the results through a WebSocket"));
   webPort_->setAccessibleName(tr("WebSocket port"));
@@ -203,7 +203,7 @@ void OutputDialog::retranslateUi() {
          "network can see the results"));
   row(axes_, tr("Axes"), tr("Axes of the positions that are sent"));
   row(unit_, tr("Unit"), tr("Unit of the positions that are sent"));
-  row(rate_, tr("Frames per second, at most"),
+  row(rate_, tr("Max. frames per second"),
       tr("Largest number of frames per second that are sent. 0: all frames"));
   row(token_, tr("Token for remote commands"),
       tr("Programs that send this word can start and stop the run and the recording of the "

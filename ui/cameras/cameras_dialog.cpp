@@ -104,7 +104,7 @@ void CamerasDialog::arrange() {
 
 void CamerasDialog::retranslateUi() {
   setWindowTitle(tr("Cameras – Dewpoint"));
-  fit_->setText(tr("Switch to formats that fit"));
+  fit_->setText(tr("Use formats that fit the bus"));
   updateBandwidth();
 }
 
@@ -128,7 +128,7 @@ void CamerasDialog::updateBandwidth() {
     }
   }
   if (!proposals.isEmpty()) {
-    sentences << tr("These formats fit: %1.").arg(proposals.join(QStringLiteral(", ")));
+    sentences << tr("These formats fit the USB bus: %1.").arg(proposals.join(QStringLiteral(", ")));
   }
   bandwidth_->setText(sentences.join(QLatin1Char('\n')));
   bandwidth_->setVisible(!sentences.isEmpty());

@@ -25,7 +25,7 @@ ExposureBars::ExposureBars(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Brightness of the target's pixels"));
     setToolTip(tr("Brightness of the target's pixels, from black on the left to white on the "
                   "right. Pixels that are too dark or overexposed have lost their color. Their "
-                  "bars are drawn in the color of text."));
+                  "bars have the same color as the text."));
   });
 }
 

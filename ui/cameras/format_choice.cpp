@@ -134,9 +134,9 @@ void FormatChoice::apply() {
 void FormatChoice::retranslateUi() {
   pixelLabel_->setText(tr("Format"));
   pixel_->setToolTip(tr("Format in which the device sends its images. Compressed formats, such as "
-                        "MJPG, need less of the USB bus"));
+                        "MJPG, use less of the bandwidth of the USB bus"));
   sizeLabel_->setText(tr("Size"));
-  size_->setToolTip(tr("Size of the images, pixels"));
+  size_->setToolTip(tr("Size of the images, in pixels"));
   rateLabel_->setText(tr("Rate"));
   rate_->setToolTip(tr("Images per second"));
   fill();

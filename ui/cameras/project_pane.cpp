@@ -200,11 +200,11 @@ void ProjectPane::retranslateUi() {
   mirror_->setToolTip(tr("Mirror the images left to right, after rotation"));
   cropLabel_->setText(tr("Cropped"));
   lock_->setText(tr("Lock colors"));
-  lock_->setToolTip(tr("Switch the automatic exposure, gain and white balance of this camera off, "
-                       "and keep the present values"));
+  lock_->setToolTip(tr("Switch off the automatic exposure, gain and white balance of this camera, "
+                       "and keep the current values"));
   lockAll_->setText(tr("Lock all cameras"));
-  lockAll_->setToolTip(tr("Switch the automatic exposure, gain and white balance of all connected "
-                          "cameras off, and keep the present values"));
+  lockAll_->setToolTip(tr("Switch off the automatic exposure, gain and white balance of all "
+                          "connected cameras, and keep the current values"));
   refresh();
 }
 

@@ -371,8 +371,8 @@ void ColorPanel::showBox() {
     const TargetBox& box = *project.targets[index].box;
     const auto camera = static_cast<std::size_t>(box.camera);
     assessmentText_->setText(
-        tr("Tracked from its box in %1, frame %2: %3 × %4. This method needs no color. To set "
-           "another box, press Box and click the object.")
+        tr("The target is tracked from its box in frame %2 of %1 (%3 × %4 pixels). This method "
+           "needs no color. To set another box, press Box and click the object.")
             .arg(cameraName(camera < project.cameras.size() ? project.cameras[camera].camera.name
                                                             : std::string(),
                             camera))

@@ -42,7 +42,7 @@ ColorSampleList::ColorSampleList(QWidget* parent)
 
 void ColorSampleList::retranslateUi() {
   title_->setText(tr("Learned from"));
-  list_->setAccessibleName(tr("Samples the color was learned from"));
+  list_->setAccessibleName(tr("Samples from which the color was learned"));
   list_->setToolTip(tr("Shift-click in an image to add a sample, Ctrl+Shift-click or Alt-click to "
                        "exclude one. Samples marked “found” were detected in other cameras."));
   remove_->setText(tr("Remove"));

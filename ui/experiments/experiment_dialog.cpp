@@ -274,7 +274,8 @@ void ExperimentDialog::finish(const QString& report) {
 
 void ExperimentDialog::openReport() {
   if (!QDesktopServices::openUrl(QUrl::fromLocalFile(report_))) {
-    state_->setText(tr("No program was found that shows the report. It is in %1.").arg(report_));
+    state_->setText(
+        tr("No program was found that can show the report. The report is in %1.").arg(report_));
   }
 }
 

@@ -177,7 +177,8 @@ void ExportForm::showTrackedEnd() {
   const bool isBeyond = beyond >= std::pow(10.0, -to_->decimals()); // more than rounding
   if (isBeyond) {
     // So many decimals that the two times differ.
-    trackedTo_->setText(tr("tracked to %1").arg(secondsText(*lastTime_, beyond < 0.1 ? 3 : 1)));
+    trackedTo_->setText(
+        tr("tracked only up to %1").arg(secondsText(*lastTime_, beyond < 0.1 ? 3 : 1)));
   }
   trackedTo_->setVisible(isBeyond);
   to_->setAccessibleDescription(isBeyond ? trackedTo_->text() : QString());

@@ -96,11 +96,11 @@ void VideoForm::retranslateUi() {
     field->setToolTip(hint);
   };
   setTexts(views_, tr("Views"), tr("The checked views are shown side by side"));
-  setTexts(from_, tr("From"), tr("First time to show, 0 to 1,000,000 s"));
-  setTexts(
-      to_, tr("To"),
-      tr("Last time to show, 0 to 1,000,000 s. The end is the last tracked frame; later frames "
-         "have no results"));
+  setTexts(from_, tr("From"),
+           tr("Time in the recording at which the video begins, 0 to 1,000,000 s"));
+  setTexts(to_, tr("To"),
+           tr("Time in the recording at which the video ends, 0 to 1,000,000 s. The end is the "
+              "last tracked frame; later frames have no results"));
   setTexts(
       speed_, tr("Speed"),
       tr("1 is real time, 0.1 is ten times slower, 8 is eight times faster; up to 100. With 0, "

@@ -21,7 +21,7 @@ const QString kUnknown(QStringLiteral("–"));
 
 QString latencyText(const Latency& latency) {
   return latency.longest <= 0.0 ? kUnknown
-                                : RunDetails::tr("median %1, 99 % of them at most %2, longest %3")
+                                : RunDetails::tr("median %1, 99 % at most %2, longest %3")
                                       .arg(millisecondsText(inMilliseconds(latency.median)),
                                            millisecondsText(inMilliseconds(latency.p99)),
                                            millisecondsText(inMilliseconds(latency.longest)));
@@ -57,10 +57,8 @@ QString liveLatencyText(const LiveLatency& live) {
                      "99th percentile: capture %1 · decode %2 · wait %3 · compute %4 · draw %5"),
                  live, &Latency::p99);
   if (live.images[static_cast<std::size_t>(TimeOrigin::Arrival)] > 0) {
-    text +=
-        QLatin1Char('\n') +
-        RunDetails::tr(
-            "Counted from the arrival of the image where a camera does not report capture times");
+    text += QLatin1Char('\n') + RunDetails::tr("If a camera does not report capture times, the "
+                                               "time is counted from the arrival of its image");
   }
   return text;
 }
@@ -121,7 +119,7 @@ void RunDetails::retranslateUi() {
   names_[iterations_]->setText(tr("Iterations since the start"));
   names_[dropped_]->setText(tr("Frames skipped"));
   names_[seed_]->setText(tr("Random seed"));
-  names_[history_]->setText(tr("Memory for going back"));
+  names_[history_]->setText(tr("Memory for earlier frames"));
   for (QLabel* label : {names_[history_], history_}) {
     label->setToolTip(tr("Memory for going back to earlier frames: images, particles and saved "
                          "states of the method. When it is full, only the estimates of older "

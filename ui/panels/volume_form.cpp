@@ -39,7 +39,8 @@ void VolumeForm::createWidgets() {
   state_->setObjectName(QStringLiteral("volumeState"));
   state_->setWordWrap(true);
   state_->setForegroundRole(QPalette::PlaceholderText);
-  const std::array labels{new QLabel(tr("From X, Y, Z"), this), new QLabel(tr("To X, Y, Z"), this)};
+  const std::array labels{new QLabel(tr("Minimum X, Y, Z"), this),
+                          new QLabel(tr("Maximum X, Y, Z"), this)};
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(6);

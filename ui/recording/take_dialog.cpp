@@ -63,7 +63,8 @@ void TakeDialog::retranslateUi() {
   setWindowTitle(exists_ ? tr("Take %1").arg(number_->value()) : tr("Next take"));
   numberLabel_->setText(tr("Number"));
   number_->setSpecialValueText(tr("next free number"));
-  number_->setToolTip(tr("Number of the take and of its folder. It counts up by itself."));
+  number_->setToolTip(
+      tr("Number of the take and of its folder. The number increases by itself with each take."));
   notesLabel_->setText(tr("Notes"));
   preRollLabel_->setText(tr("Pre-roll"));
   preRoll_->setSpecialValueText(tr("off"));

@@ -152,7 +152,7 @@ void SessionController::storeImageSizes(const Project& opened) {
     }
   };
   // Only what is guessed of live cameras differs: they are of the size that they send.
-  static_cast<void>(document_.completeSources(tr("Use image size"), change));
+  static_cast<void>(document_.completeSources(tr("Use image size of the cameras"), change));
 }
 
 void SessionController::start(const OpenRequest& request, SessionInputs inputs) {

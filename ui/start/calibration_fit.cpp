@@ -44,7 +44,7 @@ CalibrationFit::CalibrationFit(QWidget* parent)
 }
 
 void CalibrationFit::retranslateUi() {
-  fitLabel_->setText(tr("The images are:"));
+  fitLabel_->setText(tr("Images compared with the calibration:"));
   const QString hint =
       tr("How the images differ from those of the calibration, if they have another "
          "size");

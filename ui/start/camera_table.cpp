@@ -272,11 +272,11 @@ QString CameraTable::mismatchText() const {
                     "each of them.");
   }
   if (differences.shortest) {
-    sentences << tr("Videos differ in length: using the first %n frames.", nullptr,
+    sentences << tr("The videos differ in length: only the first %n frames are used.", nullptr,
                     static_cast<int>(*differences.shortest));
   }
   if (differences.sizes) {
-    sentences << tr("Videos differ in size: each camera keeps its own size.");
+    sentences << tr("The videos differ in size: each camera keeps its own size.");
   }
   return sentences.join(QLatin1Char('\n'));
 }

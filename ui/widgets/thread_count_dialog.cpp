@@ -47,7 +47,8 @@ void ThreadCountDialog::retranslateUi() {
   setWindowTitle(tr("Filter threads"));
   label_->setText(tr("Threads"));
   threads_->setSpecialValueText(tr("automatic"));
-  threads_->setToolTip(tr("Number of threads of the filter; it does not change the results"));
+  threads_->setToolTip(
+      tr("Number of threads that compute the filter. The results do not depend on it"));
   note_->setText(tr("The new number is used from the next frame."));
   accept_->setText(tr("OK"));
   accept_->setToolTip(tr("Use this number"));

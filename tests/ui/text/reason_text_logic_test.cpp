@@ -26,7 +26,7 @@ TEST(ReasonText, EveryTroubleHasItsText) {
 }
 
 TEST(ReasonText, PixelsAreRoundedAndNeverZero) {
-  EXPECT_EQ(text(CameraStatus::Distractor, 2.6), "3 px from a distractor");
+  EXPECT_EQ(text(CameraStatus::Distractor, 2.6), "3 px away from a distractor");
   EXPECT_EQ(text(CameraStatus::Distractor, 0.9), "at a distractor");
   EXPECT_EQ(text(CameraStatus::Elsewhere, 0.2), "color found 1 px away");
 }

@@ -127,7 +127,7 @@ void CalibrationExportDialog::retranslateFields() {
     const QSignalBlocker quiet(unit_);
     const int chosen = std::max(0, unit_->currentIndex());
     unit_->clear();
-    unit_->addItem(tr("usual for the format"));
+    unit_->addItem(tr("default of the format"));
     unit_->addItem(tr("meters"), QStringLiteral("m"));
     unit_->addItem(tr("millimeters"), QStringLiteral("mm"));
     unit_->addItem(tr("centimeters"), QStringLiteral("cm"));

@@ -131,11 +131,11 @@ void CalibrationImportDialog::retranslateFields() {
                               {tr("inches"), QStringLiteral("in")},
                               {tr("feet"), QStringLiteral("ft")}});
   setChoicesWithData(*lens_, {{own, {}},
-                              {tr("k1 k2 p1 p2 of a pinhole"), QStringLiteral("pinhole")},
-                              {tr("k1 k2 k3 k4 of a fisheye"), QStringLiteral("fisheye")}});
-  setChoicesWithData(*poses_, {{tr("usual for the format"), {}},
-                               {tr("camera from world"), QStringLiteral("no")},
-                               {tr("world from camera"), QStringLiteral("yes")}});
+                              {tr("k1 k2 p1 p2 (pinhole)"), QStringLiteral("pinhole")},
+                              {tr("k1 k2 k3 k4 (fisheye)"), QStringLiteral("fisheye")}});
+  setChoicesWithData(*poses_, {{tr("default of the format"), {}},
+                               {tr("from world to camera"), QStringLiteral("no")},
+                               {tr("from camera to world"), QStringLiteral("yes")}});
   setChoicesWithData(*fit_, sizeFitChoices());
   size_->setPlaceholderText(own);
   fillCameras();
@@ -148,7 +148,7 @@ void CalibrationImportDialog::retranslateFields() {
       {tr("Image size"), tr("Width and height in pixels, such as 1280x720")},
       {tr("Poses"), tr("Direction of the transformation that the file stores as a pose")},
       {tr("Camera"),
-       tr("If the file holds only one camera: the project camera that gets its calibration")},
+       tr("Project camera that gets the calibration, if the file contains only one camera")},
       {tr("Project images"), tr("How the images of the project differ from those of the "
                                 "calibration, if they have another size")},
       {tr("Names in the file"), tr("For each camera of the project, choose the camera in the file "

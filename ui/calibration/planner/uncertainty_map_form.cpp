@@ -180,8 +180,8 @@ void UncertaintyMapForm::retranslateUi() {
   volume_->setToolTip(tr("Show surfaces in the room. For the error: around the regions with at "
                          "most 0.4, 1 and 2 times the acceptable error. For the number of cameras: "
                          "around the regions that two, three and four cameras see"));
-  lowLabel_->setText(tr("Volume from x, y, z"));
-  highLabel_->setText(tr("to x, y, z"));
+  lowLabel_->setText(tr("Volume: minimum x, y, z"));
+  highLabel_->setText(tr("Volume: maximum x, y, z"));
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxes[k]);
     name(low_[k], tr("Minimum %1 of the map's volume").arg(axis),
@@ -191,7 +191,7 @@ void UncertaintyMapForm::retranslateUi() {
     low_[k]->setSuffix(QStringLiteral(" m"));
     high_[k]->setSuffix(QStringLiteral(" m"));
   }
-  room_->setText(tr("Use reference grid"));
+  room_->setText(tr("Set from reference grid"));
   room_->setToolTip(tr("Use the volume above the reference grid, up to the highest camera"));
   refresh();
   summarize();

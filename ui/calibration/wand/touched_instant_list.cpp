@@ -51,7 +51,7 @@ void TouchedInstantList::retranslateUi() {
     const int chosen = std::max(0, role_->currentIndex());
     role_->clear();
     for (int role = 0; role < kWandEventCount; ++role) {
-      role_->addItem(tr("The ball %1").arg(touchText(static_cast<WandEvent>(role))));
+      role_->addItem(touchText(static_cast<WandEvent>(role)));
     }
     role_->setCurrentIndex(chosen);
   }

@@ -34,17 +34,17 @@ QString moveItThereText(const QString& camera, ImageSide side) {
 QString touchText(WandEvent role) {
   switch (role) {
   case WandEvent::Floor:
-    return WandText::tr("touches the floor");
+    return WandText::tr("The ball touches the floor");
   case WandEvent::DistanceFrom:
-    return WandText::tr("is at one end of the known distance");
+    return WandText::tr("The ball is at one end of the known distance");
   case WandEvent::DistanceTo:
-    return WandText::tr("is at the other end of the known distance");
+    return WandText::tr("The ball is at the other end of the known distance");
   case WandEvent::FallBegins:
-    return WandText::tr("begins to fall");
+    return WandText::tr("The ball begins to fall");
   case WandEvent::FallEnds:
     break;
   }
-  return WandText::tr("is still falling");
+  return WandText::tr("The ball is still falling");
 }
 
 QString validationMessage(const WandSettings& settings, const std::vector<MarkedInstant>& instants,

@@ -11,7 +11,7 @@
 
 namespace dewpoint::ui {
 
-/// Returns what happens to the ball in a marked frame, for example "touches the floor".
+/// Returns what happens to the ball in a marked frame, for example "The ball touches the floor".
 QString touchText(WandEvent role);
 
 /// Returns a sentence that explains why a calibration with these settings cannot start
