@@ -1034,12 +1034,12 @@
         <translation>%1 Ansichten, Genauigkeit %2 (Ziel: %3)</translation>
     </message>
     <message>
-        <source>● sees the board</source>
-        <translation>● sieht die Tafel</translation>
+        <source>● board visible</source>
+        <translation>● Tafel sichtbar</translation>
     </message>
     <message>
-        <source>○ does not see the board</source>
-        <translation>○ sieht die Tafel nicht</translation>
+        <source>○ board not visible</source>
+        <translation>○ Tafel nicht sichtbar</translation>
     </message>
     <message>
         <source>%1 views, position accuracy %2</source>
@@ -1805,8 +1805,8 @@
         <translation>Abdrift der Schätzung entlang der optischen Achse</translation>
     </message>
     <message>
-        <source>Error after a jump</source>
-        <translation>Fehler nach einem Sprung</translation>
+        <source>Error after a jump of the object</source>
+        <translation>Fehler nach einem Sprung des Objekts</translation>
     </message>
     <message>
         <source>Particles from above</source>
@@ -2150,24 +2150,24 @@
         <translation>Kopieren Sie den Bilderordner noch einmal; sonst hat die Kamera an den fehlenden Stellen kein Bild.</translation>
     </message>
     <message>
-        <source>Copy the recording again, or use only the frames before this one.</source>
-        <translation>Kopieren Sie die Aufnahme noch einmal, oder verwenden Sie nur die Bilder davor.</translation>
+        <source>Copy the recording again, or use only the frames before the unreadable one.</source>
+        <translation>Kopieren Sie die Aufnahme noch einmal, oder verwenden Sie nur die Bilder vor dem unlesbaren.</translation>
     </message>
     <message>
         <source>In the project file, correct the value of late_by for this camera. It is in seconds.</source>
         <translation>Korrigieren Sie in der Projektdatei den Wert von late_by für diese Kamera. Er ist in Sekunden angegeben.</translation>
     </message>
     <message>
-        <source>Correct the file, or remove the key truth from the project file.</source>
-        <translation>Korrigieren Sie die Datei, oder entfernen Sie den Schlüssel truth aus der Projektdatei.</translation>
+        <source>Correct the file, or remove the key &apos;truth&apos; from the project file.</source>
+        <translation>Korrigieren Sie die Datei, oder entfernen Sie den Schlüssel „truth“ aus der Projektdatei.</translation>
     </message>
     <message>
         <source>Correct the project file in a text editor, or make a new project.</source>
         <translation>Korrigieren Sie die Projektdatei in einem Texteditor, oder erstellen Sie ein neues Projekt.</translation>
     </message>
     <message>
-        <source>Correct the table, or remove the key times of this camera from the project file.</source>
-        <translation>Korrigieren Sie die Tabelle, oder entfernen Sie den Schlüssel times dieser Kamera aus der Projektdatei.</translation>
+        <source>Correct the table, or remove this camera&apos;s key &apos;times&apos; from the project file.</source>
+        <translation>Korrigieren Sie die Tabelle, oder entfernen Sie den Schlüssel „times“ dieser Kamera aus der Projektdatei.</translation>
     </message>
     <message>
         <source>The project has corrections for frames that the recording does not have: %1.</source>
@@ -2302,8 +2302,8 @@
         <translation>Einige Kameras sind live, andere sind Aufnahmen.</translation>
     </message>
     <message>
-        <source>Take the background image again, or remove the key empty_room of this camera from the project file.</source>
-        <translation>Nehmen Sie das Hintergrundbild neu auf, oder entfernen Sie den Schlüssel empty_room dieser Kamera aus der Projektdatei.</translation>
+        <source>Take the background image again, or remove this camera&apos;s key &apos;empty_room&apos; from the project file.</source>
+        <translation>Nehmen Sie das Hintergrundbild neu auf, oder entfernen Sie den Schlüssel „empty_room“ dieser Kamera aus der Projektdatei.</translation>
     </message>
     <message>
         <source>Target %1 has a radius of %2 m, which is larger than a person.</source>
@@ -2330,7 +2330,7 @@
         <translation>Die Kalibrierung kann nicht stimmen: %1.</translation>
     </message>
     <message>
-        <source>The calibration is plausible (cameras: %1, largest distance: %2 m).</source>
+        <source>The calibration is plausible (cameras: %1, largest distance between them: %2 m).</source>
         <translation>Die Kalibrierung ist plausibel (Kameras: %1, größter Abstand: %2 m).</translation>
     </message>
     <message>
@@ -2535,8 +2535,8 @@
         <translation>aus einer Datei</translation>
     </message>
     <message>
-        <source>marks in the images</source>
-        <translation>Marken in den Bildern</translation>
+        <source>points marked in the images</source>
+        <translation>in den Bildern markierte Punkte</translation>
     </message>
     <message>
         <source>%1, ±%2</source>
@@ -4044,24 +4044,24 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Ein Stab hat zwei Bälle verschiedener Farben: Drücken Sie „Ziel hinzufügen“ in der Werkzeugleiste, und klicken Sie dann den zweiten Ball in einem Bild an.</translation>
     </message>
     <message>
-        <source>Also move it to the left part of the image of %1.</source>
-        <translation>Bewegen Sie ihn auch in den linken Teil des Bildes von %1.</translation>
+        <source>Also move the ball to the left part of the image of %1.</source>
+        <translation>Bewegen Sie den Ball auch in den linken Teil des Bildes von %1.</translation>
     </message>
     <message>
-        <source>Also move it to the right part of the image of %1.</source>
-        <translation>Bewegen Sie ihn auch in den rechten Teil des Bildes von %1.</translation>
+        <source>Also move the ball to the right part of the image of %1.</source>
+        <translation>Bewegen Sie den Ball auch in den rechten Teil des Bildes von %1.</translation>
     </message>
     <message>
-        <source>Also move it to the upper part of the image of %1.</source>
-        <translation>Bewegen Sie ihn auch in den oberen Teil des Bildes von %1.</translation>
+        <source>Also move the ball to the upper part of the image of %1.</source>
+        <translation>Bewegen Sie den Ball auch in den oberen Teil des Bildes von %1.</translation>
     </message>
     <message>
-        <source>Also move it to the lower part of the image of %1.</source>
-        <translation>Bewegen Sie ihn auch in den unteren Teil des Bildes von %1.</translation>
+        <source>Also move the ball to the lower part of the image of %1.</source>
+        <translation>Bewegen Sie den Ball auch in den unteren Teil des Bildes von %1.</translation>
     </message>
     <message>
-        <source>Also move it to all edges of the image of %1.</source>
-        <translation>Bewegen Sie ihn auch an alle Ränder des Bildes von %1.</translation>
+        <source>Also move the ball to all edges of the image of %1.</source>
+        <translation>Bewegen Sie den Ball auch an alle Ränder des Bildes von %1.</translation>
     </message>
     <message>
         <source>The ball was seen for only %1. Wave for half a minute.</source>
@@ -4248,8 +4248,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Use for selected camera</source>
-        <translation>Für ausgewählte Kamera verwenden</translation>
+        <source>Assign to selected camera</source>
+        <translation>Ausgewählter Kamera zuweisen</translation>
     </message>
 </context>
 <context>
@@ -4647,7 +4647,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Bild mit der Tafel auf dem Boden</translation>
     </message>
     <message>
-        <source>Frame number with the board on the floor</source>
+        <source>Number of the frame with the board on the floor</source>
         <translation>Bild, in dem die Tafel auf dem Boden liegt</translation>
     </message>
     <message>
@@ -5143,8 +5143,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>nach Namen zuordnen</translation>
     </message>
     <message>
-        <source>only for %1</source>
-        <translation>nur für %1</translation>
+        <source>import only for %1</source>
+        <translation>nur für %1 importieren</translation>
     </message>
     <message>
         <source>File</source>
@@ -5698,8 +5698,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Hintergrundbild</translation>
     </message>
     <message>
-        <source>Image, video or image folder that shows the scene without any target. An object in it that has the target&apos;s color is then not mistaken for the target</source>
-        <translation>Bild, Video oder Bilderordner, der die Szene ohne Ziel zeigt. Ein Gegenstand darin, der die Farbe des Ziels hat, wird dann nicht mit dem Ziel verwechselt</translation>
+        <source>Image, video or image folder that shows the scene without any target. Objects in the background that have the target&apos;s color are then not mistaken for the target</source>
+        <translation>Bild, Video oder Bilderordner, der die Szene ohne Ziel zeigt. Gegenstände im Hintergrund, die die Farbe des Ziels haben, werden dann nicht mit dem Ziel verwechselt</translation>
     </message>
     <message>
         <source>Choose background image</source>
@@ -6127,8 +6127,8 @@ Position x, y, z: %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ControlForm</name>
     <message>
-        <source>%1 to %2, usually %3</source>
-        <translation>%1 bis %2, üblich %3</translation>
+        <source>From %1 to %2; default %3</source>
+        <translation>Von %1 bis %2; Standardwert %3</translation>
     </message>
 </context>
 <context>
@@ -6455,7 +6455,7 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Aufnahmen</translation>
     </message>
     <message>
-        <source>none: a rendered clip only</source>
+        <source>none: only a rendered clip</source>
         <translation>keine: nur ein berechneter Film</translation>
     </message>
     <message>
@@ -8660,8 +8660,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Vertauschen mit</translation>
     </message>
     <message>
-        <source>Exchange the image source with that of another camera, for example after the cables were exchanged. Names and calibrations stay</source>
-        <translation>Die Bildquelle mit der einer anderen Kamera vertauschen, zum Beispiel nachdem die Kabel vertauscht wurden. Namen und Kalibrierungen bleiben</translation>
+        <source>Exchange the image source with that of another camera, for example after the cables were exchanged. The cameras keep their names and calibrations</source>
+        <translation>Die Bildquelle mit der einer anderen Kamera vertauschen, zum Beispiel nachdem die Kabel vertauscht wurden. Die Kameras behalten ihre Namen und Kalibrierungen</translation>
     </message>
     <message>
         <source>Name</source>
@@ -8954,8 +8954,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>nicht festgelegt</translation>
     </message>
     <message>
-        <source>%1; %2 % of the iterations of this run were fast enough</source>
-        <translation>%1; %2 % der Iterationen dieses Laufs waren schnell genug</translation>
+        <source>%1 (met by %2 % of the iterations of this run)</source>
+        <translation>%1 (von %2 % der Iterationen dieses Laufs eingehalten)</translation>
     </message>
     <message>
         <source>Median time per iteration</source>
@@ -9143,8 +9143,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Use for selected camera</source>
-        <translation>Für ausgewählte Kamera verwenden</translation>
+        <source>Assign to selected camera</source>
+        <translation>Ausgewählter Kamera zuweisen</translation>
     </message>
     <message>
         <source>Network cameras, pipelines and test patterns</source>
@@ -9339,8 +9339,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Kameras kalibrieren …</translation>
     </message>
     <message>
-        <source>Videos of a board or a ball, step by step</source>
-        <translation>Videos einer Tafel oder eines Balls, Schritt für Schritt</translation>
+        <source>From videos of a board or a ball, step by step</source>
+        <translation>Mit Videos einer Tafel oder eines Balls, Schritt für Schritt</translation>
     </message>
     <message>
         <source>Identical balls</source>
@@ -11133,8 +11133,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Alle Kameras um 90° um die %1-Achse drehen, gegen den Uhrzeigersinn, wenn die Achse auf Sie zeigt</translation>
     </message>
     <message>
-        <source>Angle by which all cameras rotate about the vertical through the origin, counterclockwise as seen from above. They rotate first and move then</source>
-        <translation>Winkel, um den sich alle Kameras um die Senkrechte durch den Ursprung drehen, von oben gesehen gegen den Uhrzeigersinn. Zuerst drehen sie sich, dann bewegen sie sich</translation>
+        <source>Angle by which all cameras rotate about the vertical through the origin, counterclockwise as seen from above. The cameras are rotated first and then moved</source>
+        <translation>Winkel, um den sich alle Kameras um die Senkrechte durch den Ursprung drehen, von oben gesehen gegen den Uhrzeigersinn. Die Kameras werden zuerst gedreht und dann verschoben</translation>
     </message>
     <message>
         <source>Click the selected point in two or more images. Near a corner, the click moves exactly onto the corner; hold Alt to prevent this. Press Esc to finish.</source>

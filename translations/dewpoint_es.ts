@@ -1034,12 +1034,12 @@
         <translation>%1 vistas, precisión %2 (meta: %3)</translation>
     </message>
     <message>
-        <source>● sees the board</source>
-        <translation>● ve el tablero</translation>
+        <source>● board visible</source>
+        <translation>● tablero visible</translation>
     </message>
     <message>
-        <source>○ does not see the board</source>
-        <translation>○ no ve el tablero</translation>
+        <source>○ board not visible</source>
+        <translation>○ tablero no visible</translation>
     </message>
     <message>
         <source>%1 views, position accuracy %2</source>
@@ -1805,8 +1805,8 @@
         <translation>Deriva de la estimación a lo largo del eje óptico</translation>
     </message>
     <message>
-        <source>Error after a jump</source>
-        <translation>Error tras un salto</translation>
+        <source>Error after a jump of the object</source>
+        <translation>Error tras un salto del objeto</translation>
     </message>
     <message>
         <source>Particles from above</source>
@@ -2150,24 +2150,24 @@
         <translation>Copie de nuevo la carpeta de imágenes; si no, la cámara no tendrá imagen en los fotogramas que faltan.</translation>
     </message>
     <message>
-        <source>Copy the recording again, or use only the frames before this one.</source>
-        <translation>Copie de nuevo la grabación o use solo los fotogramas anteriores.</translation>
+        <source>Copy the recording again, or use only the frames before the unreadable one.</source>
+        <translation>Copie de nuevo la grabación o use solo los fotogramas anteriores al ilegible.</translation>
     </message>
     <message>
         <source>In the project file, correct the value of late_by for this camera. It is in seconds.</source>
         <translation>En el archivo del proyecto, corrija el valor de late_by de esta cámara. Está en segundos.</translation>
     </message>
     <message>
-        <source>Correct the file, or remove the key truth from the project file.</source>
-        <translation>Corrija el archivo o quite la clave truth del archivo del proyecto.</translation>
+        <source>Correct the file, or remove the key &apos;truth&apos; from the project file.</source>
+        <translation>Corrija el archivo o quite la clave «truth» del archivo del proyecto.</translation>
     </message>
     <message>
         <source>Correct the project file in a text editor, or make a new project.</source>
         <translation>Corrija el archivo del proyecto en un editor de texto o cree un proyecto nuevo.</translation>
     </message>
     <message>
-        <source>Correct the table, or remove the key times of this camera from the project file.</source>
-        <translation>Corrija la tabla o quite la clave times de esta cámara del archivo del proyecto.</translation>
+        <source>Correct the table, or remove this camera&apos;s key &apos;times&apos; from the project file.</source>
+        <translation>Corrija la tabla o quite la clave «times» de esta cámara del archivo del proyecto.</translation>
     </message>
     <message>
         <source>The project has corrections for frames that the recording does not have: %1.</source>
@@ -2302,8 +2302,8 @@
         <translation>Algunas cámaras son en vivo y otras son grabaciones.</translation>
     </message>
     <message>
-        <source>Take the background image again, or remove the key empty_room of this camera from the project file.</source>
-        <translation>Tome de nuevo la imagen de fondo o quite la clave empty_room de esta cámara del archivo del proyecto.</translation>
+        <source>Take the background image again, or remove this camera&apos;s key &apos;empty_room&apos; from the project file.</source>
+        <translation>Tome de nuevo la imagen de fondo o quite la clave «empty_room» de esta cámara del archivo del proyecto.</translation>
     </message>
     <message>
         <source>Target %1 has a radius of %2 m, which is larger than a person.</source>
@@ -2330,7 +2330,7 @@
         <translation>La calibración no puede ser correcta: %1.</translation>
     </message>
     <message>
-        <source>The calibration is plausible (cameras: %1, largest distance: %2 m).</source>
+        <source>The calibration is plausible (cameras: %1, largest distance between them: %2 m).</source>
         <translation>La calibración es plausible (cámaras: %1, distancia máxima: %2 m).</translation>
     </message>
     <message>
@@ -2535,8 +2535,8 @@
         <translation>de un archivo</translation>
     </message>
     <message>
-        <source>marks in the images</source>
-        <translation>marcas en las imágenes</translation>
+        <source>points marked in the images</source>
+        <translation>puntos marcados en las imágenes</translation>
     </message>
     <message>
         <source>%1, ±%2</source>
@@ -4044,24 +4044,24 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Una varita tiene dos pelotas de colores distintos: pulse «Añadir un objetivo» en la barra de herramientas y haga clic en la segunda pelota en una imagen.</translation>
     </message>
     <message>
-        <source>Also move it to the left part of the image of %1.</source>
-        <translation>Muévala también a la parte izquierda de la imagen de %1.</translation>
+        <source>Also move the ball to the left part of the image of %1.</source>
+        <translation>Mueva la bola también a la parte izquierda de la imagen de %1.</translation>
     </message>
     <message>
-        <source>Also move it to the right part of the image of %1.</source>
-        <translation>Muévala también a la parte derecha de la imagen de %1.</translation>
+        <source>Also move the ball to the right part of the image of %1.</source>
+        <translation>Mueva la bola también a la parte derecha de la imagen de %1.</translation>
     </message>
     <message>
-        <source>Also move it to the upper part of the image of %1.</source>
-        <translation>Muévala también a la parte superior de la imagen de %1.</translation>
+        <source>Also move the ball to the upper part of the image of %1.</source>
+        <translation>Mueva la bola también a la parte superior de la imagen de %1.</translation>
     </message>
     <message>
-        <source>Also move it to the lower part of the image of %1.</source>
-        <translation>Muévala también a la parte inferior de la imagen de %1.</translation>
+        <source>Also move the ball to the lower part of the image of %1.</source>
+        <translation>Mueva la bola también a la parte inferior de la imagen de %1.</translation>
     </message>
     <message>
-        <source>Also move it to all edges of the image of %1.</source>
-        <translation>Muévala también a todos los bordes de la imagen de %1.</translation>
+        <source>Also move the ball to all edges of the image of %1.</source>
+        <translation>Mueva la bola también a todos los bordes de la imagen de %1.</translation>
     </message>
     <message>
         <source>The ball was seen for only %1. Wave for half a minute.</source>
@@ -4248,8 +4248,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Añadir</translation>
     </message>
     <message>
-        <source>Use for selected camera</source>
-        <translation>Usar para la cámara seleccionada</translation>
+        <source>Assign to selected camera</source>
+        <translation>Asignar a la cámara seleccionada</translation>
     </message>
 </context>
 <context>
@@ -4647,7 +4647,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Fotograma con el tablero en el suelo</translation>
     </message>
     <message>
-        <source>Frame number with the board on the floor</source>
+        <source>Number of the frame with the board on the floor</source>
         <translation>Fotograma en que el tablero está en el suelo</translation>
     </message>
     <message>
@@ -5143,8 +5143,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>asignar por nombre</translation>
     </message>
     <message>
-        <source>only for %1</source>
-        <translation>solo para %1</translation>
+        <source>import only for %1</source>
+        <translation>importar solo para %1</translation>
     </message>
     <message>
         <source>File</source>
@@ -5698,8 +5698,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Imagen de fondo</translation>
     </message>
     <message>
-        <source>Image, video or image folder that shows the scene without any target. An object in it that has the target&apos;s color is then not mistaken for the target</source>
-        <translation>Imagen, vídeo o carpeta de imágenes que muestra la escena sin ningún objetivo. Así, un objeto de la escena que tiene el color del objetivo no se confunde con él</translation>
+        <source>Image, video or image folder that shows the scene without any target. Objects in the background that have the target&apos;s color are then not mistaken for the target</source>
+        <translation>Imagen, vídeo o carpeta de imágenes que muestra la escena sin ningún objetivo. Así, los objetos del fondo que tienen el color del objetivo no se confunden con él</translation>
     </message>
     <message>
         <source>Choose background image</source>
@@ -6127,8 +6127,8 @@ Posición x, y, z: %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ControlForm</name>
     <message>
-        <source>%1 to %2, usually %3</source>
-        <translation>%1 a %2, normalmente %3</translation>
+        <source>From %1 to %2; default %3</source>
+        <translation>De %1 a %2; valor predeterminado %3</translation>
     </message>
 </context>
 <context>
@@ -6455,7 +6455,7 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Grabaciones</translation>
     </message>
     <message>
-        <source>none: a rendered clip only</source>
+        <source>none: only a rendered clip</source>
         <translation>ninguna: solo un vídeo generado</translation>
     </message>
     <message>
@@ -8660,8 +8660,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Intercambiar con</translation>
     </message>
     <message>
-        <source>Exchange the image source with that of another camera, for example after the cables were exchanged. Names and calibrations stay</source>
-        <translation>Intercambiar la fuente de imágenes con la de otra cámara, por ejemplo si se intercambiaron los cables. Los nombres y las calibraciones se conservan</translation>
+        <source>Exchange the image source with that of another camera, for example after the cables were exchanged. The cameras keep their names and calibrations</source>
+        <translation>Intercambiar la fuente de imágenes con la de otra cámara, por ejemplo si se intercambiaron los cables. Las cámaras conservan sus nombres y calibraciones</translation>
     </message>
     <message>
         <source>Name</source>
@@ -8954,8 +8954,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>sin fijar</translation>
     </message>
     <message>
-        <source>%1; %2 % of the iterations of this run were fast enough</source>
-        <translation>%1; el %2 % de las iteraciones de esta ejecución cumplió el límite</translation>
+        <source>%1 (met by %2 % of the iterations of this run)</source>
+        <translation>%1 (lo cumplió el %2 % de las iteraciones de esta ejecución)</translation>
     </message>
     <message>
         <source>Median time per iteration</source>
@@ -9143,8 +9143,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Añadir</translation>
     </message>
     <message>
-        <source>Use for selected camera</source>
-        <translation>Usar para la cámara seleccionada</translation>
+        <source>Assign to selected camera</source>
+        <translation>Asignar a la cámara seleccionada</translation>
     </message>
     <message>
         <source>Network cameras, pipelines and test patterns</source>
@@ -9339,8 +9339,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Calibrar cámaras…</translation>
     </message>
     <message>
-        <source>Videos of a board or a ball, step by step</source>
-        <translation>Vídeos de un tablero o una bola, paso a paso</translation>
+        <source>From videos of a board or a ball, step by step</source>
+        <translation>Con vídeos de un tablero o una bola, paso a paso</translation>
     </message>
     <message>
         <source>Identical balls</source>
@@ -11133,7 +11133,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Girar todas las cámaras 90° alrededor del eje %1, en sentido antihorario si el eje apunta hacia usted</translation>
     </message>
     <message>
-        <source>Angle by which all cameras rotate about the vertical through the origin, counterclockwise as seen from above. They rotate first and move then</source>
+        <source>Angle by which all cameras rotate about the vertical through the origin, counterclockwise as seen from above. The cameras are rotated first and then moved</source>
         <translation>Ángulo que giran todas las cámaras alrededor de la vertical por el origen, en sentido antihorario vistas desde arriba. Primero giran y después se mueven</translation>
     </message>
     <message>

@@ -1034,11 +1034,11 @@
         <translation>%1 ビュー、精度 %2（目標: %3）</translation>
     </message>
     <message>
-        <source>● sees the board</source>
+        <source>● board visible</source>
         <translation>● ボードが見えています</translation>
     </message>
     <message>
-        <source>○ does not see the board</source>
+        <source>○ board not visible</source>
         <translation>○ ボードが見えません</translation>
     </message>
     <message>
@@ -1804,8 +1804,8 @@
         <translation>推定値の光軸方向のドリフト</translation>
     </message>
     <message>
-        <source>Error after a jump</source>
-        <translation>ジャンプ後の誤差</translation>
+        <source>Error after a jump of the object</source>
+        <translation>物体のジャンプ後の誤差</translation>
     </message>
     <message>
         <source>Particles from above</source>
@@ -2149,24 +2149,24 @@
         <translation>画像フォルダーをコピーし直してください。このままでは、欠けているフレームにこのカメラの画像がありません。</translation>
     </message>
     <message>
-        <source>Copy the recording again, or use only the frames before this one.</source>
-        <translation>録画をコピーし直すか、それより前のフレームだけを使ってください。</translation>
+        <source>Copy the recording again, or use only the frames before the unreadable one.</source>
+        <translation>録画をコピーし直すか、読めないフレームより前のフレームだけを使ってください。</translation>
     </message>
     <message>
         <source>In the project file, correct the value of late_by for this camera. It is in seconds.</source>
         <translation>プロジェクトファイルで、このカメラの late_by の値を直してください。単位は秒です。</translation>
     </message>
     <message>
-        <source>Correct the file, or remove the key truth from the project file.</source>
-        <translation>ファイルを直すか、プロジェクトファイルからキー truth を削除してください。</translation>
+        <source>Correct the file, or remove the key &apos;truth&apos; from the project file.</source>
+        <translation>ファイルを直すか、プロジェクトファイルからキー「truth」を削除してください。</translation>
     </message>
     <message>
         <source>Correct the project file in a text editor, or make a new project.</source>
         <translation>テキストエディターでプロジェクトファイルを直すか、新しいプロジェクトを作成してください。</translation>
     </message>
     <message>
-        <source>Correct the table, or remove the key times of this camera from the project file.</source>
-        <translation>表を直すか、プロジェクトファイルからこのカメラのキー times を削除してください。</translation>
+        <source>Correct the table, or remove this camera&apos;s key &apos;times&apos; from the project file.</source>
+        <translation>表を直すか、プロジェクトファイルからこのカメラのキー「times」を削除してください。</translation>
     </message>
     <message>
         <source>The project has corrections for frames that the recording does not have: %1.</source>
@@ -2301,8 +2301,8 @@
         <translation>ライブカメラと録画が混在しています。</translation>
     </message>
     <message>
-        <source>Take the background image again, or remove the key empty_room of this camera from the project file.</source>
-        <translation>背景画像を撮り直すか、プロジェクトファイルからこのカメラのキー empty_room を削除してください。</translation>
+        <source>Take the background image again, or remove this camera&apos;s key &apos;empty_room&apos; from the project file.</source>
+        <translation>背景画像を撮り直すか、プロジェクトファイルからこのカメラのキー「empty_room」を削除してください。</translation>
     </message>
     <message>
         <source>Target %1 has a radius of %2 m, which is larger than a person.</source>
@@ -2329,7 +2329,7 @@
         <translation>キャリブレーションが正しくありません: %1。</translation>
     </message>
     <message>
-        <source>The calibration is plausible (cameras: %1, largest distance: %2 m).</source>
+        <source>The calibration is plausible (cameras: %1, largest distance between them: %2 m).</source>
         <translation>カメラ %1 台のキャリブレーションは妥当です。カメラどうしの距離は最大 %2 m です。</translation>
     </message>
     <message>
@@ -2534,8 +2534,8 @@
         <translation>ファイルから</translation>
     </message>
     <message>
-        <source>marks in the images</source>
-        <translation>画像内のマーク</translation>
+        <source>points marked in the images</source>
+        <translation>画像内でマークした点</translation>
     </message>
     <message>
         <source>%1, ±%2</source>
@@ -4042,24 +4042,24 @@ Effective sample size %8 of %9</source>
         <translation>ワンドには色の異なるボールが2つあります。ツールバーの「ターゲットを追加」を押してから、画像で2つ目のボールをクリックしてください。</translation>
     </message>
     <message>
-        <source>Also move it to the left part of the image of %1.</source>
-        <translation>%1 の画像の左側にも動かしてください。</translation>
+        <source>Also move the ball to the left part of the image of %1.</source>
+        <translation>ボールを %1 の画像の左側にも動かしてください。</translation>
     </message>
     <message>
-        <source>Also move it to the right part of the image of %1.</source>
-        <translation>%1 の画像の右側にも動かしてください。</translation>
+        <source>Also move the ball to the right part of the image of %1.</source>
+        <translation>ボールを %1 の画像の右側にも動かしてください。</translation>
     </message>
     <message>
-        <source>Also move it to the upper part of the image of %1.</source>
-        <translation>%1 の画像の上側にも動かしてください。</translation>
+        <source>Also move the ball to the upper part of the image of %1.</source>
+        <translation>ボールを %1 の画像の上側にも動かしてください。</translation>
     </message>
     <message>
-        <source>Also move it to the lower part of the image of %1.</source>
-        <translation>%1 の画像の下側にも動かしてください。</translation>
+        <source>Also move the ball to the lower part of the image of %1.</source>
+        <translation>ボールを %1 の画像の下側にも動かしてください。</translation>
     </message>
     <message>
-        <source>Also move it to all edges of the image of %1.</source>
-        <translation>%1 の画像のすべての端にも動かしてください。</translation>
+        <source>Also move the ball to all edges of the image of %1.</source>
+        <translation>ボールを %1 の画像のすべての端にも動かしてください。</translation>
     </message>
     <message>
         <source>The ball was seen for only %1. Wave for half a minute.</source>
@@ -4245,8 +4245,8 @@ Effective sample size %8 of %9</source>
         <translation>追加</translation>
     </message>
     <message>
-        <source>Use for selected camera</source>
-        <translation>選択したカメラに使用</translation>
+        <source>Assign to selected camera</source>
+        <translation>選択したカメラに割り当て</translation>
     </message>
 </context>
 <context>
@@ -4643,7 +4643,7 @@ Effective sample size %8 of %9</source>
         <translation>ボードが床に置かれているフレーム</translation>
     </message>
     <message>
-        <source>Frame number with the board on the floor</source>
+        <source>Number of the frame with the board on the floor</source>
         <translation>ボードが床にあるフレーム</translation>
     </message>
     <message>
@@ -5137,8 +5137,8 @@ Effective sample size %8 of %9</source>
         <translation>名前で対応付ける</translation>
     </message>
     <message>
-        <source>only for %1</source>
-        <translation>%1 だけに</translation>
+        <source>import only for %1</source>
+        <translation>%1 だけにインポート</translation>
     </message>
     <message>
         <source>File</source>
@@ -5691,7 +5691,7 @@ Position x, y, z: %4, %5, %6</source>
         <translation>背景画像</translation>
     </message>
     <message>
-        <source>Image, video or image folder that shows the scene without any target. An object in it that has the target&apos;s color is then not mistaken for the target</source>
+        <source>Image, video or image folder that shows the scene without any target. Objects in the background that have the target&apos;s color are then not mistaken for the target</source>
         <translation>ターゲットのない場面を写した画像、動画、または画像フォルダー。これに写っているターゲットと同じ色の物は、ターゲットと間違えられなくなります</translation>
     </message>
     <message>
@@ -6117,8 +6117,8 @@ Position x, y, z: %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::ControlForm</name>
     <message>
-        <source>%1 to %2, usually %3</source>
-        <translation>%1 から %2、通常 %3</translation>
+        <source>From %1 to %2; default %3</source>
+        <translation>%1 から %2、既定値 %3</translation>
     </message>
 </context>
 <context>
@@ -6445,7 +6445,7 @@ Position x, y, z: %4, %5, %6</source>
         <translation>録画</translation>
     </message>
     <message>
-        <source>none: a rendered clip only</source>
+        <source>none: only a rendered clip</source>
         <translation>なし：計算で作った映像のみ</translation>
     </message>
     <message>
@@ -8643,7 +8643,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>入れ替え</translation>
     </message>
     <message>
-        <source>Exchange the image source with that of another camera, for example after the cables were exchanged. Names and calibrations stay</source>
+        <source>Exchange the image source with that of another camera, for example after the cables were exchanged. The cameras keep their names and calibrations</source>
         <translation>画像ソースを別のカメラと入れ替えます (ケーブルを入れ替えた後など)。名前とキャリブレーションはそのまま残ります</translation>
     </message>
     <message>
@@ -8935,8 +8935,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>設定なし</translation>
     </message>
     <message>
-        <source>%1; %2 % of the iterations of this run were fast enough</source>
-        <translation>%1、この実行の反復の %2 % が時間内に終わりました</translation>
+        <source>%1 (met by %2 % of the iterations of this run)</source>
+        <translation>%1（この実行の反復の %2 % が時間内に終了）</translation>
     </message>
     <message>
         <source>Median time per iteration</source>
@@ -9124,8 +9124,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>追加</translation>
     </message>
     <message>
-        <source>Use for selected camera</source>
-        <translation>選択したカメラに使用</translation>
+        <source>Assign to selected camera</source>
+        <translation>選択したカメラに割り当て</translation>
     </message>
     <message>
         <source>Network cameras, pipelines and test patterns</source>
@@ -9320,7 +9320,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>カメラをキャリブレーション…</translation>
     </message>
     <message>
-        <source>Videos of a board or a ball, step by step</source>
+        <source>From videos of a board or a ball, step by step</source>
         <translation>ボードまたはボールの映像から、手順に沿って</translation>
     </message>
     <message>
@@ -11111,7 +11111,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>すべてのカメラを %1 軸のまわりに 90° 回転します(軸が手前を向くとき反時計回り)</translation>
     </message>
     <message>
-        <source>Angle by which all cameras rotate about the vertical through the origin, counterclockwise as seen from above. They rotate first and move then</source>
+        <source>Angle by which all cameras rotate about the vertical through the origin, counterclockwise as seen from above. The cameras are rotated first and then moved</source>
         <translation>原点を通る鉛直軸のまわりにすべてのカメラを回転する角度（上から見て反時計回り）。回転してから移動します</translation>
     </message>
     <message>

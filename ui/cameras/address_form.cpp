@@ -168,7 +168,7 @@ void AddressForm::retranslateUi() {
   address_->setToolTip(tr("Address of a network camera, a GStreamer pipeline or a test pattern"));
   try_->setToolTip(tr("Open the address, and show its first image, its size and its rate"));
   add_->setText(tr("Add"));
-  replace_->setText(tr("Use for selected camera"));
+  replace_->setText(tr("Assign to selected camera"));
   refresh();
 }
 

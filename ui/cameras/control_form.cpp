@@ -110,7 +110,7 @@ QWidget* ControlForm::makeSlider(const capture::DeviceControl& control) {
   number->setKeyboardTracking(false);
   slider->setAccessibleName(controlText(control));
   number->setAccessibleName(controlText(control));
-  both->setToolTip(tr("%1 to %2, usually %3")
+  both->setToolTip(tr("From %1 to %2; default %3")
                        .arg(control.minimum)
                        .arg(control.maximum)
                        .arg(control.defaultValue));

@@ -189,8 +189,8 @@ void ProjectPane::retranslateUi() {
   remove_->setText(tr("Remove"));
   exchange_->setText(tr("Exchange with"));
   exchange_->setToolTip(
-      tr("Exchange the image source with that of another camera, for example after the cables "
-         "were exchanged. Names and calibrations stay"));
+      tr("Exchange the image source with that of another camera, for example after the cables were "
+         "exchanged. The cameras keep their names and calibrations"));
   nameLabel_->setText(tr("Name"));
   name_->setToolTip(tr("Name of the camera, in views and files"));
   rotationLabel_->setText(tr("Rotated"));

@@ -129,7 +129,7 @@ void SourcePane::retranslateUi() {
   list_->setAccessibleName(title_->text());
   empty_->setText(tr("No camera is connected. Plug one in: it appears here by itself."));
   add_->setText(tr("Add"));
-  use_->setText(tr("Use for selected camera"));
+  use_->setText(tr("Assign to selected camera"));
   addressTitle_->setText(tr("Network cameras, pipelines and test patterns"));
   recordingTitle_->setText(tr("Recordings"));
   videos_->setText(tr("Add videos…"));

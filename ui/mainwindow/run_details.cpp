@@ -69,7 +69,7 @@ QString budgetText(const BudgetStatistics& budget) {
   }
   const double kept =
       1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
-  return RunDetails::tr("%1; %2 % of the iterations of this run were fast enough")
+  return RunDetails::tr("%1 (met by %2 % of the iterations of this run)")
       .arg(millisecondsText(budget.milliseconds), percentText(kept, 1));
 }
 

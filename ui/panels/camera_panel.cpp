@@ -172,8 +172,8 @@ void CameraPanel::retranslateUi() {
   delay_->setAccessibleName(tr("Delay of the images in milliseconds"));
   backgroundImageLabel_->setText(tr("Background image"));
   backgroundImage_->setToolTip(
-      tr("Image, video or image folder that shows the scene without any target. An object in it "
-         "that has the target's color is then not mistaken for the target"));
+      tr("Image, video or image folder that shows the scene without any target. Objects in the "
+         "background that have the target's color are then not mistaken for the target"));
   backgroundImageBrowse_->setText(tr("Choose…"));
   backgroundImageBrowse_->setAccessibleName(tr("Choose background image"));
   backgroundImageBrowse_->setToolTip(

@@ -186,7 +186,8 @@ void StartPage::retranslateUi() {
   ownTitle_->setText(tr("Your own data"));
   videos_->setTexts(tr("Open videos…"), tr("One recording per camera"));
   cameras_->setTexts(tr("Use cameras…"), tr("Connected cameras or network streams"));
-  calibrate_->setTexts(tr("Calibrate cameras…"), tr("Videos of a board or a ball, step by step"));
+  calibrate_->setTexts(tr("Calibrate cameras…"),
+                       tr("From videos of a board or a ball, step by step"));
   open_->setTexts(tr("Open a project…"), tr("A project saved earlier"));
   hint_->setText(tr("You can also drop a project or videos onto this window."));
   recentTitle_->setText(tr("Recent projects"));

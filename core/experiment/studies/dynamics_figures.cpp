@@ -154,7 +154,7 @@ std::string spreadsCsv(std::span<const double> sigmas, std::span<const DynamicsR
 
 Status dynamicsFigure6(const ExperimentOptions& options) {
   const int runs = options.runs;
-  FigurePage page("Error after a jump (figure 6)", chosen(kStartsBeside));
+  FigurePage page("Error after a jump of the object (figure 6)", chosen(kStartsBeside));
   std::vector<std::vector<double>> columns(1);
   std::vector<std::pair<std::string, std::vector<double>>> curves;
   std::vector<std::vector<std::string>> rows;

@@ -58,7 +58,7 @@ std::span<const FigureExperiment> figureExperiments() {
           "Barrera et al. 2005, section III-B: the share of runs that converge, depending on the "
           "size of the start volume, and on how far behind the ball a start point lies.",
           100, &intoFolder<&barreraStarts>},
-      FigureExperiment{"dynamics-fig6", "Error after a jump",
+      FigureExperiment{"dynamics-fig6", "Error after a jump of the object",
                        "Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.", 100,
                        &intoFolder<&dynamicsFigure6>},
       FigureExperiment{"dynamics-fig7", "Error after each iteration, for different motion sigmas",

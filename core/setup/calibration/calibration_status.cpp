@@ -118,7 +118,7 @@ const char* originText(const PartStatus& part) {
   case CalibrationOrigin::Marks:
     break;
   }
-  return "marks in the images";
+  return "points marked in the images";
 }
 
 std::size_t countKnown(const CalibrationStatus& status, PartStatus CameraCalibrationStatus::*part,

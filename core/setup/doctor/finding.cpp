@@ -42,7 +42,7 @@ constexpr std::array kFindingTexts{
         "Copy the image folder again; otherwise the camera has no image in the missing frames."},
     FindingTexts{FrameUnreadable, "frame-unreadable", kProblem,
                  "Frame %2 of %1 cannot be read: %3.",
-                 "Copy the recording again, or use only the frames before this one."},
+                 "Copy the recording again, or use only the frames before the unreadable one."},
     FindingTexts{VideoCutOff, "video-cut-off", kProblem, "The video of %1 is cut off: %2.",
                  "Copy the video again, or repair it with FFmpeg (ffmpeg -i IN -c copy OUT)."},
     FindingTexts{
@@ -64,8 +64,8 @@ constexpr std::array kFindingTexts{
                  "Open the project to see whether images arrive."},
     FindingTexts{BackgroundImageUnusable, "empty-room-unusable", kProblem,
                  "The background image of %1 cannot be used: %2.",
-                 "Take the background image again, or remove the key empty_room of this camera "
-                 "from the project file."},
+                 "Take the background image again, or remove this camera's key 'empty_room' from "
+                 "the project file."},
     FindingTexts{SceneCameras, "scene-cameras", kFine, "Simulated cameras: %1.", ""},
     FindingTexts{
         RatesDiffer, "rates-differ", kProblem, "The recordings have different frame rates: %1.",
@@ -77,9 +77,9 @@ constexpr std::array kFindingTexts{
     FindingTexts{RateAssumed, "rate-assumed", kNote,
                  "The frame rate of the images is not given; %1 frames per second are assumed.",
                  "Set frames_per_second in the project file; the measured speeds depend on it."},
-    FindingTexts{
-        TimesUnusable, "times-unusable", kProblem, "The table of times of %1 cannot be used: %2.",
-        "Correct the table, or remove the key times of this camera from the project file."},
+    FindingTexts{TimesUnusable, "times-unusable", kProblem,
+                 "The table of times of %1 cannot be used: %2.",
+                 "Correct the table, or remove this camera's key 'times' from the project file."},
     FindingTexts{TimesCountDiffers, "times-count-differs", kProblem,
                  "The table of times of %1 has %2 times, but there are %3 images.",
                  "Use the table of times that belongs to this recording."},
@@ -98,7 +98,8 @@ constexpr std::array kFindingTexts{
         DelayUnusual, "delay-unusual", kNote, "The delay of %1 is %2 s, which is unusually large.",
         "In the project file, check the value of late_by for this camera. It is in seconds."},
     FindingTexts{CalibrationFine, "calibration-fine", kFine,
-                 "The calibration is plausible (cameras: %1, largest distance: %2 m).", ""},
+                 "The calibration is plausible (cameras: %1, largest distance between them: %2 m).",
+                 ""},
     FindingTexts{CalibrationGuessed, "calibration-guessed", kProblem,
                  "The cameras are not calibrated: their poses are guesses, so tracked positions "
                  "mean nothing.",
@@ -170,7 +171,7 @@ constexpr std::array kFindingTexts{
                  "Move the volume of interest, or remove it."},
     FindingTexts{TruthUnusable, "truth-unusable", kProblem,
                  "The true positions cannot be read: %1.",
-                 "Correct the file, or remove the key truth from the project file."},
+                 "Correct the file, or remove the key 'truth' from the project file."},
     FindingTexts{DiskFine, "disk-fine", kFine,
                  "There is enough disk space for results: %1 GB are free.", ""},
     FindingTexts{DiskNearlyFull, "disk-nearly-full", kNote, "Only %1 GB are free for results.",

@@ -146,7 +146,7 @@ void BoardGoalForm::retranslateUi() {
   floor_->setToolTip(tr("The board as it lies in this video frame defines the world coordinates: X "
                         "along its rows, Y toward its upper edge, Z up from the floor. Without "
                         "such a frame, the first camera keeps its position"));
-  name(floorFrame_, tr("Frame number with the board on the floor"),
+  name(floorFrame_, tr("Number of the frame with the board on the floor"),
        tr("Number of the frame, as in the timeline (the first frame is 1)"));
   floorHere_->setText(tr("Use current frame"));
   name(floorHere_, tr("Use current frame for the floor"),

@@ -208,8 +208,8 @@ QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
 
 QString visibilityText(const BoardGuideState::PerCamera& camera) {
   return camera.width == 0 ? BoardText::tr("No image yet")
-         : camera.seen     ? BoardText::tr("● sees the board")
-                           : BoardText::tr("○ does not see the board");
+         : camera.seen     ? BoardText::tr("● board visible")
+                           : BoardText::tr("○ board not visible");
 }
 
 QString positionAccuracyText(const BoardGuideState::PerCamera& camera) {

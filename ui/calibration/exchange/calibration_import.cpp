@@ -69,7 +69,7 @@ void CalibrationImportDialog::chooseFile() {
 void CalibrationImportDialog::fillCameras() {
   ChoicesWithData choices = {{tr("match by name"), {}}};
   for (int camera = 0; camera < cameras_.rowCount(); ++camera) {
-    choices.emplace_back(tr("only for %1").arg(cameras_.nameOf(camera)), camera);
+    choices.emplace_back(tr("import only for %1").arg(cameras_.nameOf(camera)), camera);
   }
   setChoicesWithData(*camera_, choices);
 }

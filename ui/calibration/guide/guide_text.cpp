@@ -23,7 +23,7 @@ class GuideText {
     QT_TRANSLATE_NOOP("GuideText", "board"),
     QT_TRANSLATE_NOOP("GuideText", "wand"),
     QT_TRANSLATE_NOOP("GuideText", "from a file"),
-    QT_TRANSLATE_NOOP("GuideText", "marks in the images")};
+    QT_TRANSLATE_NOOP("GuideText", "points marked in the images")};
 
 /// Where numbers come from, or how they are otherwise known.
 QString originName(const PartStatus& part) {

@@ -17,15 +17,15 @@ class WandText {
 QString moveItThereText(const QString& camera, ImageSide side) {
   switch (side) {
   case ImageSide::Left:
-    return WandText::tr("Also move it to the left part of the image of %1.").arg(camera);
+    return WandText::tr("Also move the ball to the left part of the image of %1.").arg(camera);
   case ImageSide::Right:
-    return WandText::tr("Also move it to the right part of the image of %1.").arg(camera);
+    return WandText::tr("Also move the ball to the right part of the image of %1.").arg(camera);
   case ImageSide::Top:
-    return WandText::tr("Also move it to the upper part of the image of %1.").arg(camera);
+    return WandText::tr("Also move the ball to the upper part of the image of %1.").arg(camera);
   case ImageSide::Bottom:
-    return WandText::tr("Also move it to the lower part of the image of %1.").arg(camera);
+    return WandText::tr("Also move the ball to the lower part of the image of %1.").arg(camera);
   default:
-    return WandText::tr("Also move it to all edges of the image of %1.").arg(camera);
+    return WandText::tr("Also move the ball to all edges of the image of %1.").arg(camera);
   }
 }
 

@@ -256,7 +256,7 @@ void WorldPage::retranslateUi() {
   setRange(*turn_, kTurn, tr("°"));
   name(turn_, tr("Rotation about the vertical"),
        tr("Angle by which all cameras rotate about the vertical through the origin, "
-          "counterclockwise as seen from above. They rotate first and move then"));
+          "counterclockwise as seen from above. The cameras are rotated first and then moved"));
   button(move_, tr("Move"), tr("Rotate and move all cameras together"));
   quarterLabel_->setText(tr("Quarter turn"));
   refresh();
