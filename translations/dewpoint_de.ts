@@ -276,8 +276,8 @@
         <translation>Zur nächsten Marke gehen</translation>
     </message>
     <message>
-        <source>Zoom to the selected span</source>
-        <translation>Auf die gewählte Spanne zoomen</translation>
+        <source>Zoom to the selected time span</source>
+        <translation>Auf die gewählte Zeitspanne zoomen</translation>
     </message>
     <message>
         <source>Show likelihood map</source>
@@ -1338,8 +1338,8 @@
         <translation>Automatische Belichtung</translation>
     </message>
     <message>
-        <source>Exposure time (0.1 ms)</source>
-        <translation>Belichtungszeit (0,1 ms)</translation>
+        <source>Exposure time (× 0.1 ms)</source>
+        <translation>Belichtungszeit (× 0,1 ms)</translation>
     </message>
     <message>
         <source>Lower frame rate in low light</source>
@@ -2286,8 +2286,8 @@
         <translation>Setzen Sie frames_per_second in der Projektdatei; die gemessenen Geschwindigkeiten hängen davon ab.</translation>
     </message>
     <message>
-        <source>Set rotate to 90 or 270 for this camera in the project file.</source>
-        <translation>Setzen Sie rotate bei dieser Kamera in der Projektdatei auf 90 oder 270.</translation>
+        <source>In the project file, set the key &apos;rotate&apos; of this camera to 90 or 270.</source>
+        <translation>Setzen Sie in der Projektdatei den Schlüssel „rotate“ dieser Kamera auf 90 oder 270.</translation>
     </message>
     <message>
         <source>Simulated cameras: %1.</source>
@@ -3704,8 +3704,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Existenz</translation>
     </message>
     <message>
-        <source>Error against truth</source>
-        <translation>Fehler gegen die Wahrheit</translation>
+        <source>Error against ground truth</source>
+        <translation>Abweichung von der wahren Position</translation>
     </message>
     <message>
         <source>distance</source>
@@ -3724,8 +3724,8 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
         <translation>Ähnlichkeit</translation>
     </message>
     <message>
-        <source>similarity to the reference</source>
-        <translation>Ähnlichkeit zur Vorlage</translation>
+        <source>similarity to the reference colors</source>
+        <translation>Ähnlichkeit mit den Vorlagefarben</translation>
     </message>
     <message>
         <source>Position</source>
@@ -3743,7 +3743,7 @@ Von %2 bis %3%4; die Vorgabe kommt aus dem Bereich, den die Kameras sehen.</tran
 <context>
     <name>SizeFitText</name>
     <message>
-        <source>the same as when calibrated</source>
+        <source>same as during calibration</source>
         <translation>wie bei der Kalibrierung</translation>
     </message>
     <message>
@@ -4548,8 +4548,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Das Wörterbuch der Marker, das beim Erstellen der Tafel gewählt wurde</translation>
     </message>
     <message>
-        <source>Legacy layout (even rows)</source>
-        <translation>Altes Layout (gerade Zeilenzahl)</translation>
+        <source>Legacy ChArUco layout</source>
+        <translation>Altes ChArUco-Layout</translation>
     </message>
     <message>
         <source>Inverted colors</source>
@@ -4945,8 +4945,8 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::BoxPicker</name>
     <message>
-        <source>This camera shows no image in which a box could be set.</source>
-        <translation>Diese Kamera zeigt kein Bild, in dem ein Rahmen gesetzt werden könnte.</translation>
+        <source>No box can be set here, because this camera shows no image.</source>
+        <translation>Hier lässt sich kein Rahmen setzen, weil diese Kamera kein Bild zeigt.</translation>
     </message>
     <message>
         <source>Box of %1</source>
@@ -4999,8 +4999,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         </translation>
     </message>
     <message>
-        <source>None: camera positions will be a guess</source>
-        <translation>Keine: Die Kamerapositionen werden geraten</translation>
+        <source>None: the camera positions will only be guesses</source>
+        <translation>Keine: Die Kamerapositionen werden nur geraten</translation>
     </message>
     <message>
         <source>Reading…</source>
@@ -5251,8 +5251,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Kamera des Projekts, die die Kalibrierung erhält, wenn die Datei nur eine Kamera enthält</translation>
     </message>
     <message>
-        <source>The file does not contain everything. Set “%1” above.</source>
-        <translation>Die Datei enthält nicht alles. Stellen Sie oben „%1“ ein.</translation>
+        <source>The file lacks a required value. Set “%1” above.</source>
+        <translation>In der Datei fehlt ein nötiger Wert. Stellen Sie oben „%1“ ein.</translation>
     </message>
     <message>
         <source>The calibration uses other camera names. The cameras were matched by order.</source>
@@ -5706,8 +5706,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Hintergrundbild wählen</translation>
     </message>
     <message>
-        <source>Find an image or a video of the scene without any target</source>
-        <translation>Ein Bild oder Video der Szene ohne Ziel suchen</translation>
+        <source>Choose an image or a video of the scene without any target</source>
+        <translation>Ein Bild oder Video der Szene ohne Ziel wählen</translation>
     </message>
     <message>
         <source>Use current image as background</source>
@@ -5913,8 +5913,8 @@ Position x, y, z: %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ColorLearner</name>
     <message>
-        <source>This camera shows no image to learn from.</source>
-        <translation>Diese Kamera zeigt kein Bild, aus dem gelernt werden kann.</translation>
+        <source>No color can be learned here, because this camera shows no image.</source>
+        <translation>Hier lässt sich keine Farbe lernen, weil diese Kamera kein Bild zeigt.</translation>
     </message>
     <message>
         <source>Click the target first. Then exclude colors that are not the target.</source>
@@ -6526,8 +6526,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop the current work; files that already exist stay unchanged</source>
-        <translation>Die laufende Arbeit anhalten; vorhandene Dateien bleiben unverändert</translation>
+        <source>Stop the export or the preview; files that already exist stay unchanged</source>
+        <translation>Den Export oder die Vorschau anhalten; vorhandene Dateien bleiben unverändert</translation>
     </message>
     <message>
         <source>Figure…</source>
@@ -7018,8 +7018,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>vorher</translation>
     </message>
     <message>
-        <source>before: the grid is outside the visible part of the image</source>
-        <translation>vorher: Das Gitter liegt außerhalb des sichtbaren Teils des Bildes</translation>
+        <source>before: the earlier grid is outside the visible part of the image</source>
+        <translation>vorher: Das frühere Gitter liegt außerhalb des sichtbaren Teils des Bildes</translation>
     </message>
 </context>
 <context>
@@ -8208,8 +8208,8 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>Gezeigte Kurven wählen; kopieren oder speichern</translation>
     </message>
     <message>
-        <source>Choose the plots shown</source>
-        <translation>Gezeigte Kurven wählen</translation>
+        <source>Choose which plots to show</source>
+        <translation>Wählen, welche Kurven gezeigt werden</translation>
     </message>
     <message>
         <source>The plots are on the clipboard as CSV.</source>
@@ -8508,8 +8508,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Copy the text, to be pasted into a mail or a form</source>
-        <translation>Den Text kopieren, zum Einfügen in eine Mail oder ein Formular</translation>
+        <source>Copy the text so that you can paste it into an email or a form</source>
+        <translation>Den Text kopieren, um ihn in eine E-Mail oder ein Formular einzufügen</translation>
     </message>
     <message>
         <source>Close</source>
@@ -8610,8 +8610,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Copy the result as text, in English, for a question or a report</source>
-        <translation>Das Ergebnis als englischen Text kopieren, für eine Frage oder eine Meldung</translation>
+        <source>Copy the result as English text, for example for a bug report</source>
+        <translation>Das Ergebnis als englischen Text kopieren, zum Beispiel für einen Fehlerbericht</translation>
     </message>
     <message>
         <source>Close</source>
@@ -8751,12 +8751,12 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Ein anderes Objekt passt etwa genauso gut. Drücken Sie X, und ziehen Sie das Ziel an seine wahre Position.</translation>
     </message>
     <message>
-        <source>Not found yet, or out of sight for less than a second.</source>
-        <translation>Noch nicht gefunden, oder seit weniger als einer Sekunde nicht gesehen.</translation>
+        <source>The target is not found yet, or has been out of sight for less than a second.</source>
+        <translation>Das Ziel ist noch nicht gefunden oder seit weniger als einer Sekunde nicht zu sehen.</translation>
     </message>
     <message>
-        <source>Out of sight for more than a second. The status bar shows why.</source>
-        <translation>Seit mehr als einer Sekunde nicht gesehen. Die Statusleiste zeigt, warum.</translation>
+        <source>The target has been out of sight for more than a second. The status bar shows why.</source>
+        <translation>Das Ziel ist seit mehr als einer Sekunde nicht zu sehen. Die Statusleiste zeigt, warum.</translation>
     </message>
     <message>
         <source>Quick start – Dewpoint</source>
@@ -10242,8 +10242,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Ende</translation>
     </message>
     <message>
-        <source>every frame once</source>
-        <translation>jeder Frame einmal</translation>
+        <source>show every frame once</source>
+        <translation>jedes Bild einmal zeigen</translation>
     </message>
     <message>
         <source>as recorded</source>
@@ -10324,8 +10324,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Einpassen</translation>
     </message>
     <message>
-        <source>Fit everything in the view, in the same direction (or double-click)</source>
-        <translation>Alles in die Ansicht einpassen, bei gleicher Richtung (auch per Doppelklick)</translation>
+        <source>Fit everything in the view without changing the viewing direction (or double-click)</source>
+        <translation>Alles in die Ansicht einpassen, ohne die Blickrichtung zu ändern (auch per Doppelklick)</translation>
     </message>
     <message>
         <source>Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to show everything.</source>
@@ -10607,8 +10607,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Auch den ersten Verzeichnungskoeffizienten jedes Objektivs berechnen. Dazu muss der Ball bis an die Bildränder zu sehen sein</translation>
     </message>
     <message>
-        <source>Only the selected span</source>
-        <translation>Nur der ausgewählte Abschnitt</translation>
+        <source>Only the selected time span</source>
+        <translation>Nur die ausgewählte Zeitspanne</translation>
     </message>
     <message>
         <source>Use only the part of the recording that is selected in the timeline</source>
@@ -10914,8 +10914,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Alle Längen wurden mit %1 multipliziert.</translation>
     </message>
     <message>
-        <source>A is the origin.</source>
-        <translation>A ist der Ursprung.</translation>
+        <source>A is now the origin.</source>
+        <translation>A ist jetzt der Ursprung.</translation>
     </message>
     <message>
         <source>The world was rotated by %1.</source>
@@ -11057,8 +11057,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Alle Kameras gemeinsam verschieben</translation>
     </message>
     <message>
-        <source>Motion along %1</source>
-        <translation>Verschiebung entlang %1</translation>
+        <source>Shift of all cameras along %1</source>
+        <translation>Verschiebung aller Kameras entlang %1</translation>
     </message>
     <message>
         <source>How far all cameras move along %1, in meters</source>
@@ -11073,8 +11073,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>°</translation>
     </message>
     <message>
-        <source>Rotation about the vertical</source>
-        <translation>Drehung um die Senkrechte</translation>
+        <source>Rotation of all cameras about the vertical axis</source>
+        <translation>Drehung aller Kameras um die Senkrechte</translation>
     </message>
     <message>
         <source>Move</source>

@@ -276,8 +276,8 @@
         <translation>Ir a la marca siguiente</translation>
     </message>
     <message>
-        <source>Zoom to the selected span</source>
-        <translation>Ampliar el tramo seleccionado</translation>
+        <source>Zoom to the selected time span</source>
+        <translation>Ampliar el tramo de tiempo seleccionado</translation>
     </message>
     <message>
         <source>Show likelihood map</source>
@@ -1338,8 +1338,8 @@
         <translation>Exposición automática</translation>
     </message>
     <message>
-        <source>Exposure time (0.1 ms)</source>
-        <translation>Tiempo de exposición (0,1 ms)</translation>
+        <source>Exposure time (× 0.1 ms)</source>
+        <translation>Tiempo de exposición (× 0,1 ms)</translation>
     </message>
     <message>
         <source>Lower frame rate in low light</source>
@@ -2286,8 +2286,8 @@
         <translation>Defina frames_per_second en el archivo del proyecto; las velocidades medidas dependen de ello.</translation>
     </message>
     <message>
-        <source>Set rotate to 90 or 270 for this camera in the project file.</source>
-        <translation>Ponga rotate a 90 o 270 para esta cámara en el archivo del proyecto.</translation>
+        <source>In the project file, set the key &apos;rotate&apos; of this camera to 90 or 270.</source>
+        <translation>En el archivo del proyecto, ponga la clave «rotate» de esta cámara a 90 o 270.</translation>
     </message>
     <message>
         <source>Simulated cameras: %1.</source>
@@ -3704,8 +3704,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Existencia</translation>
     </message>
     <message>
-        <source>Error against truth</source>
-        <translation>Error frente a la verdad</translation>
+        <source>Error against ground truth</source>
+        <translation>Error respecto a la posición verdadera</translation>
     </message>
     <message>
         <source>distance</source>
@@ -3724,8 +3724,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
         <translation>Similitud</translation>
     </message>
     <message>
-        <source>similarity to the reference</source>
-        <translation>similitud con la referencia</translation>
+        <source>similarity to the reference colors</source>
+        <translation>similitud con los colores de referencia</translation>
     </message>
     <message>
         <source>Position</source>
@@ -3743,8 +3743,8 @@ De %2 a %3%4; el valor por defecto sale de la región que ven las cámaras.</tra
 <context>
     <name>SizeFitText</name>
     <message>
-        <source>the same as when calibrated</source>
-        <translation>iguales que al calibrar</translation>
+        <source>same as during calibration</source>
+        <translation>iguales que en la calibración</translation>
     </message>
     <message>
         <source>cropped on all sides</source>
@@ -4548,8 +4548,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>El diccionario de marcadores que se eligió al crear el tablero</translation>
     </message>
     <message>
-        <source>Legacy layout (even rows)</source>
-        <translation>Diseño antiguo (filas pares)</translation>
+        <source>Legacy ChArUco layout</source>
+        <translation>Diseño ChArUco antiguo</translation>
     </message>
     <message>
         <source>Inverted colors</source>
@@ -4945,8 +4945,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::BoxPicker</name>
     <message>
-        <source>This camera shows no image in which a box could be set.</source>
-        <translation>Esta cámara no muestra ninguna imagen en la que fijar un recuadro.</translation>
+        <source>No box can be set here, because this camera shows no image.</source>
+        <translation>No se puede fijar un recuadro aquí, porque esta cámara no muestra ninguna imagen.</translation>
     </message>
     <message>
         <source>Box of %1</source>
@@ -4999,8 +4999,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         </translation>
     </message>
     <message>
-        <source>None: camera positions will be a guess</source>
-        <translation>Ninguna: las posiciones de las cámaras serán una suposición</translation>
+        <source>None: the camera positions will only be guesses</source>
+        <translation>Ninguna: las posiciones de las cámaras serán solo suposiciones</translation>
     </message>
     <message>
         <source>Reading…</source>
@@ -5251,8 +5251,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Cámara del proyecto que recibe la calibración, si el archivo contiene una sola cámara</translation>
     </message>
     <message>
-        <source>The file does not contain everything. Set “%1” above.</source>
-        <translation>El archivo no lo contiene todo. Indique «%1» arriba.</translation>
+        <source>The file lacks a required value. Set “%1” above.</source>
+        <translation>En el archivo falta un valor necesario. Indique «%1» arriba.</translation>
     </message>
     <message>
         <source>The calibration uses other camera names. The cameras were matched by order.</source>
@@ -5706,8 +5706,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Elegir la imagen de fondo</translation>
     </message>
     <message>
-        <source>Find an image or a video of the scene without any target</source>
-        <translation>Buscar una imagen o un vídeo de la escena sin ningún objetivo</translation>
+        <source>Choose an image or a video of the scene without any target</source>
+        <translation>Elegir una imagen o un vídeo de la escena sin ningún objetivo</translation>
     </message>
     <message>
         <source>Use current image as background</source>
@@ -5913,8 +5913,8 @@ Posición x, y, z: %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::ColorLearner</name>
     <message>
-        <source>This camera shows no image to learn from.</source>
-        <translation>Esta cámara no muestra ninguna imagen de la que aprender.</translation>
+        <source>No color can be learned here, because this camera shows no image.</source>
+        <translation>No se puede aprender un color aquí, porque esta cámara no muestra ninguna imagen.</translation>
     </message>
     <message>
         <source>Click the target first. Then exclude colors that are not the target.</source>
@@ -6526,8 +6526,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Stop the current work; files that already exist stay unchanged</source>
-        <translation>Detener el trabajo en curso; los archivos existentes no cambian</translation>
+        <source>Stop the export or the preview; files that already exist stay unchanged</source>
+        <translation>Detener la exportación o la vista previa; los archivos existentes no cambian</translation>
     </message>
     <message>
         <source>Figure…</source>
@@ -7018,8 +7018,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>antes</translation>
     </message>
     <message>
-        <source>before: the grid is outside the visible part of the image</source>
-        <translation>antes: la cuadrícula está fuera de la parte visible de la imagen</translation>
+        <source>before: the earlier grid is outside the visible part of the image</source>
+        <translation>antes: la cuadrícula anterior está fuera de la parte visible de la imagen</translation>
     </message>
 </context>
 <context>
@@ -8208,8 +8208,8 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>Elegir los gráficos mostrados; copiarlos o guardarlos</translation>
     </message>
     <message>
-        <source>Choose the plots shown</source>
-        <translation>Elegir los gráficos mostrados</translation>
+        <source>Choose which plots to show</source>
+        <translation>Elegir qué gráficos se muestran</translation>
     </message>
     <message>
         <source>The plots are on the clipboard as CSV.</source>
@@ -8508,7 +8508,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Copiar</translation>
     </message>
     <message>
-        <source>Copy the text, to be pasted into a mail or a form</source>
+        <source>Copy the text so that you can paste it into an email or a form</source>
         <translation>Copiar el texto, para pegarlo en un correo o un formulario</translation>
     </message>
     <message>
@@ -8610,8 +8610,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Copiar</translation>
     </message>
     <message>
-        <source>Copy the result as text, in English, for a question or a report</source>
-        <translation>Copiar el resultado como texto, en inglés, para una pregunta o un informe</translation>
+        <source>Copy the result as English text, for example for a bug report</source>
+        <translation>Copiar el resultado como texto en inglés, por ejemplo para informar de un error</translation>
     </message>
     <message>
         <source>Close</source>
@@ -8751,12 +8751,12 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Otro objeto encaja casi igual de bien. Pulse X y arrastre el objetivo a su posición real.</translation>
     </message>
     <message>
-        <source>Not found yet, or out of sight for less than a second.</source>
-        <translation>Aún no encontrado, o sin verse desde hace menos de un segundo.</translation>
+        <source>The target is not found yet, or has been out of sight for less than a second.</source>
+        <translation>El objetivo aún no se ha encontrado, o no se ve desde hace menos de un segundo.</translation>
     </message>
     <message>
-        <source>Out of sight for more than a second. The status bar shows why.</source>
-        <translation>Sin verse desde hace más de un segundo. La barra de estado muestra por qué.</translation>
+        <source>The target has been out of sight for more than a second. The status bar shows why.</source>
+        <translation>El objetivo no se ve desde hace más de un segundo. La barra de estado muestra por qué.</translation>
     </message>
     <message>
         <source>Quick start – Dewpoint</source>
@@ -10242,8 +10242,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>el final</translation>
     </message>
     <message>
-        <source>every frame once</source>
-        <translation>cada fotograma una vez</translation>
+        <source>show every frame once</source>
+        <translation>mostrar cada fotograma una vez</translation>
     </message>
     <message>
         <source>as recorded</source>
@@ -10324,8 +10324,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Ajustar</translation>
     </message>
     <message>
-        <source>Fit everything in the view, in the same direction (or double-click)</source>
-        <translation>Ajustar todo a la vista, con la misma orientación (o doble clic)</translation>
+        <source>Fit everything in the view without changing the viewing direction (or double-click)</source>
+        <translation>Ajustar todo a la vista sin cambiar la orientación (o doble clic)</translation>
     </message>
     <message>
         <source>Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to show everything.</source>
@@ -10607,8 +10607,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Calcular también el primer coeficiente de distorsión de cada lente. Para ello, la pelota debe verse hasta los bordes de las imágenes</translation>
     </message>
     <message>
-        <source>Only the selected span</source>
-        <translation>Solo el tramo elegido</translation>
+        <source>Only the selected time span</source>
+        <translation>Solo el tramo de tiempo elegido</translation>
     </message>
     <message>
         <source>Use only the part of the recording that is selected in the timeline</source>
@@ -10914,8 +10914,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Todas las longitudes se multiplicaron por %1.</translation>
     </message>
     <message>
-        <source>A is the origin.</source>
-        <translation>A es el origen.</translation>
+        <source>A is now the origin.</source>
+        <translation>A es ahora el origen.</translation>
     </message>
     <message>
         <source>The world was rotated by %1.</source>
@@ -11057,8 +11057,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Mover todas las cámaras juntas</translation>
     </message>
     <message>
-        <source>Motion along %1</source>
-        <translation>Desplazamiento a lo largo de %1</translation>
+        <source>Shift of all cameras along %1</source>
+        <translation>Desplazamiento de todas las cámaras a lo largo de %1</translation>
     </message>
     <message>
         <source>How far all cameras move along %1, in meters</source>
@@ -11073,8 +11073,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>°</translation>
     </message>
     <message>
-        <source>Rotation about the vertical</source>
-        <translation>Giro alrededor de la vertical</translation>
+        <source>Rotation of all cameras about the vertical axis</source>
+        <translation>Giro de todas las cámaras alrededor de la vertical</translation>
     </message>
     <message>
         <source>Move</source>

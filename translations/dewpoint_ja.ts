@@ -276,8 +276,8 @@
         <translation>次のマークへ移動します</translation>
     </message>
     <message>
-        <source>Zoom to the selected span</source>
-        <translation>選択した区間を拡大</translation>
+        <source>Zoom to the selected time span</source>
+        <translation>選択した時間の区間を拡大</translation>
     </message>
     <message>
         <source>Show likelihood map</source>
@@ -1338,8 +1338,8 @@
         <translation>自動露出</translation>
     </message>
     <message>
-        <source>Exposure time (0.1 ms)</source>
-        <translation>露出時間 (0.1 ms)</translation>
+        <source>Exposure time (× 0.1 ms)</source>
+        <translation>露出時間 (× 0.1 ms)</translation>
     </message>
     <message>
         <source>Lower frame rate in low light</source>
@@ -2285,8 +2285,8 @@
         <translation>プロジェクトファイルで frames_per_second を設定してください。測定される速度に影響します。</translation>
     </message>
     <message>
-        <source>Set rotate to 90 or 270 for this camera in the project file.</source>
-        <translation>プロジェクトファイルで、このカメラの rotate を 90 か 270 にしてください。</translation>
+        <source>In the project file, set the key &apos;rotate&apos; of this camera to 90 or 270.</source>
+        <translation>プロジェクトファイルで、このカメラのキー「rotate」を 90 か 270 にしてください。</translation>
     </message>
     <message>
         <source>Simulated cameras: %1.</source>
@@ -3703,8 +3703,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>存在確率</translation>
     </message>
     <message>
-        <source>Error against truth</source>
-        <translation>真値との誤差</translation>
+        <source>Error against ground truth</source>
+        <translation>真の位置との誤差</translation>
     </message>
     <message>
         <source>distance</source>
@@ -3723,8 +3723,8 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
         <translation>類似度</translation>
     </message>
     <message>
-        <source>similarity to the reference</source>
-        <translation>基準との類似度</translation>
+        <source>similarity to the reference colors</source>
+        <translation>基準の色との類似度</translation>
     </message>
     <message>
         <source>Position</source>
@@ -3742,7 +3742,7 @@ From %2 to %3%4; the default comes from the region that the cameras see.</source
 <context>
     <name>SizeFitText</name>
     <message>
-        <source>the same as when calibrated</source>
+        <source>same as during calibration</source>
         <translation>キャリブレーション時と同じ</translation>
     </message>
     <message>
@@ -4544,8 +4544,8 @@ Effective sample size %8 of %9</source>
         <translation>ボードを作ったときに選んだマーカーの辞書</translation>
     </message>
     <message>
-        <source>Legacy layout (even rows)</source>
-        <translation>旧形式（偶数行）</translation>
+        <source>Legacy ChArUco layout</source>
+        <translation>旧形式の ChArUco</translation>
     </message>
     <message>
         <source>Inverted colors</source>
@@ -4940,8 +4940,8 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::BoxPicker</name>
     <message>
-        <source>This camera shows no image in which a box could be set.</source>
-        <translation>このカメラには、枠を設定できる画像が表示されていません。</translation>
+        <source>No box can be set here, because this camera shows no image.</source>
+        <translation>このカメラには画像が表示されていないため、枠を設定できません。</translation>
     </message>
     <message>
         <source>Box of %1</source>
@@ -4993,7 +4993,7 @@ Effective sample size %8 of %9</source>
         </translation>
     </message>
     <message>
-        <source>None: camera positions will be a guess</source>
+        <source>None: the camera positions will only be guesses</source>
         <translation>なし: カメラ位置は推測になります</translation>
     </message>
     <message>
@@ -5245,7 +5245,7 @@ Effective sample size %8 of %9</source>
         <translation>ファイルにカメラが 1 台分しかない場合に、そのキャリブレーションを使うプロジェクトのカメラ</translation>
     </message>
     <message>
-        <source>The file does not contain everything. Set “%1” above.</source>
+        <source>The file lacks a required value. Set “%1” above.</source>
         <translation>ファイルの情報が足りません。上の「%1」を設定してください。</translation>
     </message>
     <message>
@@ -5699,8 +5699,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>背景画像を選択</translation>
     </message>
     <message>
-        <source>Find an image or a video of the scene without any target</source>
-        <translation>ターゲットのない場面の画像か動画を探します</translation>
+        <source>Choose an image or a video of the scene without any target</source>
+        <translation>ターゲットのない場面の画像か動画を選びます</translation>
     </message>
     <message>
         <source>Use current image as background</source>
@@ -5903,8 +5903,8 @@ Position x, y, z: %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::ColorLearner</name>
     <message>
-        <source>This camera shows no image to learn from.</source>
-        <translation>このカメラには学習に使える画像がありません。</translation>
+        <source>No color can be learned here, because this camera shows no image.</source>
+        <translation>このカメラには画像が表示されていないため、色を学習できません。</translation>
     </message>
     <message>
         <source>Click the target first. Then exclude colors that are not the target.</source>
@@ -6516,8 +6516,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Stop the current work; files that already exist stay unchanged</source>
-        <translation>進行中の作業を止めます。既にあるファイルは変わりません</translation>
+        <source>Stop the export or the preview; files that already exist stay unchanged</source>
+        <translation>書き出しまたはプレビューを止めます。既にあるファイルは変わりません</translation>
     </message>
     <message>
         <source>Figure…</source>
@@ -7006,8 +7006,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>前</translation>
     </message>
     <message>
-        <source>before: the grid is outside the visible part of the image</source>
-        <translation>前: 格子は画像の見えている部分の外にあります</translation>
+        <source>before: the earlier grid is outside the visible part of the image</source>
+        <translation>前: 以前の格子は画像の見えている部分の外にあります</translation>
     </message>
 </context>
 <context>
@@ -8193,7 +8193,7 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>表示するグラフの選択、コピー、保存</translation>
     </message>
     <message>
-        <source>Choose the plots shown</source>
+        <source>Choose which plots to show</source>
         <translation>表示するグラフを選択</translation>
     </message>
     <message>
@@ -8492,7 +8492,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>コピー</translation>
     </message>
     <message>
-        <source>Copy the text, to be pasted into a mail or a form</source>
+        <source>Copy the text so that you can paste it into an email or a form</source>
         <translation>メールやフォームに貼り付けるためにテキストをコピーします</translation>
     </message>
     <message>
@@ -8593,8 +8593,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>コピー</translation>
     </message>
     <message>
-        <source>Copy the result as text, in English, for a question or a report</source>
-        <translation>質問や報告に使えるように、結果を英語のテキストでコピーします</translation>
+        <source>Copy the result as English text, for example for a bug report</source>
+        <translation>結果を英語のテキストでコピーします（不具合の報告などに使えます）</translation>
     </message>
     <message>
         <source>Close</source>
@@ -8734,12 +8734,12 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>別の物体も同じくらい合います。X を押してターゲットを実際の位置へドラッグしてください。</translation>
     </message>
     <message>
-        <source>Not found yet, or out of sight for less than a second.</source>
-        <translation>まだ見つかっていないか、見えなくなって 1 秒未満です。</translation>
+        <source>The target is not found yet, or has been out of sight for less than a second.</source>
+        <translation>ターゲットがまだ見つかっていないか、見えなくなって 1 秒未満です。</translation>
     </message>
     <message>
-        <source>Out of sight for more than a second. The status bar shows why.</source>
-        <translation>1 秒以上見えていません。理由はステータスバーに表示されます。</translation>
+        <source>The target has been out of sight for more than a second. The status bar shows why.</source>
+        <translation>ターゲットが 1 秒以上見えていません。理由はステータスバーに表示されます。</translation>
     </message>
     <message>
         <source>Quick start – Dewpoint</source>
@@ -10220,8 +10220,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>終わり</translation>
     </message>
     <message>
-        <source>every frame once</source>
-        <translation>各フレームを 1 回</translation>
+        <source>show every frame once</source>
+        <translation>各フレームを 1 回表示</translation>
     </message>
     <message>
         <source>as recorded</source>
@@ -10302,8 +10302,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>全体</translation>
     </message>
     <message>
-        <source>Fit everything in the view, in the same direction (or double-click)</source>
-        <translation>同じ視点でもう一度全体を表示。ダブルクリックでも可。</translation>
+        <source>Fit everything in the view without changing the viewing direction (or double-click)</source>
+        <translation>視線の向きを変えずに全体を表示します（ダブルクリックでも可）。</translation>
     </message>
     <message>
         <source>Perspective view. Drag to orbit, Shift-drag to move, scroll to zoom, double-click to show everything.</source>
@@ -10585,8 +10585,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>各レンズの第 1 歪み係数も計算します。それには、画像の端までボールが写っている必要があります</translation>
     </message>
     <message>
-        <source>Only the selected span</source>
-        <translation>選択した区間だけ</translation>
+        <source>Only the selected time span</source>
+        <translation>選択した時間の区間だけ</translation>
     </message>
     <message>
         <source>Use only the part of the recording that is selected in the timeline</source>
@@ -10892,7 +10892,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>すべての長さを %1 倍しました。</translation>
     </message>
     <message>
-        <source>A is the origin.</source>
+        <source>A is now the origin.</source>
         <translation>A が原点です。</translation>
     </message>
     <message>
@@ -11035,8 +11035,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>すべてのカメラをまとめて移動</translation>
     </message>
     <message>
-        <source>Motion along %1</source>
-        <translation>%1 方向の移動量</translation>
+        <source>Shift of all cameras along %1</source>
+        <translation>%1 方向へのすべてのカメラの移動量</translation>
     </message>
     <message>
         <source>How far all cameras move along %1, in meters</source>
@@ -11051,8 +11051,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>°</translation>
     </message>
     <message>
-        <source>Rotation about the vertical</source>
-        <translation>鉛直軸まわりの回転</translation>
+        <source>Rotation of all cameras about the vertical axis</source>
+        <translation>鉛直軸まわりのすべてのカメラの回転</translation>
     </message>
     <message>
         <source>Move</source>

@@ -169,7 +169,7 @@ std::vector<ActionDeclaration> runActions() {
                                     "lost or becomes uncertain, or where a camera has a problem. "
                                     "If no target is selected, all targets count"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_PageDown},
-      {"actionZoomToSpan", group, QT_TRANSLATE_NOOP("Actions", "Zoom to the selected span"),
+      {"actionZoomToSpan", group, QT_TRANSLATE_NOOP("Actions", "Zoom to the selected time span"),
        QT_TRANSLATE_NOOP("Actions", "Fill the timeline with the selected span of the recording"),
        nullptr, Qt::Key_Z},
       {"actionRestart", group, QT_TRANSLATE_NOOP("Actions", "Restart"),

@@ -33,7 +33,7 @@ constexpr std::array kControlWords{
     ControlWords{"sharpness", QT_TRANSLATE_NOOP("CameraDeviceText", "Sharpness")},
     ControlWords{"auto_exposure", QT_TRANSLATE_NOOP("CameraDeviceText", "Automatic exposure")},
     ControlWords{"exposure_time_absolute",
-                 QT_TRANSLATE_NOOP("CameraDeviceText", "Exposure time (0.1 ms)")},
+                 QT_TRANSLATE_NOOP("CameraDeviceText", "Exposure time (× 0.1 ms)")},
     ControlWords{"exposure_dynamic_framerate",
                  QT_TRANSLATE_NOOP("CameraDeviceText", "Lower frame rate in low light")},
     ControlWords{"white_balance_automatic",

@@ -19,7 +19,7 @@ void BoxPicker::pick(const TrackSnapshotPtr& snapshot, int camera, const QRectF&
   const bool there = snapshot && snapshot->frames && !snapshot->preview &&
                      index < snapshot->frames->frames.size() && snapshot->frames->frames[index];
   if (!there) {
-    Q_EMIT failed(tr("This camera shows no image in which a box could be set."));
+    Q_EMIT failed(tr("No box can be set here, because this camera shows no image."));
     return;
   }
   const bool isBox = region.width() > 0.0 && region.height() > 0.0;

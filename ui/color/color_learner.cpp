@@ -58,7 +58,7 @@ void ColorLearner::learnFrom(int camera, const QRectF& region, SampleAction acti
   const auto shown = images();
   const auto index = static_cast<std::size_t>(camera);
   if (index >= shown.size() || shown[index].empty()) {
-    Q_EMIT failed(tr("This camera shows no image to learn from."));
+    Q_EMIT failed(tr("No color can be learned here, because this camera shows no image."));
     return;
   }
   const Project& project = document_.project();

@@ -88,7 +88,8 @@ void ExportDialog::retranslateUi() {
   browse_->setToolTip(tr("Choose the file to write"));
   progress_->setAccessibleName(tr("Progress"));
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Stop the current work; files that already exist stay unchanged"));
+  cancel_->setToolTip(
+      tr("Stop the export or the preview; files that already exist stay unchanged"));
   figure_->setText(tr("Figure…"));
   figure_->setToolTip(tr(
       "Save a figure of the trajectory as SVG or PDF: x, y, z over time, and the view from above"));

@@ -110,7 +110,7 @@ void VideoForm::retranslateUi() {
   setTexts(encoding_, tr("Format"), tr("Formats that this computer can write"));
   from_->setSpecialValueText(tr("the beginning"));
   to_->setSpecialValueText(tr("the end"));
-  speed_->setSpecialValueText(tr("every frame once"));
+  speed_->setSpecialValueText(tr("show every frame once"));
   rate_->setSpecialValueText(tr("as recorded"));
   from_->setSuffix(tr(" s"));
   to_->setSuffix(tr(" s"));

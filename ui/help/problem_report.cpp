@@ -162,7 +162,7 @@ void ProblemReport::retranslateUi() {
   progress_->setAccessibleName(tr("Progress of the self-test"));
   showRunning(job_->isRunning());
   copy_->setText(tr("Copy"));
-  copy_->setToolTip(tr("Copy the text, to be pasted into a mail or a form"));
+  copy_->setToolTip(tr("Copy the text so that you can paste it into an email or a form"));
   close_->setText(tr("Close"));
   close_->setToolTip(tr("Close this window"));
 }

@@ -223,7 +223,7 @@ void ProjectCheckDialog::retranslateUi() {
   cancel_->setText(tr("Cancel"));
   cancel_->setToolTip(tr("Stop the check"));
   copy_->setText(tr("Copy"));
-  copy_->setToolTip(tr("Copy the result as text, in English, for a question or a report"));
+  copy_->setToolTip(tr("Copy the result as English text, for example for a bug report"));
   close_->setText(tr("Close"));
   close_->setToolTip(tr("Close this window"));
   fillList();

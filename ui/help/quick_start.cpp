@@ -35,9 +35,11 @@ QString stateMeaning(TrackingState state) {
     return QuickStart::tr(
         "Another object fits about as well. Press X and drag the target to its true position.");
   case TrackingState::Searching:
-    return QuickStart::tr("Not found yet, or out of sight for less than a second.");
+    return QuickStart::tr(
+        "The target is not found yet, or has been out of sight for less than a second.");
   default:
-    return QuickStart::tr("Out of sight for more than a second. The status bar shows why.");
+    return QuickStart::tr(
+        "The target has been out of sight for more than a second. The status bar shows why.");
   }
 }
 

@@ -177,7 +177,7 @@ void CameraPanel::retranslateUi() {
   backgroundImageBrowse_->setText(tr("Choose…"));
   backgroundImageBrowse_->setAccessibleName(tr("Choose background image"));
   backgroundImageBrowse_->setToolTip(
-      tr("Find an image or a video of the scene without any target"));
+      tr("Choose an image or a video of the scene without any target"));
   backgroundImageTake_->setText(tr("Use current image as background"));
   backgroundImageTake_->setToolTip(
       tr("Save the current image of this camera as its background image"));

@@ -174,7 +174,7 @@ QWidget* PlotPanel::makeTools(QWidget* parent) {
   onRetranslate(choice, [choice] {
     choice->setText(tr("Plots"));
     choice->setToolTip(tr("Choose which plots to show; copy or save plots"));
-    choice->setAccessibleName(tr("Choose the plots shown"));
+    choice->setAccessibleName(tr("Choose which plots to show"));
   });
   return tools;
 }

@@ -114,7 +114,7 @@ std::vector<PlotDeclaration> runPlots(const QStringList& cameras) {
       {QStringLiteral("existence"), RunPlots::tr("Existence"), PlotQuantity::Probability,
        std::move(existence)},
       {QStringLiteral("error"),
-       RunPlots::tr("Error against truth"),
+       RunPlots::tr("Error against ground truth"),
        PlotQuantity::Length,
        {{RunPlots::tr("distance"), QStringLiteral("error_mm"), kError, 1}}},
       durationPlot(),
@@ -138,8 +138,8 @@ std::vector<PlotDeclaration> boxRunPlots() {
       {QStringLiteral("likelihood"),
        RunPlots::tr("Similarity"),
        PlotQuantity::Probability,
-       {{RunPlots::tr("similarity to the reference"), QStringLiteral("similarity"), kExistence,
-         1}}},
+       {{RunPlots::tr("similarity to the reference colors"), QStringLiteral("similarity"),
+         kExistence, 1}}},
       durationPlot(),
   };
 }

@@ -159,7 +159,7 @@ QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& g
 
 void CalibrationChoice::showResult() {
   const QString name = QFileInfo(file_).fileName();
-  name_->setText(file_.isEmpty()   ? tr("None: camera positions will be a guess")
+  name_->setText(file_.isEmpty()   ? tr("None: the camera positions will only be guesses")
                  : takesProposals_ ? tr("%1 (found beside the recordings)").arg(name)
                                    : name);
   name_->setToolTip(file_);

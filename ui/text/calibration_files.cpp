@@ -69,7 +69,7 @@ bool hasCalibrationSuffix(const QString& file) {
 }
 
 std::vector<std::pair<QString, QVariant>> sizeFitChoices() {
-  return {{SizeFitText::tr("the same as when calibrated"), {}},
+  return {{SizeFitText::tr("same as during calibration"), {}},
           {SizeFitText::tr("cropped on all sides"), QStringLiteral("crop")},
           {SizeFitText::tr("cropped at the right and at the bottom"), QStringLiteral("trim")},
           {SizeFitText::tr("scaled"), QStringLiteral("scale")},

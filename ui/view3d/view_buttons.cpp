@@ -87,7 +87,8 @@ void ViewButtons::retranslateUi() {
     buttons_[i]->setAccessibleDescription(tips[i]);
   }
   fit_->setText(tr("Fit"));
-  fit_->setToolTip(tr("Fit everything in the view, in the same direction (or double-click)"));
+  fit_->setToolTip(
+      tr("Fit everything in the view without changing the viewing direction (or double-click)"));
   fit_->setAccessibleDescription(fit_->toolTip());
   moveToCorner();
 }

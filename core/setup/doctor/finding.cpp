@@ -51,7 +51,7 @@ constexpr std::array kFindingTexts{
         "Use a calibration for images of this size, or record images of the calibrated size."},
     FindingTexts{SizeRotated, "size-rotated", kProblem,
                  "The images of %1 have %2 pixels, but its calibration is for %3.",
-                 "Set rotate to 90 or 270 for this camera in the project file."},
+                 "In the project file, set the key 'rotate' of this camera to 90 or 270."},
     FindingTexts{LengthsDiffer, "lengths-differ", kNote, "The recordings differ in length: %1.",
                  "Only the first %2 frames of each recording are used; check that all recordings "
                  "begin at the same time."},

@@ -211,7 +211,7 @@ void BoardForm::retranslateUi() {
   dictionaryLabel_->setText(tr("Dictionary"));
   name(dictionary_, tr("Dictionary of the markers"),
        tr("The marker dictionary that was chosen when the board was made"));
-  legacy_->setText(tr("Legacy layout (even rows)"));
+  legacy_->setText(tr("Legacy ChArUco layout"));
   legacy_->setToolTip(tr("For ChArUco boards with an even number of rows that were made with "
                          "software older than OpenCV 4.6: their first square is white"));
   inverted_->setText(tr("Inverted colors"));

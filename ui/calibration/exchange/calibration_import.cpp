@@ -229,7 +229,7 @@ void CalibrationImportDialog::applyError(const Error& error) {
         asked.question == ImportQuestion::Fit || asked.question == ImportQuestion::Names;
     text += QStringLiteral("\n\n") +
             (isMisfit ? tr("The calibration does not fit the project. Set “%1” above.")
-                      : tr("The file does not contain everything. Set “%1” above."))
+                      : tr("The file lacks a required value. Set “%1” above."))
                 .arg(label);
   }
   showPreview(text, false);

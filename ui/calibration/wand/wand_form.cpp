@@ -238,7 +238,7 @@ void WandForm::retranslateUi() {
   check(distortion_, tr("Find the distortion k1"),
         tr("Also compute the first distortion coefficient of each lens. For this, the ball must be "
            "seen up to the edges of the images"));
-  check(onlyRange_, tr("Only the selected span"),
+  check(onlyRange_, tr("Only the selected time span"),
         tr("Use only the part of the recording that is selected in the timeline"));
   refresh();
 }

@@ -145,7 +145,7 @@ QString WorldMarks::resultOf(WorldStep step, const WorldStepResult& result) cons
   case WorldStep::Length:
     return tr("All lengths were multiplied by %1.").arg(numberText(result.scale, 4));
   case WorldStep::Origin:
-    return tr("A is the origin.");
+    return tr("A is now the origin.");
   case WorldStep::Upright:
   case WorldStep::Level:
   case WorldStep::XAxis:

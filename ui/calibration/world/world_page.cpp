@@ -245,7 +245,7 @@ void WorldPage::retranslateUi() {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const QString letter = QString(QLatin1String(kAxes[axis])).toLower();
     setRange(*shift_[axis], kShift, tr(" m"));
-    name(shift_[axis], tr("Motion along %1").arg(letter),
+    name(shift_[axis], tr("Shift of all cameras along %1").arg(letter),
          tr("How far all cameras move along %1, in meters").arg(letter));
     button(quarters_[axis], letter,
            tr("Rotate all cameras by 90° about the %1 axis, counterclockwise if the axis points "
@@ -254,7 +254,7 @@ void WorldPage::retranslateUi() {
     quarters_[axis]->setAccessibleName(tr("Quarter turn about %1").arg(letter));
   }
   setRange(*turn_, kTurn, tr("°"));
-  name(turn_, tr("Rotation about the vertical"),
+  name(turn_, tr("Rotation of all cameras about the vertical axis"),
        tr("Angle by which all cameras rotate about the vertical through the origin, "
           "counterclockwise as seen from above. The cameras are rotated first and then moved"));
   button(move_, tr("Move"), tr("Rotate and move all cameras together"));
