@@ -82,7 +82,7 @@ expectExit 0 calibrate status project.toml
 expectText out.txt 'set by hand' 'accuracy  not measured'
 expectExit 0 calibrate world project.toml --floor a,b,c --length a,b --meters 2 --apply
 expectExit 0 calibrate status project.toml
-expectText out.txt 'scale     points marked in the images' 'floor     marks in the images' 'length    2.0000 m measured, 2.0000 m found'
+expectText out.txt 'scale     points marked in the images' 'floor     points marked in the images' 'length    2.0000 m measured, 2.0000 m found'
 expectExit 0 calibrate status demo
 expectText out.txt 'exact (simulated)'
 expectExit $kBadInput calibrate status nowhere.toml
