@@ -4651,11 +4651,11 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Bild, in dem die Tafel auf dem Boden liegt</translation>
     </message>
     <message>
-        <source>Use current frame</source>
+        <source>Set to current frame</source>
         <translation>Aktuelles Bild</translation>
     </message>
     <message>
-        <source>Use current frame for the floor</source>
+        <source>Set floor frame to current frame</source>
         <translation>Aktuelles Bild für den Boden verwenden</translation>
     </message>
     <message>
@@ -6229,8 +6229,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Die geschätzte Verzögerung zur Verzögerung dieser Kamera im Projekt addieren</translation>
     </message>
     <message>
-        <source>Estimated from the motion of the targets, and corrected while tracking. The parameter “Delay spread” switches this off</source>
-        <translation>Aus der Bewegung der Ziele geschätzt und beim Verfolgen korrigiert. Der Parameter „Streuung der Verzögerungen“ schaltet dies ab</translation>
+        <source>This delay is estimated from the motion of the targets, and corrected while tracking. To switch this off, set the parameter “Delay spread” to 0</source>
+        <translation>Diese Verzögerung wird aus der Bewegung der Ziele geschätzt und beim Verfolgen korrigiert. Um dies abzuschalten, setzen Sie den Parameter „Streuung der Verzögerungen“ auf 0</translation>
     </message>
     <message>
         <source>Estimate: %1 later than %2, ±%3</source>
@@ -8867,8 +8867,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume; without this camera, only in %7.</source>
-        <translation>Mit %1 hier (x %2, y %3, z %4) ist der Fehler in %5 des Raums höchstens %6, ohne diese Kamera nur in %7.</translation>
+        <source>With %1 at x %2, y %3, z %4, the error is at most %6 in %5 of the volume, instead of %7 without this camera.</source>
+        <translation>Mit %1 an der Stelle x %2, y %3, z %4 ist der Fehler in %5 des Raums höchstens %6, statt in %7 ohne diese Kamera.</translation>
     </message>
 </context>
 <context>
@@ -8928,8 +8928,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Erledigt: %1. Sie können es rückgängig machen.</translation>
     </message>
     <message>
-        <source>No longer: %1</source>
-        <translation>Nicht mehr: %1</translation>
+        <source>Resolved: %1</source>
+        <translation>Erledigt: %1</translation>
     </message>
     <message numerus="yes">
         <source>◆ %n notice(s)</source>
@@ -10535,8 +10535,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Länge des Stabs</translation>
     </message>
     <message>
-        <source>From the center of one ball to the center of the other</source>
-        <translation>Von der Mitte des einen Balls zur Mitte des anderen</translation>
+        <source>Distance from the center of one ball to the center of the other</source>
+        <translation>Abstand von der Mitte des einen Balls zur Mitte des anderen</translation>
     </message>
     <message>
         <source> cm</source>

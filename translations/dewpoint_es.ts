@@ -4651,11 +4651,11 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Fotograma en que el tablero está en el suelo</translation>
     </message>
     <message>
-        <source>Use current frame</source>
+        <source>Set to current frame</source>
         <translation>Fotograma actual</translation>
     </message>
     <message>
-        <source>Use current frame for the floor</source>
+        <source>Set floor frame to current frame</source>
         <translation>Usar el fotograma actual para el suelo</translation>
     </message>
     <message>
@@ -6229,8 +6229,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Sumar el retardo estimado al retardo de esta cámara en el proyecto</translation>
     </message>
     <message>
-        <source>Estimated from the motion of the targets, and corrected while tracking. The parameter “Delay spread” switches this off</source>
-        <translation>Estimado a partir del movimiento de los objetivos y corregido durante el seguimiento. El parámetro «Dispersión de los retardos» lo desactiva</translation>
+        <source>This delay is estimated from the motion of the targets, and corrected while tracking. To switch this off, set the parameter “Delay spread” to 0</source>
+        <translation>Este retardo se estima a partir del movimiento de los objetivos y se corrige durante el seguimiento. Para desactivarlo, ponga el parámetro «Dispersión de los retardos» a 0</translation>
     </message>
     <message>
         <source>Estimate: %1 later than %2, ±%3</source>
@@ -8867,8 +8867,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume; without this camera, only in %7.</source>
-        <translation>Con %1 aquí (x %2, y %3, z %4), el error es como mucho %6 en el %5 del volumen; sin esta cámara, solo en el %7.</translation>
+        <source>With %1 at x %2, y %3, z %4, the error is at most %6 in %5 of the volume, instead of %7 without this camera.</source>
+        <translation>Con %1 en x %2, y %3, z %4, el error es como mucho %6 en el %5 del volumen, en lugar del %7 sin esta cámara.</translation>
     </message>
 </context>
 <context>
@@ -8928,8 +8928,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Hecho: %1. Puede deshacerlo.</translation>
     </message>
     <message>
-        <source>No longer: %1</source>
-        <translation>Ya no: %1</translation>
+        <source>Resolved: %1</source>
+        <translation>Resuelto: %1</translation>
     </message>
     <message numerus="yes">
         <source>◆ %n notice(s)</source>
@@ -10535,8 +10535,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Longitud de la varita</translation>
     </message>
     <message>
-        <source>From the center of one ball to the center of the other</source>
-        <translation>Del centro de una pelota al de la otra</translation>
+        <source>Distance from the center of one ball to the center of the other</source>
+        <translation>Distancia del centro de una pelota al de la otra</translation>
     </message>
     <message>
         <source> cm</source>

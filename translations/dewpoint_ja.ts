@@ -4647,11 +4647,11 @@ Effective sample size %8 of %9</source>
         <translation>ボードが床にあるフレーム</translation>
     </message>
     <message>
-        <source>Use current frame</source>
+        <source>Set to current frame</source>
         <translation>現在のフレーム</translation>
     </message>
     <message>
-        <source>Use current frame for the floor</source>
+        <source>Set floor frame to current frame</source>
         <translation>現在のフレームを床に使う</translation>
     </message>
     <message>
@@ -6219,8 +6219,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>推定した遅延を、プロジェクトのこのカメラの遅延に加えます</translation>
     </message>
     <message>
-        <source>Estimated from the motion of the targets, and corrected while tracking. The parameter “Delay spread” switches this off</source>
-        <translation>ターゲットの動きから推定し、追跡中に補正します。パラメーター「遅延のばらつき」で無効にできます</translation>
+        <source>This delay is estimated from the motion of the targets, and corrected while tracking. To switch this off, set the parameter “Delay spread” to 0</source>
+        <translation>この遅延はターゲットの動きから推定し、追跡中に補正します。無効にするには、パラメーター「遅延のばらつき」を 0 にします</translation>
     </message>
     <message>
         <source>Estimate: %1 later than %2, ±%3</source>
@@ -8850,8 +8850,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 here (x %2, y %3, z %4), the error is at most %6 in %5 of the volume; without this camera, only in %7.</source>
-        <translation>%1 をここ（x %2、y %3、z %4）に置くと、誤差が %6 以内の空間は %5 です。このカメラがなければ %7 だけです。</translation>
+        <source>With %1 at x %2, y %3, z %4, the error is at most %6 in %5 of the volume, instead of %7 without this camera.</source>
+        <translation>%1 を x %2、y %3、z %4 に置くと、誤差が %6 以内の空間は %5 です。このカメラがなければ %7 だけです。</translation>
     </message>
 </context>
 <context>
@@ -8910,7 +8910,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>完了: %1。「元に戻す」で取り消せます。</translation>
     </message>
     <message>
-        <source>No longer: %1</source>
+        <source>Resolved: %1</source>
         <translation>解消: %1</translation>
     </message>
     <message numerus="yes">
@@ -10513,8 +10513,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>ワンドの長さ</translation>
     </message>
     <message>
-        <source>From the center of one ball to the center of the other</source>
-        <translation>一方のボールの中心からもう一方の中心まで</translation>
+        <source>Distance from the center of one ball to the center of the other</source>
+        <translation>一方のボールの中心からもう一方の中心までの距離</translation>
     </message>
     <message>
         <source> cm</source>

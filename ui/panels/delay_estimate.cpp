@@ -46,8 +46,8 @@ void DelayEstimate::retranslateUi() {
   keep_->setText(tr("Keep"));
   keep_->setToolTip(tr("Add the estimated delay to the delay of this camera in the project"));
   text_->setToolTip(
-      tr("Estimated from the motion of the targets, and corrected while tracking. The "
-         "parameter “Delay spread” switches this off"));
+      tr("This delay is estimated from the motion of the targets, and corrected while tracking. To "
+         "switch this off, set the parameter “Delay spread” to 0"));
   refresh();
 }
 

@@ -148,8 +148,8 @@ void BoardGoalForm::retranslateUi() {
                         "such a frame, the first camera keeps its position"));
   name(floorFrame_, tr("Number of the frame with the board on the floor"),
        tr("Number of the frame, as in the timeline (the first frame is 1)"));
-  floorHere_->setText(tr("Use current frame"));
-  name(floorHere_, tr("Use current frame for the floor"),
+  floorHere_->setText(tr("Set to current frame"));
+  name(floorHere_, tr("Set floor frame to current frame"),
        tr("Enter the number of the frame that is shown now"));
   accuracyLabel_->setText(tr("Accuracy goal"));
   name(lensAccuracy_, tr("Desired accuracy of the intrinsics"),

@@ -211,7 +211,7 @@ void WandForm::retranslateUi() {
   name(other_, tr("Second ball"), tr("The target at the other end of the wand"));
   lengthLabel_->setText(tr("Length"));
   name(length_, tr("Length of the wand"),
-       tr("From the center of one ball to the center of the other"));
+       tr("Distance from the center of one ball to the center of the other"));
   length_->setSuffix(tr(" cm"));
   sizeLabel_->setText(tr("Scale from"));
   name(size_, tr("Source of the scale"),
