@@ -8928,8 +8928,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Erledigt: %1. Sie können es rückgängig machen.</translation>
     </message>
     <message>
-        <source>Resolved: %1</source>
-        <translation>Erledigt: %1</translation>
+        <source>No longer applies: %1</source>
+        <translation>Gilt nicht mehr: %1</translation>
     </message>
     <message numerus="yes">
         <source>◆ %n notice(s)</source>

@@ -8928,8 +8928,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Hecho: %1. Puede deshacerlo.</translation>
     </message>
     <message>
-        <source>Resolved: %1</source>
-        <translation>Resuelto: %1</translation>
+        <source>No longer applies: %1</source>
+        <translation>Ya no se aplica: %1</translation>
     </message>
     <message numerus="yes">
         <source>◆ %n notice(s)</source>

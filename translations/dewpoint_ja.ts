@@ -8910,7 +8910,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>完了: %1。「元に戻す」で取り消せます。</translation>
     </message>
     <message>
-        <source>Resolved: %1</source>
+        <source>No longer applies: %1</source>
         <translation>解消: %1</translation>
     </message>
     <message numerus="yes">

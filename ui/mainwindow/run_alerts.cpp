@@ -39,7 +39,7 @@ RunAlerts::RunAlerts(const Workbench& bench, NoticeList& notices, CalibrationMod
   connect(&notices_, &NoticeList::began, this,
           [this](const QString& notice) { bench_.messages.record(notice, Severity::Warning); });
   connect(&notices_, &NoticeList::ended, this, [this](const QString& notice) {
-    bench_.messages.record(tr("Resolved: %1").arg(notice), Severity::Information);
+    bench_.messages.record(tr("No longer applies: %1").arg(notice), Severity::Information);
   });
   bench_.onTriggered("actionResolveCamera", this, [this] { applyFirstNewPose(); });
   bench_.requireRun({"actionResolveCamera"});
