@@ -60,7 +60,7 @@ void follow(benchmark::State& state, const std::string& method) {
   Replay replay(*inputs.source);
   const auto step = [&] {
     run.beginFrame(replay.next());
-    run.iterate();
+    run.iterateTimed();
   };
   for (int k = 0; k < 16 * kFrames; ++k) {
     step();

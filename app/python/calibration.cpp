@@ -166,7 +166,7 @@ void bindResults(py::module_& module) {
           "The same over all cameras, for their poses, or None.")
       .def_readonly("accuracy", &BoardOutcome::accuracySummary,
                     "How accurate the poses are, in a sentence.")
-      .def_property_readonly("remarks", remarksOn, "What else you should know, in sentences.")
+      .def_property_readonly("remarks", outcomeRemarks, "What else you should know, in sentences.")
       .def_property_readonly("doubtful", isDoubtful,
                              "Whether a fault that has a name explains the images better.")
       .def_readonly("report", &BoardOutcome::report, "A report as one HTML page.");

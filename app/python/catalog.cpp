@@ -26,7 +26,7 @@ void bindParameter(py::module_& module) {
       .def_readonly("minimum", &ParameterDeclaration::minimum, "The smallest allowed value.")
       .def_readonly("maximum", &ParameterDeclaration::maximum, "The largest allowed value.")
       .def_readonly("default", &ParameterDeclaration::defaultValue, "The value if none is given.")
-      .def_readonly("from_cameras", &ParameterDeclaration::fromCameras,
+      .def_readonly("from_cameras", &ParameterDeclaration::derivedFromCameras,
                     "Whether the value is derived from what the cameras see if none is given.")
       .def_property_readonly(
           "whole",

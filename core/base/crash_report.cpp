@@ -103,7 +103,7 @@ extern "C" void writeCrashReport(int signal) {
 
 } // namespace
 
-void noteForCrashReport(std::string_view note) {
+void addCrashReportNote(std::string_view note) {
   Notes& kept = notes();
   const std::lock_guard lock(kept.mutex);
   Note& into = kept.ring[kept.count % kCrashNotes];

@@ -13,7 +13,7 @@ namespace dewpoint::base {
 /// Stores a note for the report of a possible crash, such as an action of the user. Only the newest
 /// kCrashNotes notes are kept. A note is cut off after kCrashNoteLength bytes. Can be called from
 /// any thread.
-void noteForCrashReport(std::string_view note);
+void addCrashReportNote(std::string_view note);
 
 inline constexpr std::size_t kCrashNotes = 100;
 inline constexpr std::size_t kCrashNoteLength = 240;

@@ -40,7 +40,7 @@ public:
 
   /// Reads a finite number between `low` and `high`, inclusive, into `value`. Records an error if
   /// the key has any other value. Leaves `value` unchanged if the key is absent.
-  void number(const char* key, double& value, double low, double high) {
+  void readNumber(const char* key, double& value, double low, double high) {
     const toml::node* node = find(key);
     if (node == nullptr) {
       return;
@@ -56,7 +56,7 @@ public:
   /// Reads an integer between `low` and `high`, inclusive, into `value`. Records an error if the
   /// key has any other value. Leaves `value` unchanged if the key is absent.
   template <class Integer>
-  void integer(const char* key, Integer& value, std::int64_t low, std::int64_t high) {
+  void readInteger(const char* key, Integer& value, std::int64_t low, std::int64_t high) {
     const toml::node* node = find(key);
     if (node == nullptr) {
       return;
@@ -73,7 +73,7 @@ public:
     value = static_cast<Integer>(read);
   }
 
-  void boolean(const char* key, bool& value) {
+  void readBoolean(const char* key, bool& value) {
     if (const toml::node* node = find(key)) {
       if (node->is_boolean()) {
         value = node->as_boolean()->get();
@@ -83,7 +83,7 @@ public:
     }
   }
 
-  void text(const char* key, std::string& value) {
+  void readText(const char* key, std::string& value) {
     if (const toml::node* node = find(key)) {
       if (node->is_string()) {
         value = node->as_string()->get();
@@ -95,7 +95,7 @@ public:
 
   /// Returns the table under a key, or null if the key is absent. If the value is not a table,
   /// records an error and returns null.
-  const toml::table* table(const char* key) {
+  const toml::table* findTable(const char* key) {
     const toml::node* node = find(key);
     if (node != nullptr && !node->is_table()) {
       fail(ErrorCode::WrongType, key, "a table is expected");
@@ -105,7 +105,7 @@ public:
 
   /// Returns the node under a key, or null if the key is absent, and counts the key as requested.
   /// Use this function for values that no other function can read.
-  const toml::node* node(const char* key) { return find(key); }
+  const toml::node* findNode(const char* key) { return find(key); }
 
   bool failed() const { return error_.has_value(); }
 
@@ -120,8 +120,8 @@ public:
   /// Reads an array of exactly `count` finite numbers between `low` and `high`, inclusive, into
   /// `values`. Returns true on success. Returns false, without an error, if the key is absent. If
   /// the key has any other value, records an error and returns false.
-  bool numbers(const char* key, double* values, std::size_t count, double low = -1e6,
-               double high = 1e6) {
+  bool readNumbers(const char* key, double* values, std::size_t count, double low = -1e6,
+                   double high = 1e6) {
     const toml::node* node = find(key);
     if (node == nullptr) {
       return false;
@@ -144,8 +144,8 @@ public:
   /// Returns the tables in an array of tables, or an empty list if the key is absent. If the value
   /// is not such an array, or has more than `most` tables, records an error and returns an empty
   /// list.
-  std::vector<const toml::table*> tables(const char* key,
-                                         std::size_t most = std::size_t{1} << 20U) {
+  std::vector<const toml::table*> findTables(const char* key,
+                                             std::size_t most = std::size_t{1} << 20U) {
     std::vector<const toml::table*> result;
     const toml::node* node = find(key);
     if (node == nullptr) {

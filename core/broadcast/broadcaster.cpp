@@ -143,7 +143,7 @@ void Broadcaster::updateRig(const TrackSnapshot& snapshot) {
   }
   rig_ = std::move(now);
   for (Line& line : lines_) {
-    line.outlet->setOpening(line.format->opening(*rig_));
+    line.outlet->setPreamble(line.format->preamble(*rig_));
   }
 }
 

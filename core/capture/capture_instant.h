@@ -17,7 +17,7 @@ enum class TimeOrigin {
 };
 
 /// Returns the name of an origin as written to tables of capture times: driver, sender or arrival.
-constexpr const char* originName(TimeOrigin origin) {
+constexpr const char* timeOriginName(TimeOrigin origin) {
   switch (origin) {
   case TimeOrigin::Driver:
     return "driver";

@@ -99,7 +99,7 @@ void LiveCameraThread::joinUntil(Clock::time_point deadline) {
   }
 }
 
-bool LiveCameraThread::delivers() const {
+bool LiveCameraThread::isDelivering() const {
   std::scoped_lock lock(shared_->mutex);
   return shared_->connected && !shared_->problem &&
          Clock::now() - shared_->lastGrab < silenceTimeout(*shared_);

@@ -62,7 +62,7 @@ public:
   /// Returns the number of frames dropped because they were not read in time.
   std::int64_t dropped() const { return shared_->frames.dropped(); }
   /// Returns whether the camera is expected to deliver frames.
-  bool delivers() const;
+  bool isDelivering() const;
   /// Returns the camera's current problem, or nothing if there is none.
   std::optional<Error> problem() const;
   /// Returns a problem of the camera that does not prevent it from delivering images, or nothing if

@@ -96,7 +96,7 @@ double LiveFrameSource::framesPerSecond() const {
 void LiveFrameSource::collect() {
   for (std::size_t k = 0; k < cameras_.size(); ++k) {
     const double rate = cameras_[k].framesPerSecond();
-    pairing_.setExpected(k, cameras_[k].delivers(),
+    pairing_.setExpected(k, cameras_[k].isDelivering(),
                          rate > 0.0 ? timeStamp(1.0 / rate) : TimeStamp{},
                          timeStamp(cameras_[k].latency()));
     for (FramePtr& frame : cameras_[k].takeFrames()) {

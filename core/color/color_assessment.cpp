@@ -220,7 +220,7 @@ ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evid
   std::ranges::stable_sort(found, std::greater(), &FoundRegion::area);
   assessment.similarObjectCount = countAlike(evidence, found);
   assessment.suggestion = suggestionFor(assessment, evidence, found);
-  found.resize(std::min(found.size(), ColorAssessment::kMostDistractors));
+  found.resize(std::min(found.size(), ColorAssessment::kMaxDistractors));
   for (FoundRegion& region : found) {
     assessment.distractors.push_back(std::move(region.region));
   }

@@ -80,7 +80,7 @@ struct ColorAssessment {
   /// the user why the learned range covers so little of the target: a wider range would match too
   /// much of the background. Empty while missesTarget() is false.
   std::optional<double> backgroundShareOfFullRange;
-  std::vector<DistractorRegion> distractors; ///< largest first, at most kMostDistractors
+  std::vector<DistractorRegion> distractors; ///< largest first, at most kMaxDistractors
   /// Number of objects with the target's color and about the target's size, including the target,
   /// in the image that shows most such objects.
   int similarObjectCount = 1;
@@ -90,7 +90,7 @@ struct ColorAssessment {
   Suggestion suggestion = Suggestion::None;
 
   /// Maximum number of distractors in the list.
-  static constexpr std::size_t kMostDistractors = 5;
+  static constexpr std::size_t kMaxDistractors = 5;
   static constexpr double kMinTargetShare =
       0.75; ///< fraction of the target below which missesTarget() is true
   static constexpr int kGoodScore = 90; ///< least score() at which isGood() is true

@@ -57,8 +57,8 @@ struct MatchingObjects {
   cv::Mat labels, statistics;
   int count = 0;
 
-  MatchingObjects(const cv::Mat& image, const ColorRanges& ranges, EvidenceCost& work) {
-    ++work.floods;
+  MatchingObjects(const cv::Mat& image, const ColorRanges& ranges, EvidenceWorkCounts& work) {
+    ++work.floodFills;
     cv::Mat centers;
     count = cv::connectedComponentsWithStats(matchImage(image, ColorClassifier(ranges)), labels,
                                              statistics, centers);
@@ -72,7 +72,7 @@ struct MatchingObjects {
 
 /// The largest thing that matches, if it can be the target by its size; else nothing.
 cv::Mat likelyTarget(const cv::Mat& image, const ColorRanges& ranges, double area,
-                     EvidenceCost& work) {
+                     EvidenceWorkCounts& work) {
   const MatchingObjects objects(image, ranges, work);
   int largest = 0;
   for (int i = 1; i < objects.count; ++i) {
@@ -90,7 +90,7 @@ cv::Mat likelyTarget(const cv::Mat& image, const ColorRanges& ranges, double are
 /// Adds the rest of things that are in the mask already, by part: shading makes a target of one
 /// color many.
 void completeObjects(const cv::Mat& image, const ColorRanges& ranges, double area, cv::Mat& mask,
-                     EvidenceCost& work) {
+                     EvidenceWorkCounts& work) {
   const MatchingObjects objects(image, ranges, work);
   std::vector<bool> inMask(std::size_t(objects.count), false);
   for (int y = 0; y < mask.rows; ++y) {
@@ -116,18 +116,18 @@ ColorSample clickInMiddle(ColorSample box) {
 
 /// Where the clicks of one camera still show what was clicked; empty if nowhere.
 cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, const cv::Mat& image,
-                       EvidenceCost& work) {
+                       EvidenceWorkCounts& work) {
   cv::Mat mask;
   for (const ColorSample& sample : samples) {
     if (sample.camera != camera || sample.excluded) {
       continue;
     }
-    ++work.growths;
+    ++work.grownRegions;
     const cv::Mat region = regionOfSample(image, sample);
     if (stillShows(image, region, sample)) {
       mask = mask.empty() ? region : cv::Mat(mask | region);
       if (sample.isBox()) { // what goes on around the box is not background
-        ++work.growths;
+        ++work.grownRegions;
         mask |= regionOfSample(image, clickInMiddle(sample));
       }
     }
@@ -137,7 +137,8 @@ cv::Mat clickedTargets(const std::vector<ColorSample>& samples, int camera, cons
 
 /// Where no click shows it: `similar`, an object of the typical colors, as far as it matches.
 cv::Mat unclickedTarget(const cv::Mat& image, const cv::Mat& similar,
-                        const std::optional<ColorRanges>& ranges, double area, EvidenceCost& work) {
+                        const std::optional<ColorRanges>& ranges, double area,
+                        EvidenceWorkCounts& work) {
   if (!ranges) {
     return similar.clone();
   }
@@ -336,7 +337,7 @@ void EvidenceCollector::countRest() {
     const auto now = MaskedImage::of(evidence_, i);
     if (!(now == before)) {
       recount(before, now, rest);
-      ++evidence_.work.counts;
+      ++evidence_.work.countedImages;
     }
   }
   evidence_.rest = rest.colors();

@@ -29,10 +29,10 @@ struct ImageEvidence {
 };
 
 /// Cost of collecting evidence: how often each of the slow steps was done.
-struct EvidenceCost {
-  int growths = 0; ///< number of regions grown from samples
-  int floods = 0;  ///< number of times an image was divided into matching objects
-  int counts = 0;  ///< number of images whose pixels were counted, all or some of them
+struct EvidenceWorkCounts {
+  int grownRegions = 0;  ///< number of regions grown from samples
+  int floodFills = 0;    ///< number of times an image was divided into matching objects
+  int countedImages = 0; ///< number of images whose pixels were counted, all or some of them
 };
 
 /// Evidence from which a target color is learned: the colors of the target, and the colors of
@@ -58,7 +58,7 @@ struct ColorEvidence {
   ColorRanges typicalRanges = ColorRange{};    ///< ranges of the target colors alone
   std::vector<ImageEvidence> images;           ///< evidence in the image of each camera
   std::shared_ptr<const HsiCounts> restCounts; ///< counts of `rest`
-  EvidenceCost work;                           ///< cost of collecting this evidence
+  EvidenceWorkCounts work;                     ///< cost of collecting this evidence
 };
 
 /// Collects evidence from samples and images. In an image that still shows a clicked object, the

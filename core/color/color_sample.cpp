@@ -45,7 +45,7 @@ Result<ColorSample> takeSample(const cv::Mat& bgr, ColorSample sample) {
   }
   auto colors = colorsIn(bgr, regionOfSample(bgr, sample));
   sample.area = static_cast<int>(colors.size());
-  sample.colors = evenlyPicked(std::move(colors), ColorSample::kMostColors);
+  sample.colors = evenlyPicked(std::move(colors), ColorSample::kMaxColors);
   return sample;
 }
 

@@ -21,7 +21,7 @@ using BgrColor = std::array<std::uint8_t, 3>;
 /// there. The colors are stored with the sample, so that a color can be learned again from samples
 /// whose images no longer exist.
 struct ColorSample {
-  static constexpr std::size_t kMostColors = 256;
+  static constexpr std::size_t kMaxColors = 256;
 
   bool excluded = false; ///< true if the sample shows an object that is not the target
   /// True if the sample was not clicked, but found by the camera geometry from a click in the image
@@ -34,7 +34,7 @@ struct ColorSample {
   double width = 0.0; ///< width of a dragged box in pixels; 0 for a click
   double height = 0.0;
   int area = 0;                   ///< area of the region grown from the click, in pixels
-  std::vector<BgrColor> colors{}; ///< colors of the region, evenly selected, at most kMostColors
+  std::vector<BgrColor> colors{}; ///< colors of the region, evenly selected, at most kMaxColors
 
   bool isBox() const { return width > 0.0 && height > 0.0; }
   bool operator==(const ColorSample&) const = default;

@@ -23,13 +23,13 @@ struct Domain {
 
 /// True if the line separates the integers of the domain as the slope does: the largest y that is
 /// not below must be the same at every x.
-template <class Factor>
-bool separates(const IntegerLine<Factor>& line, double slope, const Domain& domain) {
+template <class Coefficient>
+bool separates(const IntegerLine<Coefficient>& line, double slope, const Domain& domain) {
   for (int x = domain.xMin; x <= domain.xMax; ++x) {
     const int most = domain.yMax(x);
     const int wanted = static_cast<int>(std::floor(slope * x));
     const int have =
-        static_cast<int>(std::floor(double((line.factor * x) >> 16) / double(line.scale)));
+        static_cast<int>(std::floor(double((line.scaledSlope * x) >> 16) / double(line.scale)));
     if (std::min(wanted, most) != std::min(have, most)) {
       return false;
     }
@@ -37,14 +37,14 @@ bool separates(const IntegerLine<Factor>& line, double slope, const Domain& doma
   return true;
 }
 
-template <class Factor>
-IntegerLine<Factor> findLine(double slope, int maxScale, const Domain& domain) {
+template <class Coefficient>
+IntegerLine<Coefficient> findLine(double slope, int maxScale, const Domain& domain) {
   for (int scale = maxScale; scale >= 1; --scale) {
     const int nearest = static_cast<int>(std::floor(slope * scale * kOne));
     for (const int factor : {nearest, nearest + 1}) {
-      const IntegerLine<Factor> line{static_cast<Factor>(factor),
-                                     static_cast<std::uint16_t>(scale)};
-      if (line.factor == factor && separates(line, slope, domain)) {
+      const IntegerLine<Coefficient> line{static_cast<Coefficient>(factor),
+                                          static_cast<std::uint16_t>(scale)};
+      if (line.scaledSlope == factor && separates(line, slope, domain)) {
         return line;
       }
     }

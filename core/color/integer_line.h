@@ -8,17 +8,17 @@
 namespace dewpoint::color {
 
 /// Tests whether y > slope * x for small integers x and y, using 16-bit products:
-///   scale * y > floor(factor * x / 65536).
+///   scale * y > floor(scaledSlope * x / 65536).
 /// All slopes between two neighboring fractions y / x of these integers give the same results.
 /// Neighboring fractions differ by more than the step 1 / (65536 * scale). The slope can therefore
 /// be replaced with one of the two nearest multiples of this step. When a line is created, a check
 /// makes sure that the results are the same for every x.
-template <class Factor> struct IntegerLine {
-  Factor factor = 0; ///< slope * scale * 65536, 16 bits
+template <class Coefficient> struct IntegerLine {
+  Coefficient scaledSlope = 0; ///< slope * scale * 65536, 16 bits
   std::uint16_t scale = 1;
 
   /// Returns whether y > slope * x, that is, whether the line is below the point (x, y).
-  bool isBelow(int x, int y) const noexcept { return scale * y > ((factor * x) >> 16); }
+  bool isBelow(int x, int y) const noexcept { return scale * y > ((scaledSlope * x) >> 16); }
 };
 
 /// Line for |x|, |y| <= 255 and -1/2 <= slope <= 0, with scale 1. Neighboring fractions are at
@@ -35,7 +35,7 @@ enum class RatioAxes {
   ExcessPerLeast, ///< x: least channel, y: excess; x <= 255, y <= 510 - 2 x
 };
 
-/// Line for 0 <= slope <= 1 and the integers specified by `axes`; factor < 65536. Neighboring
+/// Line for 0 <= slope <= 1 and the integers specified by `axes`; scaledSlope < 65536. Neighboring
 /// fractions differ by at least (1 + 2 slope)^2 / 510^2 with LeastPerExcess, and by at least 1 /
 /// 255^2 with ExcessPerLeast.
 using RatioLine = IntegerLine<std::uint16_t>;

@@ -31,12 +31,12 @@ RangeClassifier::RangeClassifier(const ColorRange& range)
   const double degree = std::numbers::pi / 180.0;
   const double low = (range.hueMin - kBoundSlack) * degree;
   const double high = (range.hueMax + kBoundSlack) * degree;
-  fromMin_ = HuePlane::positive(-std::sin(low), std::numbers::sqrt3 * std::cos(low));
-  untilMax_ = HuePlane::positive(std::sin(high), -std::numbers::sqrt3 * std::cos(high));
+  fromMin_ = HuePlane::fromCoefficients(-std::sin(low), std::numbers::sqrt3 * std::cos(low));
+  untilMax_ = HuePlane::fromCoefficients(std::sin(high), -std::numbers::sqrt3 * std::cos(high));
 }
 
-RangeClassifier::HuePlane RangeClassifier::HuePlane::positive(double alongRed,
-                                                              double alongGreenBlue) {
+RangeClassifier::HuePlane RangeClassifier::HuePlane::fromCoefficients(double alongRed,
+                                                                      double alongGreenBlue) {
   // The coefficients of B, G and R sum to zero, so each channel can be measured from a third one.
   // Measured from the middle coefficient's, the smallest is at most half the largest.
   const std::array<double, 3> coefficient{-alongRed - alongGreenBlue, -alongRed + alongGreenBlue,
@@ -168,7 +168,7 @@ struct MatchRowKernel {
 
       HueTest(const RangeClassifier::HuePlane& plane, const Planes& planes)
           : yPlus(planes[plane.yPlus]), yMinus(planes[plane.yMinus]), xPlus(planes[plane.xPlus]),
-            xMinus(planes[plane.xMinus]), factor(plane.line.factor) {}
+            xMinus(planes[plane.xMinus]), factor(plane.line.scaledSlope) {}
 
       [[gnu::always_inline]] std::int16_t operator()(int i) const {
         const auto y = static_cast<std::int16_t>(yPlus[i] - yMinus[i]);
@@ -183,7 +183,8 @@ struct MatchRowKernel {
       std::uint16_t flip; ///< d < 0 is asked, or d >= 0, which is ~d < 0
 
       explicit RatioTest(const RangeClassifier::RatioPlane& plane)
-          : factor(plane.line.factor), scale(plane.line.scale), flip(plane.above ? 0 : 0xFFFF) {}
+          : factor(plane.line.scaledSlope), scale(plane.line.scale),
+            flip(plane.above ? 0 : 0xFFFF) {}
 
       [[gnu::always_inline]] std::int16_t operator()(std::uint16_t y, std::uint16_t x) const {
         // Unsigned throughout: only so do compilers take the instruction for high halves.

@@ -55,7 +55,7 @@ private:
     HueLine line;
 
     /// Returns the half-plane where alongRed (2R - G - B) + alongGreenBlue (G - B) > 0.
-    static HuePlane positive(double alongRed, double alongGreenBlue);
+    static HuePlane fromCoefficients(double alongRed, double alongGreenBlue);
     bool contains(const std::array<int, 3>& bgr) const noexcept {
       return line.isBelow(bgr[xPlus] - bgr[xMinus], bgr[yPlus] - bgr[yMinus]);
     }

@@ -80,7 +80,7 @@ std::vector<std::vector<std::size_t>> groupSamplesByColor(const std::vector<Colo
     }
   }
   for (Pair nearest = nearestGroups(groups, colors);
-       groups.size() > 1 && (nearest.distance <= kOneColor || groups.size() > kMostColorsOfTarget);
+       groups.size() > 1 && (nearest.distance <= kOneColor || groups.size() > kMaxTargetColors);
        nearest = nearestGroups(groups, colors)) {
     Group& kept = groups[nearest.first];
     std::ranges::copy(groups[nearest.second], std::back_inserter(kept));
@@ -99,7 +99,7 @@ std::optional<ColorRanges> multicolorRanges(const ColorEvidence& evidence, const
   const std::vector<ColorRange> each = rangeOfEach(evidence);
   double bestF1 = scoreRange(one, target, evidence.rest).f1 + kWorthSeveral;
   std::optional<ColorRanges> best;
-  // All choices of two and more: few, as kMostColorsOfTarget is.
+  // All choices of two and more: few, as kMaxTargetColors is.
   for (std::size_t chosen = 1; chosen < std::size_t{1} << each.size(); ++chosen) {
     std::vector<ColorRange> ranges;
     for (std::size_t k = 0; k < each.size(); ++k) {

@@ -14,11 +14,11 @@ namespace dewpoint::color {
 struct ColorEvidence;
 
 /// Maximum number of separate colors of a target that are learned from samples.
-inline constexpr std::size_t kMostColorsOfTarget = 3;
+inline constexpr std::size_t kMaxTargetColors = 3;
 
 /// Groups the samples that show the target by color. Returns the sample indices for each color, in
 /// the order of each color's first sample. Samples of one color in different light, or in cameras
-/// with different white balance, stay together. If there are more than kMostColorsOfTarget colors,
+/// with different white balance, stay together. If there are more than kMaxTargetColors colors,
 /// the most similar colors are merged.
 std::vector<std::vector<std::size_t>> groupSamplesByColor(const std::vector<ColorSample>& samples);
 

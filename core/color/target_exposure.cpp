@@ -35,10 +35,10 @@ double TargetExposure::darkShare() const {
 }
 
 ExposureFault TargetExposure::fault() const {
-  if (clippedShare() >= kMostClipped) {
+  if (clippedShare() >= kMaxClippedShare) {
     return ExposureFault::Overexposed;
   }
-  return darkShare() >= kMostDark ? ExposureFault::TooDark : ExposureFault::None;
+  return darkShare() >= kMaxDarkShare ? ExposureFault::TooDark : ExposureFault::None;
 }
 
 TargetExposure exposureOf(const cv::Mat& bgr, const cv::Mat& mask) {

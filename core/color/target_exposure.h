@@ -24,10 +24,10 @@ struct TargetExposure {
   static constexpr int kDarkest = 20;      ///< brightness below which a pixel has no useful color
   /// If at least this fraction of the pixels is clipped, fault() returns Overexposed. Chosen by
   /// judgment: the highlights of a well exposed ball are smaller.
-  static constexpr double kMostClipped = 0.2;
+  static constexpr double kMaxClippedShare = 0.2;
   /// If at least this fraction of the pixels is dark, fault() returns TooDark. Chosen by judgment:
   /// the shaded side of a well exposed ball is smaller.
-  static constexpr double kMostDark = 0.5;
+  static constexpr double kMaxDarkShare = 0.5;
 
   std::array<std::int64_t, kBins> histogram{}; ///< number of pixels by brightness
   std::int64_t pixels = 0;                     ///< number of all pixels

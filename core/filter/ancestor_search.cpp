@@ -70,13 +70,13 @@ AncestorSearch::AncestorSearch(const CumulativeWeights& cumulative, const Sorted
 
 void AncestorSearch::loadWeights(std::int64_t weightBlock) {
   weightBlock_ = weightBlock;
-  const std::int64_t length = cumulative_.write(weightBlock, weights_.data());
+  const std::int64_t length = cumulative_.writeBlock(weightBlock, weights_.data());
   weights_[std::size_t(length)] = std::numeric_limits<double>::infinity();
   particlesEnd_ = weightBlock * kPrefixBlock + length;
 }
 
-std::int64_t AncestorSearch::ancestors(std::int64_t block, std::int32_t* found) {
-  const std::int64_t count = draws_.write(block, block_.data());
+std::int64_t AncestorSearch::findAncestors(std::int64_t block, std::int32_t* found) {
+  const std::int64_t count = draws_.writeBlock(block, block_.data());
   if (count % kTile == 0) {
     searchBlock(count, found);
     return count;

@@ -19,7 +19,7 @@ public:
 
   /// Writes the ancestors of one block of draws (from draw SortedDraws::kBlock * block on) to
   /// `found` and returns their number. Blocks must be requested in ascending order.
-  std::int64_t ancestors(std::int64_t block, std::int32_t* found);
+  std::int64_t findAncestors(std::int64_t block, std::int32_t* found);
 
   /// Number of draws in a tile. All draws of a tile are compared with the same cumulative weight at
   /// the same time.

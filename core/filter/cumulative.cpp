@@ -40,7 +40,7 @@ std::int64_t CumulativeWeights::blockOf(double draw) const {
   return (end - before_.begin() - 1) / kLanes;
 }
 
-std::int64_t CumulativeWeights::write(std::int64_t block, double* cumulative) const {
+std::int64_t CumulativeWeights::writeBlock(std::int64_t block, double* cumulative) const {
   const double* before = before_.data() + block * kLanes;
   const double factor = factors_[std::size_t(block)];
   const std::int64_t begin = block * kPrefixBlock;

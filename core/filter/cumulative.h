@@ -27,7 +27,7 @@ public:
   /// falls.
   std::int64_t blockOf(double draw) const;
   /// Writes the cumulative weights of a block and returns their number.
-  std::int64_t write(std::int64_t block, double* cumulative) const;
+  std::int64_t writeBlock(std::int64_t block, double* cumulative) const;
 
 private:
   void reset(const double* weights, std::int64_t count);

@@ -24,7 +24,7 @@ void lookUp(const CumulativeWeights& cumulative, Eigen::Index count, const Rando
   team.forEachBlock(count, kWalk, [&](std::int64_t begin, std::int64_t end) {
     AncestorSearch search(cumulative, draws);
     for (; begin < end; begin += SortedDraws::kBlock) {
-      search.ancestors(begin / SortedDraws::kBlock, picked.data() + begin);
+      search.findAncestors(begin / SortedDraws::kBlock, picked.data() + begin);
     }
   });
 }

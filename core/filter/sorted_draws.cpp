@@ -61,7 +61,7 @@ SortedDraws::SortedDraws(const RandomStream& stream, std::int64_t count, double 
   largest_ = std::nextafter(total, 0.0);
 }
 
-std::int64_t SortedDraws::write(std::int64_t block, double* draws) const {
+std::int64_t SortedDraws::writeBlock(std::int64_t block, double* draws) const {
   const std::int64_t spacings = std::min(kBlock, count_ + 1 - block * kBlock);
   std::array<float, kBlock> spacing;
   const std::int64_t elements = std::min(kStretch, spacings);

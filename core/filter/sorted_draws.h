@@ -28,7 +28,7 @@ public:
   std::int64_t blockCount() const { return (count_ + kBlock - 1) / kBlock; }
   /// Writes the draws of a block, beginning with draw kBlock * block, and returns their number, at
   /// most kBlock.
-  std::int64_t write(std::int64_t block, double* draws) const;
+  std::int64_t writeBlock(std::int64_t block, double* draws) const;
 
 private:
   RandomStream stream_;

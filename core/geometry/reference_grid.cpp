@@ -223,9 +223,9 @@ Status checkGrid(const ReferenceGrid& grid) {
     if (!(grid.size[axis] > 0.0 && grid.size[axis] <= kLargest)) {
       return failure(ErrorCode::BadValue, "", "size", "positive lengths are expected");
     }
-    if (uses(grid.kind, axis) && grid.size[axis] > kMostGridLines * grid.step * (1.0 + 1e-9)) {
+    if (uses(grid.kind, axis) && grid.size[axis] > kMaxGridLines * grid.step * (1.0 + 1e-9)) {
       return failure(ErrorCode::BadValue, "", "step",
-                     fmt::format("more than {} lines along one side", kMostGridLines));
+                     fmt::format("more than {} lines along one side", kMaxGridLines));
     }
   }
   return {};
@@ -292,8 +292,8 @@ ProjectedGrid projectGrid(const Camera& camera, const ReferenceGrid& grid) {
   return result;
 }
 
-std::optional<Eigen::Vector3d> crossingAt(const Camera& camera, const ReferenceGrid& grid,
-                                          const Eigen::Vector2d& pixel, double reach) {
+std::optional<Eigen::Vector3d> gridCrossingAt(const Camera& camera, const ReferenceGrid& grid,
+                                              const Eigen::Vector2d& pixel, double reach) {
   const Projector projector(camera);
   const Eigen::Isometry3d worldFromGrid = grid.worldFromGrid();
   std::optional<Eigen::Vector3d> nearest;
@@ -314,7 +314,7 @@ std::optional<Eigen::Vector3d> crossingAt(const Camera& camera, const ReferenceG
 
 std::optional<Eigen::Vector3d> gridPointAt(const Camera& camera, const ReferenceGrid& grid,
                                            const Eigen::Vector2d& pixel, double reach) {
-  if (const auto crossing = crossingAt(camera, grid, pixel, reach)) {
+  if (const auto crossing = gridCrossingAt(camera, grid, pixel, reach)) {
     return crossing;
   }
   const auto ray = Unprojector(camera).ray(pixel);

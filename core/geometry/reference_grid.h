@@ -39,7 +39,7 @@ struct ReferenceGrid {
 };
 
 /// Maximum number of grid lines along one side of a grid.
-inline constexpr int kMostGridLines = 200;
+inline constexpr int kMaxGridLines = 200;
 
 /// Checks whether a grid can be drawn. The error is BadValue and names the field (`size`, `step`,
 /// `origin`).
@@ -86,8 +86,8 @@ ProjectedGrid projectGrid(const Camera& camera, const ReferenceGrid& grid);
 
 /// Returns the intersection of grid lines (world frame, meters) that is nearest to `pixel` in the
 /// image, or nothing if no intersection is within `reach` pixels.
-std::optional<Eigen::Vector3d> crossingAt(const Camera& camera, const ReferenceGrid& grid,
-                                          const Eigen::Vector2d& pixel, double reach);
+std::optional<Eigen::Vector3d> gridCrossingAt(const Camera& camera, const ReferenceGrid& grid,
+                                              const Eigen::Vector2d& pixel, double reach);
 
 /// Returns the world point (meters) that the user means by a click at `pixel`, or nothing if the
 /// lens model has no ray for the pixel. The point is the first of these that exists:

@@ -24,32 +24,32 @@ PositionCorrection readCorrection(const toml::table& table, const std::string& f
   TableReader reader(table, file, prefix);
   PositionCorrection correction;
   reader.require("frame");
-  reader.integer("frame", correction.frame, 0, limits::kMaxFrames);
+  reader.readInteger("frame", correction.frame, 0, limits::kMaxFrames);
   int target = 1;
   reader.require("target");
-  reader.integer("target", target, 1, limits::kMaxTargets);
+  reader.readInteger("target", target, 1, limits::kMaxTargets);
   correction.target = target - 1;
   reader.require("position");
-  reader.numbers("position", correction.position.data(), 3, -kMostMeters, kMostMeters);
+  reader.readNumbers("position", correction.position.data(), 3, -kMostMeters, kMostMeters);
   reader.require("covariance");
   std::array<double, 6> c{};
-  if (reader.numbers("covariance", c.data(), c.size())) {
+  if (reader.readNumbers("covariance", c.data(), c.size())) {
     correction.covariance << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
   }
   std::int64_t from = -1;
-  reader.integer("tracked_from", from, 0, limits::kMaxFrames);
+  reader.readInteger("tracked_from", from, 0, limits::kMaxFrames);
   if (from >= 0) {
     correction.trackedFrom = from;
   }
-  for (const toml::table* one : reader.tables("click")) {
+  for (const toml::table* one : reader.findTables("click")) {
     TableReader click(*one, file, fmt::format("{}click {}.", prefix, correction.clicks.size() + 1));
     int camera = 1;
     click.require("camera");
-    click.integer("camera", camera, 1, limits::kMaxCameras);
+    click.readInteger("camera", camera, 1, limits::kMaxCameras);
     PointClick& read = correction.clicks.emplace_back();
     read.camera = camera - 1;
     click.require("pixel");
-    click.numbers("pixel", read.pixel.data(), 2, -kMostPixels, kMostPixels);
+    click.readNumbers("pixel", read.pixel.data(), 2, -kMostPixels, kMostPixels);
     reader.recordError(click.finish());
   }
   error = reader.finish();
@@ -109,7 +109,7 @@ Status checkCorrection(const PositionCorrection& correction, const std::string& 
 
 void readCorrections(TableReader& reader, const std::string& file, Project& project) {
   std::optional<Error> error;
-  for (const toml::table* table : reader.tables("correction")) {
+  for (const toml::table* table : reader.findTables("correction")) {
     project.corrections.push_back(readCorrection(*table, file, project.corrections.size(), error));
     // Checked before they are sorted: the error counts them as the file does.
     if (const auto good =

@@ -50,7 +50,7 @@ Status bad(std::string field, std::string detail) {
 
 void readSize(TableReader& reader, DeviceFormat& format) {
   std::array<double, 2> size{};
-  if (!reader.numbers("size", size.data(), size.size(), 1.0, limits::kMaxImageSide)) {
+  if (!reader.readNumbers("size", size.data(), size.size(), 1.0, limits::kMaxImageSide)) {
     return;
   }
   format.width = static_cast<int>(size[0]);
@@ -62,7 +62,7 @@ void readSize(TableReader& reader, DeviceFormat& format) {
 
 void readControls(TableReader& camera, const std::string& file, const std::string& prefix,
                   ControlValues& controls) {
-  const toml::table* table = camera.table("controls");
+  const toml::table* table = camera.findTable("controls");
   if (table == nullptr) {
     return;
   }
@@ -70,8 +70,8 @@ void readControls(TableReader& camera, const std::string& file, const std::strin
   for (const auto& [key, node] : *table) {
     const std::string name(key.str());
     std::int64_t value = 0;
-    reader.integer(name.c_str(), value, std::numeric_limits<std::int64_t>::min(),
-                   std::numeric_limits<std::int64_t>::max());
+    reader.readInteger(name.c_str(), value, std::numeric_limits<std::int64_t>::min(),
+                       std::numeric_limits<std::int64_t>::max());
     controls[name] = value;
   }
   camera.recordError(reader.finish());
@@ -82,13 +82,13 @@ void readControls(TableReader& camera, const std::string& file, const std::strin
 void readDeviceSettings(TableReader& reader, const std::string& file, const std::string& prefix,
                         ProjectCamera& camera) {
   DeviceSettings& settings = camera.device;
-  reader.text("pixel_format", settings.format.pixelFormat);
+  reader.readText("pixel_format", settings.format.pixelFormat);
   readSize(reader, settings.format);
-  reader.number("rate", settings.format.rate, kLowestRate, kHighestRate);
-  if (const toml::table* table = reader.table("identity")) {
+  reader.readNumber("rate", settings.format.rate, kLowestRate, kHighestRate);
+  if (const toml::table* table = reader.findTable("identity")) {
     TableReader identity(*table, file, prefix + "identity.");
     for (const auto& [key, text] : identityKeys(settings.identity)) {
-      identity.text(key, *text);
+      identity.readText(key, *text);
     }
     reader.recordError(identity.finish());
   }

@@ -40,7 +40,7 @@ std::string expanded(TableReader& reader, const char* key, const std::string& te
 /// A path of the file, absolute.
 path readPath(TableReader& reader, const char* key, const ProjectPaths& place) {
   std::string text;
-  reader.text(key, text);
+  reader.readText(key, text);
   if (text.empty()) {
     if (reader.has(key)) {
       reader.fail(ErrorCode::BadValue, key, "the path is empty");
@@ -53,7 +53,7 @@ path readPath(TableReader& reader, const char* key, const ProjectPaths& place) {
 void readCrop(TableReader& reader, ImageMargins& crop) {
   constexpr double kMostCropPixels = 32767.0;
   double sides[4] = {0.0, 0.0, 0.0, 0.0};
-  if (!reader.numbers("crop", sides, 4, 0.0, kMostCropPixels)) {
+  if (!reader.readNumbers("crop", sides, 4, 0.0, kMostCropPixels)) {
     return;
   }
   if (std::ranges::any_of(sides, [](double side) { return side != std::floor(side); })) {
@@ -77,7 +77,7 @@ void readSource(TableReader& reader, const ProjectPaths& place, ProjectCamera& c
     if (kind == SourceKind::Video || kind == SourceKind::Images) {
       camera.location = readPath(reader, key, place).string();
     } else {
-      reader.text(key, camera.location);
+      reader.readText(key, camera.location);
       camera.location = expanded(reader, key, camera.location);
     }
   }
@@ -86,13 +86,13 @@ void readSource(TableReader& reader, const ProjectPaths& place, ProjectCamera& c
                 hasVideo ? "video" : "video, images, device or stream",
                 "exactly one source is expected");
   }
-  reader.integer("rotate", camera.rotateDegrees, 0, 270);
+  reader.readInteger("rotate", camera.rotateDegrees, 0, 270);
   if (camera.rotateDegrees % 90 != 0) {
     reader.fail(ErrorCode::BadValue, "rotate", "0, 90, 180 or 270 degrees are expected");
   }
-  reader.boolean("mirror", camera.mirrored);
+  reader.readBoolean("mirror", camera.mirrored);
   readCrop(reader, camera.crop);
-  reader.number("late_by", camera.delay, -kMaxDelay, kMaxDelay);
+  reader.readNumber("late_by", camera.delay, -kMaxDelay, kMaxDelay);
   camera.times = readPath(reader, "times", place).string();
 }
 
@@ -110,14 +110,14 @@ ProjectCamera readCamera(const toml::table& table, const std::string& file,
   ProjectCamera camera;
   std::string name;
   reader.require("name");
-  reader.text("name", name);
+  reader.readText("name", name);
   if (ofScene) {
     camera.adjusted = true; // its images are the scene's
   } else {
     readSource(reader, place, camera);
   }
   camera.backgroundImage = readPath(reader, "empty_room", place).string();
-  if (const toml::table* calibration = reader.table("calibration")) {
+  if (const toml::table* calibration = reader.findTable("calibration")) {
     auto read = cameraFromToml(*calibration, file, prefix + "calibration.");
     if (read) {
       camera.camera = std::move(*read);
@@ -163,7 +163,7 @@ void readParameters(const toml::table& table, const std::string& file, Project& 
 void readHead(TableReader& reader, const ProjectPaths& place, Project& project) {
   std::int64_t format = kProjectFormat;
   reader.require("format");
-  reader.integer("format", format, 1, std::int64_t{1} << 30);
+  reader.readInteger("format", format, 1, std::int64_t{1} << 30);
   if (format > kProjectFormat) {
     reader.fail(
         ErrorCode::BadValue, "format",
@@ -171,19 +171,19 @@ void readHead(TableReader& reader, const ProjectPaths& place, Project& project) 
             "the file is in format {}, of a newer Dewpoint; this version reads formats up to {}",
             format, kProjectFormat));
   }
-  reader.text("name", project.name);
-  reader.text("method", project.method);
+  reader.readText("name", project.name);
+  reader.readText("method", project.method);
   const auto methods = methodNames();
   if (std::ranges::find(methods, project.method) == methods.end()) {
     reader.fail(ErrorCode::BadValue, "method",
                 fmt::format("known methods: {}", fmt::join(methods, ", ")));
   }
-  reader.integer("seed", project.seed, 0, std::numeric_limits<std::int64_t>::max());
-  reader.number("frames_per_second", project.framesPerSecond, 0.0, 100000.0);
+  reader.readInteger("seed", project.seed, 0, std::numeric_limits<std::int64_t>::max());
+  reader.readNumber("frames_per_second", project.framesPerSecond, 0.0, 100000.0);
   if (const path truth = readPath(reader, "truth", place); !truth.empty()) {
     project.truth = truth;
   }
-  reader.text("scene", project.scene);
+  reader.readText("scene", project.scene);
   if (project.scene.ends_with(".toml")) {
     project.scene = readPath(reader, "scene", place).string();
   }
@@ -207,16 +207,16 @@ void readParts(TableReader& reader, const std::string& file, const ProjectPaths&
   const CameraRig calibrated = readCalibrationFile(reader, place);
   project.parameters = ParameterValues(methodParameters(project.method));
   std::optional<Error> error;
-  if (const toml::table* parameters = reader.table("parameters");
+  if (const toml::table* parameters = reader.findTable("parameters");
       parameters != nullptr && !reader.failed()) {
     readParameters(*parameters, file, project, error);
     reader.recordError(error);
   }
-  for (const toml::table* table : reader.tables("target", limits::kMaxTargets)) {
+  for (const toml::table* table : reader.findTables("target", limits::kMaxTargets)) {
     project.targets.push_back(readTarget(*table, file, project.targets.size(), error));
     reader.recordError(error);
   }
-  for (const toml::table* table : reader.tables("camera", limits::kMaxCameras)) {
+  for (const toml::table* table : reader.findTables("camera", limits::kMaxCameras)) {
     project.cameras.push_back(readCamera(*table, file, place, project.cameras.size(),
                                          !project.scene.empty() && !hasSource(*table), calibrated,
                                          !methodFamily(project.method).needsCalibration, error));
@@ -225,21 +225,21 @@ void readParts(TableReader& reader, const std::string& file, const ProjectPaths&
 }
 
 void readMarkers(TableReader& reader, const std::string& file, Project& project) {
-  for (const toml::table* table : reader.tables("mark")) {
+  for (const toml::table* table : reader.findTables("mark")) {
     TableReader one(*table, file, fmt::format("mark {}.", project.markers.size() + 1));
     ProjectMarker& marker = project.markers.emplace_back();
     one.require("frame");
-    one.integer("frame", marker.frame, 0, limits::kMaxFrames);
-    one.text("name", marker.name);
+    one.readInteger("frame", marker.frame, 0, limits::kMaxFrames);
+    one.readText("name", marker.name);
     reader.recordError(one.finish());
   }
   std::ranges::stable_sort(project.markers, {}, &ProjectMarker::frame);
 }
 
 void readWindow(TableReader& reader, const std::string& file, Project& project) {
-  if (const toml::table* table = reader.table("window")) {
+  if (const toml::table* table = reader.findTable("window")) {
     TableReader window(*table, file, "window.");
-    window.text("layout", project.layout);
+    window.readText("layout", project.layout);
     reader.recordError(window.finish());
   }
 }

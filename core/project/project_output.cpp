@@ -26,7 +26,7 @@ template <class Keys> auto valueOf(const Keys& keys, std::string_view name) {
 template <class Keys, class Value>
 void readWord(TableReader& reader, const char* key, const Keys& keys, Value& value) {
   std::string word;
-  reader.text(key, word);
+  reader.readText(key, word);
   if (!reader.has(key) || reader.failed()) {
     return;
   }
@@ -43,7 +43,7 @@ void readWord(TableReader& reader, const char* key, const Keys& keys, Value& val
 
 void readPort(TableReader& reader, const char* key, std::optional<std::uint16_t>& port) {
   std::uint16_t read = 0;
-  reader.integer(key, read, 0, 65535);
+  reader.readInteger(key, read, 0, 65535);
   if (reader.has(key) && !reader.failed()) {
     port = read;
   }
@@ -86,7 +86,7 @@ const char* nameOf(OutputUnit unit) {
 }
 
 void readOutput(TableReader& reader, const std::string& file, Project& project) {
-  const toml::table* table = reader.table("output");
+  const toml::table* table = reader.findTable("output");
   if (table == nullptr) {
     return;
   }
@@ -94,14 +94,14 @@ void readOutput(TableReader& reader, const std::string& file, Project& project) 
   TableReader one(*table, file, "output.");
   readWord(one, "axes", kOutputAxesKeys, output.axes);
   readWord(one, "unit", kOutputUnitKeys, output.unit);
-  one.number("rate", output.rate, 0.0, OutputSettings::kMaxRate);
-  one.text("osc", output.osc);
-  one.text("tuio", output.tuio);
+  one.readNumber("rate", output.rate, 0.0, OutputSettings::kMaxRate);
+  one.readText("osc", output.osc);
+  one.readText("tuio", output.tuio);
   readPort(one, "tcp", output.tcp);
   readPort(one, "websocket", output.websocket);
-  one.text("csv", output.csv);
-  one.text("listen", output.listen);
-  one.text("token", output.token);
+  one.readText("csv", output.csv);
+  one.readText("listen", output.listen);
+  one.readText("token", output.token);
   reader.recordError(one.finish());
 }
 

@@ -19,20 +19,20 @@ PersonCorrection readPerson(const toml::table& table, const std::string& file, s
   TableReader reader(table, file, fmt::format("person {}.", index + 1));
   PersonCorrection person;
   reader.require("frame");
-  reader.integer("frame", person.frame, 0, limits::kMaxFrames);
+  reader.readInteger("frame", person.frame, 0, limits::kMaxFrames);
   reader.require(reader.has("camera") ? "pixel" : "place");
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
-  if (reader.numbers("place", position.data(), 2, -kFarthest, kFarthest)) {
+  if (reader.readNumbers("place", position.data(), 2, -kFarthest, kFarthest)) {
     person.position = position;
   }
   int camera = 1;
   PersonCorrection::Click click;
-  reader.integer("camera", camera, 1, limits::kMaxCameras);
-  if (reader.numbers("pixel", click.pixel.data(), 2, -kLargestPixel, kLargestPixel)) {
+  reader.readInteger("camera", camera, 1, limits::kMaxCameras);
+  if (reader.readNumbers("pixel", click.pixel.data(), 2, -kLargestPixel, kLargestPixel)) {
     click.camera = camera - 1;
     person.click = click;
   }
-  reader.boolean("present", person.present);
+  reader.readBoolean("present", person.present);
   error = reader.finish();
   return person;
 }
@@ -71,7 +71,7 @@ Status checkPerson(const PersonCorrection& person, const std::string& field,
 
 void readPeople(TableReader& reader, const std::string& file, Project& project) {
   std::optional<Error> error;
-  for (const toml::table* table : reader.tables("person")) {
+  for (const toml::table* table : reader.findTables("person")) {
     project.people.push_back(readPerson(*table, file, project.people.size(), error));
     reader.recordError(error);
   }

@@ -16,7 +16,7 @@ constexpr double kLargestNumber = 1e9; ///< pixels, meters, radians: larger ones
 
 std::optional<CalibrationOrigin> readOrigin(TableReader& reader, const char* key) {
   std::string text;
-  reader.text(key, text);
+  reader.readText(key, text);
   if (text.empty()) {
     return std::nullopt;
   }
@@ -34,7 +34,7 @@ std::optional<double> readNumber(TableReader& reader, const char* key) {
     return std::nullopt;
   }
   double value = 0.0;
-  reader.number(key, value, 0.0, kLargestNumber);
+  reader.readNumber(key, value, 0.0, kLargestNumber);
   return value;
 }
 
@@ -53,7 +53,7 @@ std::string numberLine(const char* key, std::optional<double> value, const char*
 CameraRecord readCameraRecord(TableReader& camera, const std::string& file,
                               const std::string& prefix) {
   CameraRecord record;
-  const toml::table* table = camera.table("calibrated");
+  const toml::table* table = camera.findTable("calibrated");
   if (table == nullptr) {
     return record;
   }
@@ -63,16 +63,16 @@ CameraRecord readCameraRecord(TableReader& camera, const std::string& file,
     lens.origin = *origin;
     lens.error = readNumber(reader, "lens_error");
     reader.require("lens_of");
-    reader.numbers("lens_of", lens.values.data(), lens.values.size(), -kLargestNumber,
-                   kLargestNumber);
+    reader.readNumbers("lens_of", lens.values.data(), lens.values.size(), -kLargestNumber,
+                       kLargestNumber);
   }
   if (const auto origin = readOrigin(reader, "pose")) {
     PoseRecord& pose = record.pose.emplace();
     pose.origin = *origin;
     pose.error = readNumber(reader, "pose_error");
     reader.require("pose_of");
-    reader.numbers("pose_of", pose.values.data(), pose.values.size(), -kLargestNumber,
-                   kLargestNumber);
+    reader.readNumbers("pose_of", pose.values.data(), pose.values.size(), -kLargestNumber,
+                       kLargestNumber);
   }
   camera.recordError(reader.finish());
   return record;
@@ -95,7 +95,7 @@ std::string cameraRecordText(const CameraRecord& record) {
 
 WorldRecord readWorldRecord(TableReader& project, const std::string& file) {
   WorldRecord record;
-  const toml::table* table = project.table("calibrated");
+  const toml::table* table = project.findTable("calibrated");
   if (table == nullptr) {
     return record;
   }
@@ -107,7 +107,7 @@ WorldRecord readWorldRecord(TableReader& project, const std::string& file) {
   record.accuracyOutside = readNumber(reader, "accuracy_outside");
   if (reader.has("length")) {
     std::array<double, 2> length{};
-    reader.numbers("length", length.data(), length.size(), 0.0, kLargestNumber);
+    reader.readNumbers("length", length.data(), length.size(), 0.0, kLargestNumber);
     record.check = {length[0], length[1]};
   }
   project.recordError(reader.finish());

@@ -18,7 +18,7 @@ ReferenceGrid readGrid(const toml::table& table, const std::string& file,
   TableReader reader(table, file, "grid.");
   ReferenceGrid grid;
   std::string kind = kGridKeys.front().first;
-  reader.text("kind", kind);
+  reader.readText("kind", kind);
   const auto known =
       std::ranges::find_if(kGridKeys, [&](const auto& entry) { return kind == entry.first; });
   if (known == kGridKeys.end()) {
@@ -26,10 +26,10 @@ ReferenceGrid readGrid(const toml::table& table, const std::string& file,
   } else {
     grid.kind = known->second;
   }
-  reader.numbers("size", grid.size.data(), 3, 0.0, kLargest);
-  reader.number("step", grid.step, 0.0, kLargest);
-  reader.numbers("origin", grid.origin.data(), 3, -kLargest, kLargest);
-  reader.number("turn", grid.turn, -100.0, 100.0);
+  reader.readNumbers("size", grid.size.data(), 3, 0.0, kLargest);
+  reader.readNumber("step", grid.step, 0.0, kLargest);
+  reader.readNumbers("origin", grid.origin.data(), 3, -kLargest, kLargest);
+  reader.readNumber("turn", grid.turn, -100.0, 100.0);
   error = reader.finish();
   return grid;
 }
@@ -39,9 +39,9 @@ WorldBox readVolume(const toml::table& table, const std::string& file,
   TableReader reader(table, file, "volume_of_interest.");
   WorldBox volume;
   reader.require("min");
-  reader.numbers("min", volume.min.data(), 3, -kLargest, kLargest);
+  reader.readNumbers("min", volume.min.data(), 3, -kLargest, kLargest);
   reader.require("max");
-  reader.numbers("max", volume.max.data(), 3, -kLargest, kLargest);
+  reader.readNumbers("max", volume.max.data(), 3, -kLargest, kLargest);
   error = reader.finish();
   return volume;
 }
@@ -71,20 +71,20 @@ MeasuredPoint readPoint(const toml::table& table, const std::string& file, std::
   TableReader reader(table, file, prefix);
   MeasuredPoint point;
   reader.require("name");
-  reader.text("name", point.name);
+  reader.readText("name", point.name);
   reader.require("world");
-  reader.numbers("world", point.world.data(), 3, -kLargest, kLargest);
-  for (const toml::table* one : reader.tables("click")) {
+  reader.readNumbers("world", point.world.data(), 3, -kLargest, kLargest);
+  for (const toml::table* one : reader.findTables("click")) {
     TableReader click(*one, file, fmt::format("{}click {}.", prefix, point.clicks.size() + 1));
     int camera = 1;
     click.require("camera");
-    click.integer("camera", camera, 1, limits::kMaxCameras);
+    click.readInteger("camera", camera, 1, limits::kMaxCameras);
     PointClick& read = point.clicks.emplace_back();
     read.camera = camera - 1;
     click.require("pixel");
-    click.numbers("pixel", read.pixel.data(), 2);
+    click.readNumbers("pixel", read.pixel.data(), 2);
     std::int64_t frame = -1;
-    click.integer("frame", frame, 0, limits::kMaxFrames);
+    click.readInteger("frame", frame, 0, limits::kMaxFrames);
     if (frame >= 0) {
       read.frame = frame;
     }
@@ -126,15 +126,15 @@ Status checkPoint(const MeasuredPoint& point, std::size_t index, const Project& 
 
 void readRoom(TableReader& reader, const std::string& file, Project& project) {
   std::optional<Error> error;
-  if (const toml::table* table = reader.table("volume_of_interest")) {
+  if (const toml::table* table = reader.findTable("volume_of_interest")) {
     project.volumeOfInterest = readVolume(*table, file, error);
     reader.recordError(error);
   }
-  if (const toml::table* table = reader.table("grid")) {
+  if (const toml::table* table = reader.findTable("grid")) {
     project.grid = readGrid(*table, file, error);
     reader.recordError(error);
   }
-  for (const toml::table* table : reader.tables("point")) {
+  for (const toml::table* table : reader.findTables("point")) {
     project.points.push_back(readPoint(*table, file, project.points.size(), error));
     reader.recordError(error);
   }

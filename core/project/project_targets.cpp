@@ -20,7 +20,7 @@ constexpr double kLargestSide = 1e5; ///< of an image, pixels
 
 void readRange(TableReader& reader, const char* key, double& low, double& high) {
   double bounds[2] = {low, high};
-  if (reader.numbers(key, bounds, 2)) {
+  if (reader.readNumbers(key, bounds, 2)) {
     low = bounds[0];
     high = bounds[1];
   }
@@ -29,7 +29,7 @@ void readRange(TableReader& reader, const char* key, double& low, double& high) 
 /// "rrggbb rrggbb ...", as in HTML.
 std::vector<BgrColor> readColors(TableReader& reader, const char* key) {
   std::string text;
-  reader.text(key, text);
+  reader.readText(key, text);
   std::vector<BgrColor> colors;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
@@ -42,8 +42,8 @@ std::vector<BgrColor> readColors(TableReader& reader, const char* key) {
     }
     colors.push_back({std::uint8_t(value), std::uint8_t(value >> 8), std::uint8_t(value >> 16)});
   }
-  if (colors.size() > ColorSample::kMostColors) {
-    reader.fail(ErrorCode::BadValue, key, fmt::format("more than {}", ColorSample::kMostColors));
+  if (colors.size() > ColorSample::kMaxColors) {
+    reader.fail(ErrorCode::BadValue, key, fmt::format("more than {}", ColorSample::kMaxColors));
   }
   return colors;
 }
@@ -54,23 +54,23 @@ ColorSample readSample(const toml::table& table, const std::string& file, std::s
   ColorSample sample;
   reader.require("camera");
   int camera = 1;
-  reader.integer("camera", camera, 1, limits::kMaxCameras);
+  reader.readInteger("camera", camera, 1, limits::kMaxCameras);
   sample.camera = camera - 1;
-  reader.integer("frame", sample.frame, 0, limits::kMaxFrames);
+  reader.readInteger("frame", sample.frame, 0, limits::kMaxFrames);
   double place[4] = {0.0, 0.0, 0.0, 0.0};
   if (reader.has("box")) {
-    reader.numbers("box", place, 4, 0.0, kLargestSide);
+    reader.readNumbers("box", place, 4, 0.0, kLargestSide);
   } else {
     reader.require("pixel");
-    reader.numbers("pixel", place, 2, 0.0, kLargestSide);
+    reader.readNumbers("pixel", place, 2, 0.0, kLargestSide);
   }
   sample.x = place[0];
   sample.y = place[1];
   sample.width = place[2];
   sample.height = place[3];
-  reader.boolean("excluded", sample.excluded);
-  reader.boolean("found", sample.found);
-  reader.integer("area", sample.area, 0, std::numeric_limits<int>::max());
+  reader.readBoolean("excluded", sample.excluded);
+  reader.readBoolean("found", sample.found);
+  reader.readInteger("area", sample.area, 0, std::numeric_limits<int>::max());
   sample.colors = readColors(reader, "colors");
   error = reader.finish();
   return sample;
@@ -78,7 +78,7 @@ ColorSample readSample(const toml::table& table, const std::string& file, std::s
 
 std::optional<TargetBox> readBox(TableReader& target, const std::string& file,
                                  const std::string& prefix) {
-  const toml::table* table = target.table("box");
+  const toml::table* table = target.findTable("box");
   if (table == nullptr) {
     return std::nullopt;
   }
@@ -86,17 +86,17 @@ std::optional<TargetBox> readBox(TableReader& target, const std::string& file,
   TargetBox box;
   reader.require("camera");
   int camera = 1;
-  reader.integer("camera", camera, 1, limits::kMaxCameras);
+  reader.readInteger("camera", camera, 1, limits::kMaxCameras);
   box.camera = camera - 1;
-  reader.integer("frame", box.frame, 0, limits::kMaxFrames);
+  reader.readInteger("frame", box.frame, 0, limits::kMaxFrames);
   for (const auto& [key, value] : {std::pair("x", &box.box.x), std::pair("y", &box.box.y)}) {
     reader.require(key);
-    reader.number(key, *value, -kLargestSide, kLargestSide);
+    reader.readNumber(key, *value, -kLargestSide, kLargestSide);
   }
   for (const auto& [key, value] :
        {std::pair("width", &box.box.width), std::pair("height", &box.box.height)}) {
     reader.require(key);
-    reader.number(key, *value, 1.0, kLargestSide);
+    reader.readNumber(key, *value, 1.0, kLargestSide);
   }
   target.recordError(reader.finish());
   return box;
@@ -104,7 +104,7 @@ std::optional<TargetBox> readBox(TableReader& target, const std::string& file,
 
 TargetShape readShape(TableReader& reader) {
   std::string name = nameOf(TargetShape::Auto);
-  reader.text("shape", name);
+  reader.readText("shape", name);
   const auto shape = targetShapeFromName(name);
   if (!shape) {
     reader.fail(ErrorCode::BadValue, "shape", "auto, ball or any is expected");
@@ -167,23 +167,23 @@ Target readTarget(const toml::table& table, const std::string& file, std::size_t
   TableReader reader(table, file, prefix);
   Target target;
   reader.require("name");
-  reader.text("name", target.name);
-  reader.number("radius", target.radius, 0.0, kLargestRadius);
+  reader.readText("name", target.name);
+  reader.readNumber("radius", target.radius, 0.0, kLargestRadius);
   target.shape = readShape(reader);
-  reader.boolean("shown", target.isShown);
+  reader.readBoolean("shown", target.isShown);
   target.box = readBox(reader, file, prefix);
   if (!target.box) {
     reader.require("hue");
   }
   target.color = readColor(reader);
-  for (const toml::table* other : reader.tables("other_color")) {
+  for (const toml::table* other : reader.findTables("other_color")) {
     TableReader color(*other, file,
                       fmt::format("{}other_color {}.", prefix, target.otherColors.size() + 1));
     color.require("hue");
     target.otherColors.push_back(readColor(color));
     reader.recordError(color.finish());
   }
-  for (const toml::table* sample : reader.tables("sample")) {
+  for (const toml::table* sample : reader.findTables("sample")) {
     target.samples.push_back(readSample(
         *sample, file, fmt::format("{}sample {}.", prefix, target.samples.size() + 1), error));
     reader.recordError(error);

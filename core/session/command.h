@@ -100,7 +100,7 @@ struct ShowMasks {
   bool shown = false;
 };
 /// Turns the body shapes of people in snapshots on or off (TargetSnapshot::shape).
-struct ShowShapes {
+struct ShowBodyShapes {
   bool shown = false;
 };
 /// Sets the number of filter threads from the next iteration on. The results do not depend on this
@@ -148,7 +148,7 @@ using Command =
                  command::Restart, command::SetParameters, command::SetMethod, command::SetTargets,
                  command::SetCameras, command::SetBackgroundImages, command::ShowMasks,
                  command::ShowFrame, command::ReturnToNewestFrame, command::Rerun,
-                 command::ShowMaps, command::ShowShapes, command::ShowBoard,
+                 command::ShowMaps, command::ShowBodyShapes, command::ShowBoard,
                  command::SetPersonCorrections, command::SetThreads, command::SetVolumeOfInterest,
                  command::SetCorrections, command::SetPace, command::DescribeFrame>;
 

@@ -158,18 +158,18 @@ void Playback::leaveHead(std::int64_t nextFrame) {
   nextFrame_ = nextFrame;
 }
 
-void Playback::take(std::int64_t frame) {
+void Playback::setHead(std::int64_t frame) {
   head_ = Head::Taken;
   nextFrame_ = frame + 1;
 }
 
-void Playback::track() {
+void Playback::noteIteration() {
   if (head_ == Head::Taken) {
     head_ = Head::Tracked;
   }
 }
 
-std::optional<std::int64_t> Playback::reach(std::int64_t head) {
+std::optional<std::int64_t> Playback::noteReached(std::int64_t head) {
   const Rerunning* underWay = currentRerun();
   if (underWay == nullptr || head < underWay->range.to) {
     return std::nullopt;
@@ -183,7 +183,7 @@ void Playback::forgetEstimates() {
   head_ = head_ == Head::None ? Head::None : Head::Taken;
 }
 
-void Playback::published(bool isPreview, bool lacksMaps) {
+void Playback::notePublished(bool isPreview, bool lacksMaps) {
   missing_ = isPreview ? Missing::Images : lacksMaps ? Missing::Maps : Missing::Nothing;
 }
 

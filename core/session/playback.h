@@ -109,14 +109,14 @@ public:
   /// Returns the number of the next frame to take from the input.
   std::int64_t nextFrame() const { return nextFrame_; }
   /// Makes this frame the head (the current frame of the run).
-  void take(std::int64_t frame);
+  void setHead(std::int64_t frame);
   /// Notes that an iteration was made on the head (the current frame of the run).
-  void track();
+  void noteIteration();
   /// Notes that the estimates of the head (the current frame of the run) are in the log.
-  void record() { head_ = Head::Recorded; }
+  void noteRecorded() { head_ = Head::Recorded; }
   /// Notes that the run has reached frame `head`. If this is the last frame of a rerun, ends the
   /// rerun and returns the frame to show afterward. Returns nothing if frame `head` stays shown.
-  std::optional<std::int64_t> reach(std::int64_t head);
+  std::optional<std::int64_t> noteReached(std::int64_t head);
   /// Notes that the head (the current frame of the run) is being tracked again from scratch.
   void forgetEstimates();
 
@@ -129,9 +129,9 @@ public:
   Missing missing() const { return missing_; }
   /// Notes what a published snapshot lacks: full images if it is a preview, and maps or masks if
   /// `lacksMaps` is true.
-  void published(bool isPreview, bool lacksMaps);
+  void notePublished(bool isPreview, bool lacksMaps);
   /// Notes that the content missing from the last snapshot was published.
-  void complete() { missing_ = Missing::Nothing; }
+  void noteMissingPublished() { missing_ = Missing::Nothing; }
 
 private:
   /// Returns the current rerun, including one that is on hold; null if there is none.

@@ -89,7 +89,8 @@ Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
   for (const Error& notice : watches.motion().notices()) {
     addNotice(sentence(notice), kept.notices);
   }
-  for (const CameraDisagreement& found : watches.agreement().found(run->definition()->family())) {
+  for (const CameraDisagreement& found :
+       watches.agreement().disagreements(run->definition()->family())) {
     addNotice(describeDisagreement(found, run->rig()), kept.notices);
   }
   return kept;

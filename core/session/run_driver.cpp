@@ -68,7 +68,7 @@ bool RunDriver::takeFrame() {
     tap_.deliver(*taken);
   }
   current_.begin(*taken);
-  playback_.take((*taken)->index);
+  playback_.setHead((*taken)->index);
   recorder_.noteArrival(takesFromCameras());
   return true;
 }
@@ -84,13 +84,13 @@ void RunDriver::iterateFrame(FrameStep step) {
     if (!isDone) {
       note(isDone.error());
     }
-    playback_.track(); // also without any target
+    playback_.noteIteration(); // also without any target
     std::ranges::move(run().takeCorrectionErrors(), std::back_inserter(errors_));
     if (isDone.value_or(true)) {
       record();
     }
   }
-  if (const auto again = playback_.reach(head())) {
+  if (const auto again = playback_.noteReached(head())) {
     show(*again);
   }
 }
@@ -127,8 +127,8 @@ void RunDriver::stepIteration() {
   if (!run().frames() && !takeFrame()) {
     return;
   }
-  recorder_.iterated(run(), run().iterate());
-  playback_.track();
+  recorder_.iterated(run(), run().iterateTimed());
+  playback_.noteIteration();
   record();
 }
 
@@ -347,12 +347,13 @@ void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot
   if (current_.exists()) {
     showFrame(builder, quickly, snapshot);
   }
-  playback_.published(snapshot.preview, current_.exists() && builder.lacksMaps(run(), snapshot));
+  playback_.notePublished(snapshot.preview,
+                          current_.exists() && builder.lacksMaps(run(), snapshot));
   snapshot.state = playback_.playState();
   snapshot.rerun = playback_.rerunRange();
   snapshot.notices = errors_;
   snapshot.cameraMotions = watches_.motion().reports();
-  snapshot.disagreements = watches_.agreement().found(snapshot.family);
+  snapshot.disagreements = watches_.agreement().disagreements(snapshot.family);
   if (input_.exists()) {
     input_.fillSourceFields(snapshot);
     snapshot.history = timeTravel().state();
@@ -366,7 +367,7 @@ void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot
 
 void RunDriver::addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                         const TimeTravel::ShouldContinue& shouldContinue) {
-  playback_.complete();
+  playback_.noteMissingPublished();
   if (const TrackingRun* then = timeTravel().runAt(snapshot.frame, run(), shouldContinue)) {
     builder.addMaps(*then, snapshot);
   }

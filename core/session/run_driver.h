@@ -139,7 +139,7 @@ private:
   }
   void record() {
     recorder_.record(run(), current_.record());
-    playback_.record();
+    playback_.noteRecorded();
   }
 
   void rerun(std::int64_t from, const command::SetMethod* method, bool keepView);

@@ -52,13 +52,13 @@ bool RunWithHistory::change(RunDefinition wanted) {
   const RunDefinitionPtr before =
       std::exchange(definition_, std::make_shared<const RunDefinition>(std::move(wanted)));
   run_->apply(definition_);
-  travel_->changed(*run_, DefinitionChange{before, definition_});
+  travel_->recordChange(*run_, DefinitionChange{before, definition_});
   return true;
 }
 
 void RunWithHistory::change(const RunChange& runChange) {
   run_->apply(runChange);
-  travel_->changed(*run_, runChange);
+  travel_->recordChange(*run_, runChange);
 }
 
 Status RunWithHistory::goBack(std::int64_t frame, bool isLive) {
@@ -76,7 +76,7 @@ Status RunWithHistory::goBack(std::int64_t frame, bool isLive) {
 void RunWithHistory::applyLaterChanges() {
   if (const RunDefinitionPtr then = run_->definition(); *then != *definition_) {
     run_->apply(definition_);
-    travel_->changed(*run_, DefinitionChange{then, definition_});
+    travel_->recordChange(*run_, DefinitionChange{then, definition_});
   }
 }
 

@@ -27,7 +27,7 @@ namespace dewpoint::session {
 /// while the run continues.
 struct RunRecord {
   Project project;
-  RunStatistics figures;
+  RunStatistics statistics;
   PeopleRecord people; ///< the trajectory and, for methods that track people, the people
   BoxTrack boxes;      ///< boxes, for methods that track boxes
 
@@ -125,7 +125,7 @@ public:
   void describeFrame(command::DescribeFrame request) { send(std::move(request)); }
   void setMasksShown(bool shown) { send(command::ShowMasks{shown}); }
   void setLikelihoodMapsShown(bool shown) { send(command::ShowMaps{shown}); }
-  void setShapesShown(bool shown) { send(command::ShowShapes{shown}); }
+  void setBodyShapesShown(bool shown) { send(command::ShowBodyShapes{shown}); }
   void setFilterThreads(int threads) { send(command::SetThreads{threads}); }
   void setPace(const Pace& pace) { send(command::SetPace{pace}); }
   void setBoardShown(bool shown) { send(command::ShowBoard{shown}); }

@@ -216,7 +216,7 @@ TrackingLoop::Publish TrackingLoop::handle(const command::ShowMaps& request) {
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::ShowShapes& request) {
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowBodyShapes& request) {
   builder_.options().shapes = request.shown;
   return Publish::Now;
 }

@@ -59,7 +59,7 @@ private:
   Publish handle(const command::SetPace& request);
   Publish handle(const command::ShowMasks& request);
   Publish handle(const command::ShowMaps& request);
-  Publish handle(const command::ShowShapes& request);
+  Publish handle(const command::ShowBodyShapes& request);
   Publish handle(const command::ShowBoard& request);
   Publish handle(const command::ShowFrame& request);
   Publish handle(const command::ReturnToNewestFrame& request);

@@ -25,14 +25,14 @@ void resetParameter(Project& project, std::string_view key) {
   const auto declaration = std::ranges::find(declarations, key, &ParameterDeclaration::key);
   assert(declaration != declarations.end());
   const ParameterValues defaults = defaultParameters(project);
-  if (!declaration->fromCameras) {
+  if (!declaration->derivedFromCameras) {
     (void)project.parameters.set(key, defaults.at(key));
     return;
   }
   ParameterValues parameters = effectiveParameters(project);
   (void)parameters.set(key, defaults.at(key));
   const bool isAllAsSeen = std::ranges::all_of(declarations, [&](const ParameterDeclaration& one) {
-    return !one.fromCameras || parameters.at(one.key) == defaults.at(one.key);
+    return !one.derivedFromCameras || parameters.at(one.key) == defaults.at(one.key);
   });
   isAllAsSeen ? parameters.resetDerivable() : parameters.markAllGiven();
   project.parameters = parameters;

@@ -110,7 +110,7 @@ Status ParameterValues::setText(std::string_view key, std::string_view text) {
 
 bool ParameterValues::isGiven(std::string_view key) const {
   const ParameterDeclaration* declaration = find(declarations_, key);
-  return declaration == nullptr || !declaration->fromCameras || given_.contains(key);
+  return declaration == nullptr || !declaration->derivedFromCameras || given_.contains(key);
 }
 
 void ParameterValues::markGiven(std::string_view key) {

@@ -46,7 +46,7 @@ struct ParameterDeclaration {
   bool logarithmic = false; ///< sliders have a logarithmic scale
   /// If true and the user gives no value, the value is derived from the cameras
   /// (effectiveParameters()), or is the default if the cameras do not determine it.
-  bool fromCameras = false;
+  bool derivedFromCameras = false;
   ParameterGroup group = ParameterGroup::Essential;
   /// Key of another parameter of the method, whose value is an upper limit for the value of this
   /// parameter. A larger value is replaced by the limit. Empty if there is no such limit.
@@ -59,7 +59,7 @@ void putInGroup(ParameterGroup group, std::initializer_list<std::string_view> ke
 
 /// Declared parameters of a method with their values, each within its declared range. A value is
 /// "given" if somebody has set it; other values may be derived from the cameras
-/// (ParameterDeclaration::fromCameras).
+/// (ParameterDeclaration::derivedFromCameras).
 class ParameterValues {
 public:
   using ByKey = std::map<std::string, double, std::less<>>;
@@ -75,8 +75,8 @@ public:
   /// Sets a value from its text, as on the command line. Errors are those of set().
   Status setText(std::string_view key, std::string_view text);
   /// Returns whether the value of a key is given, which means that the value is not derived from
-  /// the cameras. The result is false only for a key with ParameterDeclaration::fromCameras that
-  /// nobody has set.
+  /// the cameras. The result is false only for a key with ParameterDeclaration::derivedFromCameras
+  /// that nobody has set.
   bool isGiven(std::string_view key) const;
   /// Marks the current value of a key as given (isGiven()). Does nothing for an unknown key.
   void markGiven(std::string_view key);

@@ -50,7 +50,7 @@ ParameterDeclaration startHalfSize(const std::string& axis, double defaultValue)
 
 bool isAnyStartGiven(const ParameterValues& parameters) {
   return std::ranges::any_of(parameters.declarations(), [&](const auto& declaration) {
-    return declaration.fromCameras && declaration.key.starts_with("start_") &&
+    return declaration.derivedFromCameras && declaration.key.starts_with("start_") &&
            parameters.isGiven(declaration.key);
   });
 }

@@ -25,10 +25,10 @@ struct CandidatePosition {
 /// Log likelihood around a target in one camera's image. The value at a pixel is the log likelihood
 /// of a target whose center projects to this pixel, at the distance of the estimate.
 struct LikelihoodMap {
-  cv::Rect area;         ///< part of the image, pixels; empty if the target is not in view
-  cv::Mat logLikelihood; ///< CV_32F, one per pixel of the area
-  double least = 0.0;    ///< value that means "certainly not here"
-  double most = 0.0;     ///< value for a fully visible target
+  cv::Rect area;                 ///< part of the image, pixels; empty if the target is not in view
+  cv::Mat logLikelihood;         ///< CV_32F, one per pixel of the area
+  double minLogLikelihood = 0.0; ///< value that means "certainly not here"
+  double maxLogLikelihood = 0.0; ///< value for a fully visible target
 };
 
 } // namespace dewpoint::tracking

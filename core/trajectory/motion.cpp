@@ -88,8 +88,8 @@ MotionLog::Change MotionLog::replaceFrom(std::size_t first,
     updateSpeeds(tracks_[samples[skipped].target], change.firstChanged);
   }
   if (rows_.size() > kMaxRows) {
-    change.dropped = dropOldRows();
-    change.firstChanged -= std::min(change.firstChanged, change.dropped);
+    change.droppedRows = dropOldRows();
+    change.firstChanged -= std::min(change.firstChanged, change.droppedRows);
   }
   return change;
 }

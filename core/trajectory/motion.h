@@ -65,7 +65,7 @@ public:
   };
   /// Change to rows() made by a call to replaceFrom().
   struct Change {
-    std::size_t dropped = 0; ///< number of rows removed at the front
+    std::size_t droppedRows = 0; ///< number of rows removed at the front
     /// Index of the first new or changed row, counted after the removal.
     std::size_t firstChanged = 0;
   };

@@ -240,8 +240,9 @@ std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const Path
   return result;
 }
 
-std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model,
-                                          const std::function<bool()>& shouldContinue) {
+std::vector<Eigen::Matrix3d> sharedErrorCovariances(std::span<const PathPoint> path,
+                                                    const PathModel& model,
+                                                    const std::function<bool()>& shouldContinue) {
   std::vector<Eigen::Matrix3d> effects(path.size(), Eigen::Matrix3d::Zero());
   std::vector<PathPoint> errors(path.begin(), path.end());
   for (int axis = 0; axis < 3; ++axis) {

@@ -71,7 +71,8 @@ std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const Path
 /// error does not average out. The smoother does not estimate it, but this function computes its
 /// effect (a "consider" parameter; Bierman 1977, chapter VIII). `shouldContinue` has the same
 /// meaning as in smoothPath().
-std::vector<Eigen::Matrix3d> sharedErrors(std::span<const PathPoint> path, const PathModel& model,
-                                          const std::function<bool()>& shouldContinue = {});
+std::vector<Eigen::Matrix3d>
+sharedErrorCovariances(std::span<const PathPoint> path, const PathModel& model,
+                       const std::function<bool()>& shouldContinue = {});
 
 } // namespace dewpoint::trajectory

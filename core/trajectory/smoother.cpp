@@ -292,7 +292,7 @@ private:
          pass < kMostPasses && shouldContinue_() && dropOutliers(part, estimates, model); ++pass) {
       estimates = smoothPath(part, model, wanted_);
     }
-    const auto shared = sharedErrors(part, model, wanted_);
+    const auto shared = sharedErrorCovariances(part, model, wanted_);
     const double share = std::max(0.0, 1.0 - model.noiseFactor);
     std::size_t last = 0;
     for (std::size_t k = 0; k < part.size(); ++k) {

@@ -33,8 +33,8 @@ TEST_F(CrashReport, HoldsTheHeadingTheSignalAndTheNotes) {
   EXPECT_EXIT(
       {
         (void)enableCrashReport(file_, "Dewpoint 9.9, started today");
-        noteForCrashReport("opened the demo");
-        noteForCrashReport("message: no images");
+        addCrashReportNote("opened the demo");
+        addCrashReportNote("message: no images");
         std::abort();
       },
       testing::KilledBySignal(SIGABRT), "");
@@ -52,9 +52,9 @@ TEST_F(CrashReport, KeepsOnlyTheNewestNotesAndCutsLongOnes) {
       {
         (void)enableCrashReport(file_, "heading");
         for (std::size_t k = 0; k < kCrashNotes + 3; ++k) {
-          noteForCrashReport("note " + std::to_string(k) + ".");
+          addCrashReportNote("note " + std::to_string(k) + ".");
         }
-        noteForCrashReport(std::string(10 * kCrashNoteLength, 'x'));
+        addCrashReportNote(std::string(10 * kCrashNoteLength, 'x'));
         std::abort();
       },
       testing::KilledBySignal(SIGABRT), "");
@@ -68,7 +68,7 @@ TEST_F(CrashReport, IsNotThereWithoutACrash) {
   EXPECT_EXIT(
       {
         (void)enableCrashReport(file_, "heading");
-        noteForCrashReport("all is well");
+        addCrashReportNote("all is well");
         std::_Exit(0);
       },
       testing::ExitedWithCode(0), "");

@@ -24,8 +24,8 @@ TEST_F(TableOf, WholeNumbersBeyondThoseOfADoubleAreNumbers) {
   auto reader = read("a = 9223372036854775807\nb = [1, 9007199254740993]\n");
   double a = 0.0;
   double b[2] = {};
-  reader.number("a", a, 0.0, 1e300);
-  EXPECT_TRUE(reader.numbers("b", b, 2, 0.0, 1e300));
+  reader.readNumber("a", a, 0.0, 1e300);
+  EXPECT_TRUE(reader.readNumbers("b", b, 2, 0.0, 1e300));
   EXPECT_EQ(problemOf(reader), "");
   EXPECT_EQ(a, 9223372036854775808.0);
   EXPECT_EQ(b[1], 9007199254740992.0);
@@ -39,20 +39,20 @@ TEST_F(TableOf, NumbersOutOfTheirRangeAreNone) {
         std::pair("a = -inf", "-inf is not a finite number"),
         std::pair("a = 9223372036854775807", "9.223372036854776e+18 is not within 0 to 1")}) {
     auto reader = read(text);
-    reader.number("a", number, 0.0, 1.0);
+    reader.readNumber("a", number, 0.0, 1.0);
     EXPECT_NE(problemOf(reader).find(sentence), std::string::npos) << text;
   }
   auto reader = read("a = [0.5, 9223372036854775807]");
-  EXPECT_FALSE(reader.numbers("a", pair, 2, 0.0, 1.0));
+  EXPECT_FALSE(reader.readNumbers("a", pair, 2, 0.0, 1.0));
   EXPECT_NE(problemOf(reader), "");
 }
 
 TEST_F(TableOf, MoreTablesThanPossibleAreOneSentence) {
   auto reader = read("[[a]]\n[[a]]\n[[a]]\n");
-  EXPECT_TRUE(reader.tables("a", 2).empty());
+  EXPECT_TRUE(reader.findTables("a", 2).empty());
   EXPECT_EQ(problemOf(reader), "a.toml: a: not a usable value (3; at most 2 are possible, line 1)");
   auto enough = read("[[a]]\n[[a]]\n[[a]]\n");
-  EXPECT_EQ(enough.tables("a", 3).size(), 3U);
+  EXPECT_EQ(enough.findTables("a", 3).size(), 3U);
 }
 
 } // namespace

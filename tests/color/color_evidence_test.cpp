@@ -186,10 +186,10 @@ void expectSameColors(const std::vector<WeightedHsiColor>& colors,
   }
 }
 
-using Steps = std::tuple<int, int, int>; // growths, floods, counted images
+using Steps = std::tuple<int, int, int>; // grownRegions, flood fills, counted images
 
 Steps stepsOf(const ColorEvidence& evidence) {
-  return {evidence.work.growths, evidence.work.floods, evidence.work.counts};
+  return {evidence.work.grownRegions, evidence.work.floodFills, evidence.work.countedImages};
 }
 
 /// The evidence from what is known; all of it is compared with what is collected without.

@@ -151,7 +151,7 @@ TEST(ColorSample, KeepsItsPlaceAndAtMostSoManyColors) {
   const cv::Mat image = room({{{120, 100}, kPink}});
   const ColorSample sample = clickAt(image, {122, 101});
   EXPECT_EQ(sample.x, 122);
-  EXPECT_EQ(sample.colors.size(), ColorSample::kMostColors);
+  EXPECT_EQ(sample.colors.size(), ColorSample::kMaxColors);
   EXPECT_NEAR(sample.area, std::numbers::pi * kRadius * kRadius,
               0.13 * std::numbers::pi * kRadius * kRadius);
 }

@@ -64,7 +64,7 @@ std::vector<double> drawsByDefinition(Eigen::Index count, double total,
   std::vector<double> result;
   std::vector<double> block(std::size_t{SortedDraws::kBlock});
   for (std::int64_t b = 0; b < draws.blockCount(); ++b) {
-    const std::int64_t length = draws.write(b, block.data());
+    const std::int64_t length = draws.writeBlock(b, block.data());
     result.insert(result.end(), block.begin(), block.begin() + length);
   }
   return result;
@@ -85,7 +85,7 @@ std::vector<double> written(const CumulativeWeights& cumulative) {
   std::vector<double> all;
   std::vector<double> block(std::size_t{kPrefixBlock});
   for (std::int64_t begin = 0; begin < cumulative.count(); begin += kPrefixBlock) {
-    const std::int64_t length = cumulative.write(begin / kPrefixBlock, block.data());
+    const std::int64_t length = cumulative.writeBlock(begin / kPrefixBlock, block.data());
     all.insert(all.end(), block.begin(), block.begin() + length);
   }
   return all;

@@ -120,7 +120,7 @@ void fuzzRemoteLines(std::string_view bytes) {
       sender.close();
     }
     for (const std::string& line : client.receive()) {
-      expect(line.size() <= broadcast::kMaxRemoteBytes && line.find('\n') == line.npos,
+      expect(line.size() <= broadcast::kMaxRemoteCommandBytes && line.find('\n') == line.npos,
              "what was received is not one short line");
       now += broadcast::RemoteGate::kLockTime; // so that wrong tokens do not end the reading
       expectReply(gate.handle(line, now));

@@ -25,7 +25,7 @@ Trajectory tracked(SessionInputs inputs, int frames, int threads = 1) {
     }
     run.beginFrame(*set);
     for (int iteration = 0; iteration < run.iterationsPerFrame(); ++iteration) {
-      run.iterate();
+      run.iterateTimed();
     }
     const auto samples = run.samples();
     trajectory.samples.insert(trajectory.samples.end(), samples.begin(), samples.end());

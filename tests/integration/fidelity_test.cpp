@@ -107,7 +107,7 @@ TEST(Fidelity, OnItsWayTheCloudIsLongestAlongCamera1sAxis) {
     int onTheWay = 0;
     for (int k = 0; k < 40; ++k) {
       run.beginFrame(inputs.source->next().value());
-      run.iterate();
+      run.iterateTimed();
       const auto estimate = std::get<SphereEstimate>(run.estimate(0));
       // Between start and ball (at y = 0.5), past the first steps, in which the cloud is still
       // round.

@@ -39,7 +39,7 @@ TEST(Hand2Desk, FollowsTheArmInBothViewsAndNeverDivesBelowTheDesk) {
   for (auto set = inputs->source->next(); set && *set; set = inputs->source->next()) {
     run->beginFrame(*set);
     for (int k = 0; k < run->iterationsPerFrame(); ++k) {
-      run->iterate();
+      run->iterateTimed();
     }
     const auto estimate = std::get<SphereEstimate>(run->estimate(0));
     EXPECT_GT(estimate.mean.z(), kDeskZ) << "frame " << frames;

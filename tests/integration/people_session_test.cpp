@@ -72,7 +72,7 @@ int present(const TrackSnapshot& snapshot) {
 
 TEST(PeopleSession, TracksAsTheCommandLineDoes) {
   Session session(office());
-  session.setShapesShown(true);
+  session.setBodyShapesShown(true);
   playThrough(session);
   const TrackSnapshotPtr last = session.newest();
   EXPECT_EQ(last->family.targets, TargetSource::Images);
@@ -127,7 +127,7 @@ TEST(PeopleSession, KnowsTheBackgroundImageWithoutLearning) {
 
 TEST(PeopleSession, ShowsThePeopleOfThen) {
   Session session(office());
-  session.setShapesShown(true);
+  session.setBodyShapesShown(true);
   session.setMasksShown(true);
   session.setLikelihoodMapsShown(true);
   playThrough(session);
@@ -150,8 +150,8 @@ TEST(PeopleSession, ShowsThePeopleOfThen) {
   const LikelihoodMap& map = then->motionMaps[0]; // in the size of the image, as the mask
   EXPECT_EQ(map.area, cv::Rect(0, 0, 320, 240));
   EXPECT_EQ(map.logLikelihood.size(), cv::Size(320, 240));
-  EXPECT_NEAR(map.least, std::log(0.2), 1e-12); // p_B
-  session.showFrame(3);                         // nobody yet
+  EXPECT_NEAR(map.minLogLikelihood, std::log(0.2), 1e-12); // p_B
+  session.showFrame(3);                                    // nobody yet
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == 3; }));
   then = session.newest();
   EXPECT_EQ(present(*then), 0);

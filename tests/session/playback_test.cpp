@@ -109,7 +109,7 @@ TEST(PlaybackTable, Restart) {
 }
 
 TEST(PlaybackTable, ReachTheGoal) { // of reruns that began while paused
-  EXPECT_EQ(after([](Playback& playback) { playback.reach(kHead); }),
+  EXPECT_EQ(after([](Playback& playback) { playback.noteReached(kHead); }),
             (Row{"Paused", "Playing", "Ended", "Viewing", "Replaying", "Paused", "Paused"}));
 }
 
@@ -155,9 +155,9 @@ TEST(Playback, AfterARerunAllIsAsBefore) {
   for (Playback& playback : everyState()) {
     playback.rerun({1, kHead}, std::nullopt);
     EXPECT_FALSE(playback.hasInputEnded());
-    EXPECT_FALSE(playback.reach(kHead - 1));
+    EXPECT_FALSE(playback.noteReached(kHead - 1));
     EXPECT_EQ(nameOf(playback), "Rerunning"); // the goal is ahead
-    playback.reach(kHead);
+    playback.noteReached(kHead);
     names.push_back(nameOf(playback));
   }
   EXPECT_EQ(names, (Row{"Paused", "Playing", "Ended", "Paused", "Paused", "Paused", "Paused"}));
@@ -183,9 +183,9 @@ TEST(Playback, ARerunDuringAnotherOneEndsWhereAndAsThatWouldHave) {
       EXPECT_EQ(playback.rerunRange()->from, 1);
       EXPECT_EQ(playback.rerunRange()->to, kHead);
       EXPECT_EQ(playback.nextFrame(), 1);
-      playback.reach(6);
+      playback.noteReached(6);
       EXPECT_EQ(nameOf(playback), "Rerunning");
-      playback.reach(kHead);
+      playback.noteReached(kHead);
       names.push_back(nameOf(playback));
     }
     EXPECT_EQ(names, (Row{"Paused", "Playing", "Ended", "Paused", "Paused", "Paused", "Paused"}));
@@ -209,7 +209,7 @@ TEST(Playback, ARerunKnowsWhatToShowAfterwards) {
   ASSERT_TRUE(playback.rerunRange());
   EXPECT_EQ(playback.rerunRange()->from, 1);
   EXPECT_EQ(playback.rerunRange()->to, kHead);
-  EXPECT_EQ(playback.reach(kHead), kOther);
+  EXPECT_EQ(playback.noteReached(kHead), kOther);
   EXPECT_FALSE(playback.rerunRange());
   playback.rerun({1, kHead}, std::nullopt);
   playback.hold();
@@ -249,14 +249,14 @@ TEST(Playback, WhatBecomesOfAFrame) {
   EXPECT_EQ(playback.nextFrame(), 0);
   playback.forgetEstimates(); // there is no frame that could be tracked anew
   EXPECT_EQ(playback.head(), Playback::Head::None);
-  playback.take(7);
+  playback.setHead(7);
   EXPECT_EQ(playback.head(), Playback::Head::Taken);
   EXPECT_EQ(playback.nextFrame(), 8);
-  playback.track();
+  playback.noteIteration();
   EXPECT_EQ(playback.head(), Playback::Head::Tracked);
-  playback.record();
+  playback.noteRecorded();
   EXPECT_EQ(playback.head(), Playback::Head::Recorded);
-  playback.track(); // another iteration: its record is replaced
+  playback.noteIteration(); // another iteration: its record is replaced
   EXPECT_EQ(playback.head(), Playback::Head::Recorded);
   playback.forgetEstimates();
   EXPECT_EQ(playback.head(), Playback::Head::Taken);
@@ -265,7 +265,7 @@ TEST(Playback, WhatBecomesOfAFrame) {
   EXPECT_EQ(playback.nextFrame(), 3);
   playback.continueTrackingAt(30);
   EXPECT_EQ(playback.nextFrame(), 30);
-  playback.take(30);
+  playback.setHead(30);
   playback.restart();
   EXPECT_EQ(playback.head(), Playback::Head::None);
   EXPECT_EQ(playback.nextFrame(), 0);
@@ -274,13 +274,13 @@ TEST(Playback, WhatBecomesOfAFrame) {
 TEST(Playback, WhatASnapshotLacks) {
   Playback playback;
   EXPECT_EQ(playback.missing(), Playback::Missing::Nothing);
-  playback.published(true, true); // first the images, then what belongs to them
+  playback.notePublished(true, true); // first the images, then what belongs to them
   EXPECT_EQ(playback.missing(), Playback::Missing::Images);
-  playback.published(false, true);
+  playback.notePublished(false, true);
   EXPECT_EQ(playback.missing(), Playback::Missing::Maps);
-  playback.complete();
+  playback.noteMissingPublished();
   EXPECT_EQ(playback.missing(), Playback::Missing::Nothing);
-  playback.published(false, false);
+  playback.notePublished(false, false);
   EXPECT_EQ(playback.missing(), Playback::Missing::Nothing);
 }
 

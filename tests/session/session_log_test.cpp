@@ -136,7 +136,7 @@ TEST(Session, NoticesOfLiveCamerasComeAndGoAlsoWhilePausedAndAreLogged) {
   ASSERT_TRUE(eventually([&] { return session.newest()->notices.empty(); }));
   session.pause();
   ASSERT_TRUE(reaches(session, PlayState::Paused));
-  const RunStatistics figures = session.record().figures;
+  const RunStatistics figures = session.record().statistics;
   EXPECT_EQ(figures.notices.size(), 2U); // also after they are over
   ASSERT_EQ(figures.noticeLog.periods().size(), 2U);
   EXPECT_TRUE(figures.noticeLog.periods()[0].to.has_value());

@@ -143,7 +143,7 @@ TEST(MotionLog, isBounded) {
     for (std::size_t i = 0; i < kPiece; ++i) {
       piece.push_back(sampleAt(static_cast<std::int64_t>(first + i), Eigen::Vector3d::Zero()));
     }
-    dropped += log.replaceFrom(first, piece).dropped;
+    dropped += log.replaceFrom(first, piece).droppedRows;
     ASSERT_LE(log.rows().size(), MotionLog::kMaxRows + kPiece);
   }
   EXPECT_EQ(dropped + log.rows().size(), kSamples);

@@ -13,7 +13,7 @@ class OutletText {
 
 } // namespace
 
-QString outletPlace(const broadcast::OutletReport& report) {
+QString outletAddress(const broadcast::OutletReport& report) {
   const QString address = QString::fromStdString(report.address);
   switch (report.kind) {
   case broadcast::OutletKind::JsonLines:

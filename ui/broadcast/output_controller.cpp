@@ -200,8 +200,10 @@ void OutputController::showStatus() {
     clients += report.clients;
     const QString problem = outletProblem(report);
     troubled = troubled || !problem.isEmpty();
-    lines +=
-        tr("%1: %2 sent, %3 dropped").arg(outletPlace(report)).arg(report.sent).arg(report.dropped);
+    lines += tr("%1: %2 sent, %3 dropped")
+                 .arg(outletAddress(report))
+                 .arg(report.sent)
+                 .arg(report.dropped);
     if (!problem.isEmpty()) {
       lines += QStringLiteral("  ") + problem;
     }

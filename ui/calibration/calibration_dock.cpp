@@ -39,7 +39,8 @@ void CalibrationDock::addPage(QWidget* page, const std::function<QString()>& tit
   page->installEventFilter(this);
   tabs_->addTab(scroll, QString());
   for (QWidget* part : page->findChildren<QWidget*>()) {
-    if (qobject_cast<QProgressBar*>(part) != nullptr || part->property(kRevealed).toBool()) {
+    if (qobject_cast<QProgressBar*>(part) != nullptr ||
+        part->property(kRevealedProperty).toBool()) {
       part->installEventFilter(this);
     }
   }
@@ -66,9 +67,10 @@ void CalibrationDock::setHeader(QWidget* header) {
 }
 
 bool CalibrationDock::eventFilter(QObject* watched, QEvent* event) {
-  if (auto* part = qobject_cast<QWidget*>(watched);
-      part != nullptr && event->type() == QEvent::Show &&
-      (qobject_cast<QProgressBar*>(part) != nullptr || part->property(kRevealed).toBool())) {
+  if (auto* part = qobject_cast<QWidget*>(watched); part != nullptr &&
+                                                    event->type() == QEvent::Show &&
+                                                    (qobject_cast<QProgressBar*>(part) != nullptr ||
+                                                     part->property(kRevealedProperty).toBool())) {
     // What has just begun or ended is brought into view, once it has its place.
     QTimer::singleShot(0, part, [this, part] {
       if (auto* scroll = qobject_cast<QScrollArea*>(tabs_->currentWidget());

@@ -13,7 +13,7 @@ class QTabWidget;
 namespace dewpoint::ui {
 
 /// Name of a widget property. A widget with this property is scrolled into view when it appears.
-inline constexpr auto kRevealed = "revealed";
+inline constexpr auto kRevealedProperty = "revealed";
 
 /// Panel for calibrating cameras, with one page per method. The camera views next to it stay live.
 class CalibrationDock : public QWidget {

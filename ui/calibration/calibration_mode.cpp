@@ -56,7 +56,7 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
   bench_.onToggled("actionLearnColor", this, [this](bool learning) {
     manual_->setSuspended(learning);
     if (learning) {
-      Q_EMIT imagesLent();
+      Q_EMIT imageClicksTakenOver();
     }
   });
   bench_.requireRun({"actionCalibrateByHand"});
@@ -87,7 +87,7 @@ std::vector<ViewDock*> CalibrationMode::docksInFront() const {
 
 void CalibrationMode::show(bool isShown) {
   if (isShown && page_.isEmpty() && !isReturning_) {
-    manual_->storeAs(EarlierCameras::PanelOpened);
+    manual_->storeEarlierCameras(EarlierCameras::PanelOpened);
   }
   const bool wasInFront = dock_->isHidden() || !dock_->isBehind(); // hidden: by its own button
   const bool opens = isShown && dock_->isHidden();

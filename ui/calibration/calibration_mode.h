@@ -39,7 +39,7 @@ Q_SIGNALS:
   void shown(const QString& page);
   /// Emitted when another tool begins to use the clicks in the images. Pages must then stop using
   /// these clicks.
-  void imagesLent();
+  void imageClicksTakenOver();
 
 private:
   void show(bool isShown);

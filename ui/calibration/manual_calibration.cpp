@@ -158,7 +158,7 @@ const CameraRig& ManualCalibration::camerasOf(EarlierCameras earlier) const {
   return whenOpened_;
 }
 
-void ManualCalibration::storeAs(EarlierCameras earlier) {
+void ManualCalibration::storeEarlierCameras(EarlierCameras earlier) {
   CameraRig& stored = earlier == EarlierCameras::WandRefinement ? beforeRefinement_ : whenOpened_;
   stored = currentCameras();
   defaultGrid_ = gridFor(stored);
@@ -204,7 +204,8 @@ void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, doub
   if (there != pins.end()) {
     pins.erase(there);
   } else if (pins.size() >= static_cast<std::size_t>(kMaxHeldPoints)) {
-    Q_EMIT remark(tr("At most three grid points can be held in place. To release one, click it"));
+    Q_EMIT messageRequested(
+        tr("At most three grid points can be held in place. To release one, click it"));
   } else if (const auto point = gridPointAt(seen, grid(), pixel, reach)) {
     pins.push_back(*point);
   }
@@ -212,7 +213,7 @@ void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, doub
 }
 
 bool ManualCalibration::isCrossingAt(int camera, const Eigen::Vector2d& pixel, double reach) const {
-  return geometry::crossingAt(cameraAt(camera), grid(), pixel, reach).has_value();
+  return geometry::gridCrossingAt(cameraAt(camera), grid(), pixel, reach).has_value();
 }
 
 bool ManualCalibration::hasPins() const {
@@ -252,8 +253,8 @@ void ManualCalibration::dragTo(const Eigen::Vector2d& pixel) {
   const Drag result =
       dragPoint(drag_->start, drag_->held, {drag_->point, pixel + drag_->grip}, settings_);
   reportLimit(result);
-  change(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), result.camera,
-         "drag grid");
+  changeCamera(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), result.camera,
+               "drag grid");
 }
 
 void ManualCalibration::reportLimit(const Drag& result) {
@@ -277,7 +278,7 @@ void ManualCalibration::reportLimit(const Drag& result) {
   }
   if (sentence != drag_->limit) {
     drag_->limit = sentence;
-    Q_EMIT remark(sentence);
+    Q_EMIT messageRequested(sentence);
   }
 }
 
@@ -291,8 +292,8 @@ void ManualCalibration::endDrag() {
 
 void ManualCalibration::cancelDrag() {
   if (drag_) {
-    change(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), drag_->start,
-           "drag grid"); // there and back is no step
+    changeCamera(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), drag_->start,
+                 "drag grid"); // there and back is no step
     endDrag();
   }
 }
@@ -341,20 +342,21 @@ void ManualCalibration::nudge(int axis, double factor, bool repeated) {
                                 : angleText(sum, 2, NumberForm::Signed);
   const QString step = tr("%1 %2 %3").arg(nameOf(camera()), sumText, name);
   const Camera now = cameraAt(camera());
-  change(camera(), step,
-         moves ? moved(now, amount * way, frame_) : rotated(now, amount * way, frame_), key);
+  changeCamera(camera(), step,
+               moves ? moved(now, amount * way, frame_) : rotated(now, amount * way, frame_), key);
 }
 
 void ManualCalibration::nudgeFocal(double percent, bool repeated) {
   const std::string key = fmt::format("nudge {} focal {}", camera(), percent > 0.0);
   const double sum = runningSum(key, percent, repeated);
-  change(camera(),
-         tr("%1 focal length %2 %").arg(nameOf(camera()), numberText(sum, 1, NumberForm::Signed)),
-         zoomed(cameraAt(camera()), 1.0 + percent / 100.0), key);
+  changeCamera(
+      camera(),
+      tr("%1 focal length %2 %").arg(nameOf(camera()), numberText(sum, 1, NumberForm::Signed)),
+      zoomed(cameraAt(camera()), 1.0 + percent / 100.0), key);
 }
 
-void ManualCalibration::change(int camera, const QString& step, const Camera& changed,
-                               const std::string& mergeKey) {
+void ManualCalibration::changeCamera(int camera, const QString& step, const Camera& changed,
+                                     const std::string& mergeKey) {
   if (camera < 0 || camera >= cameraCount()) {
     return;
   }

@@ -74,7 +74,7 @@ public:
   EarlierCameras comparison() const { return comparison_; }
   void setComparison(EarlierCameras comparison);
   /// Stores the current cameras for later comparison, as the state `earlier`.
-  void storeAs(EarlierCameras earlier);
+  void storeEarlierCameras(EarlierCameras earlier);
 
   // Dragging in images.
   const std::vector<Eigen::Vector3d>& pins(int camera) const;
@@ -112,8 +112,8 @@ public:
 
   /// Replaces a camera of the project in an undoable step named `step`. Successive steps with the
   /// same nonempty `mergeKey` are merged.
-  void change(int camera, const QString& step, const Camera& changed,
-              const std::string& mergeKey = {});
+  void changeCamera(int camera, const QString& step, const Camera& changed,
+                    const std::string& mergeKey = {});
   void endMerging();
 
   Document& document() { return document_; }
@@ -127,7 +127,7 @@ Q_SIGNALS:
   void settingsChanged();
   /// Emitted with a sentence for the user, for example why a drag cannot continue. An empty
   /// sentence withdraws the previous one.
-  void remark(const QString& sentence);
+  void messageRequested(const QString& sentence);
 
 private:
   struct PointDrag {

@@ -139,7 +139,7 @@ void AddressForm::tryAddress() {
   result_->setText(tr("Waiting for the first image…"));
   job_.start([this, address = tried_](const BackgroundJob::Progress& progress) {
     auto tried = std::make_shared<Result<LivePreview>>(
-        tryLive(address.toStdString(), [&progress] { return progress(-1.0); }));
+        captureLivePreview(address.toStdString(), [&progress] { return progress(-1.0); }));
     return [this, tried] {
       if (!*tried) {
         Error reason = tried->error();

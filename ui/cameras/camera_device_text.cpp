@@ -79,7 +79,7 @@ QString deviceName(const capture::CameraDevice& device) {
   return QString::fromStdString(device.identity.name.empty() ? device.path : device.identity.name);
 }
 
-QString devicePlace(const capture::CameraDevice& device) {
+QString devicePortText(const capture::CameraDevice& device) {
   QStringList parts{QString::fromStdString(device.path)};
   if (!device.identity.bus.empty()) {
     parts << CameraDeviceText::tr("connector %1").arg(QString::fromStdString(device.identity.bus));

@@ -15,7 +15,7 @@ namespace dewpoint::ui {
 QString deviceName(const capture::CameraDevice& device);
 /// Returns the connection and the serial number of a device, for example "USB 3-1.2 · serial number
 /// A1B2".
-QString devicePlace(const capture::CameraDevice& device);
+QString devicePortText(const capture::CameraDevice& device);
 /// Returns the largest image size and the highest frame rate of each format that a device offers,
 /// in one line.
 QString formatSummary(const capture::CameraDevice& device);

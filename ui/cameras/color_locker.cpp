@@ -165,7 +165,7 @@ void ColorLocker::considerOffer() {
 
 void ColorLocker::offer(const QString& cameras) {
   offered_ = true;
-  bench_.messages.askUntilAnswered(
+  bench_.messages.showLastingQuestion(
       tr("These cameras adjust their colors automatically: %1. The learned color may no longer "
          "fit when the light changes.")
           .arg(cameras),

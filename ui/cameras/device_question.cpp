@@ -127,12 +127,12 @@ void DeviceQuestion::ask(int camera, const capture::DeviceMatch& match) {
           : tr("The device of the camera %1 is not connected: %2. Plug it in, or choose "
                "another one.")
                 .arg(name, device);
-  bench_.messages.askUntilAnswered(question_, answers);
+  bench_.messages.showLastingQuestion(question_, answers);
 }
 
 void DeviceQuestion::withdraw() {
   if (!question_.isEmpty()) {
-    bench_.messages.withdraw(std::exchange(question_, {}));
+    bench_.messages.withdrawQuestion(std::exchange(question_, {}));
     camera_.clear();
   }
 }

@@ -72,7 +72,7 @@ void PreviewStreams::open(const QString& location) {
     capture::LiveCamera camera;
     camera.location = location.toStdString();
     while (!stop.stop_requested()) {
-      const auto watched = watchLive(camera, kBetweenImages, [&](const LivePreview& preview) {
+      const auto watched = previewLive(camera, kBetweenImages, [&](const LivePreview& preview) {
         if (!preview.image.empty()) {
           deliver({toImage(preview.image),
                    QSize(preview.size.width, preview.size.height),

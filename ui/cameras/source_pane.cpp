@@ -189,7 +189,7 @@ void SourcePane::refreshRow(int row) {
   QListWidgetItem* item = list_->item(row);
   const auto user = userOf(row);
   const PreviewState* preview = previews_->state(previewLocation(device));
-  QStringList lines{deviceName(device), devicePlace(device)};
+  QStringList lines{deviceName(device), devicePortText(device)};
   if (user) {
     lines << tr("used by %1").arg(bench_.cameras.nameOf(*user));
   } else if (!device.problem.empty()) {

@@ -55,7 +55,7 @@ ParticleRamp rampOf(const TrackSnapshot& snapshot, const QColor& color) {
 }
 
 CameraOverlay shownOverlay(const TrackSnapshot& snapshot, int camera, std::size_t target,
-                           const CameraLook& look) {
+                           const CameraViewOptions& look) {
   CameraOverlay overlay = cameraOverlay(snapshot, camera, snapshot.targets[target]);
   if (!look.bestShown) {
     overlay.best.reset();
@@ -64,8 +64,8 @@ CameraOverlay shownOverlay(const TrackSnapshot& snapshot, int camera, std::size_
 }
 
 void paintInset(QPainter& painter, const CameraImageSource& source, const TrackSnapshot& snapshot,
-                const std::vector<QColor>& colors, const CameraLook& look,
-                const CameraImagePlace& place, const std::vector<QRectF>& taken) {
+                const std::vector<QColor>& colors, const CameraViewOptions& look,
+                const CameraImageArea& place, const std::vector<QRectF>& taken) {
   const auto& targets = snapshot.targets;
   const std::size_t chosen =
       look.chosenTarget >= 0 && static_cast<std::size_t>(look.chosenTarget) < targets.size()
@@ -97,8 +97,8 @@ FramePtr frameOf(const TrackSnapshotPtr& snapshot, int camera) {
   return snapshot->frames->frames[index];
 }
 
-CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera, const CameraLook& look,
-                              const QSize& size) {
+CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera,
+                              const CameraViewOptions& look, const QSize& size) {
   const FramePtr frame = frameOf(snapshot, camera);
   if (!frame || frame->image.empty()) {
     return {};
@@ -116,7 +116,7 @@ CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera, cons
 }
 
 void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnapshotPtr& snapshot,
-                    const CameraLook& look, const CameraImagePlace& place) {
+                    const CameraViewOptions& look, const CameraImageArea& place) {
   const int camera = image.source.camera;
   const bool hasMaps = image.source.maps == snapshot;
   if (hasMaps && !image.motionMap.isNull()) {
@@ -169,7 +169,7 @@ QColor imageGround(const QPalette& palette) {
              : palette.color(QPalette::Window).darker(108);
 }
 
-QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraLook& look,
+QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraViewOptions& look,
                      const QSize& size) {
   QImage picture(size, QImage::Format_RGB32);
   picture.fill(imageGround(look.palette));
@@ -187,7 +187,7 @@ QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraL
   const ImageZoom fitted;
   const CameraImage image =
       drawCameraImage(imageSource(snapshot, camera, look, fitted.partSize(sizes)));
-  CameraImagePlace place;
+  CameraImageArea place;
   place.placement = fitted.placement(sizes);
   place.seen = place.placement.areaOf(pixels) & QRectF(picture.rect());
   painter.drawImage(place.placement.corner, image.image);

@@ -18,7 +18,7 @@ class QPainter;
 namespace dewpoint::ui {
 
 /// Layers of a camera view that users can switch on and off.
-struct CameraLook {
+struct CameraViewOptions {
   bool maskShown = false;
   bool likelihoodShown = false;   ///< likelihood maps and candidate positions
   bool bestShown = false;         ///< each target's highest-weight particle
@@ -33,11 +33,11 @@ FramePtr frameOf(const TrackSnapshotPtr& snapshot, int camera);
 
 /// Returns the input for drawing a whole camera image in this size (device pixels). The frame of
 /// the input is null if there is no image.
-CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera, const CameraLook& look,
-                              const QSize& size);
+CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera,
+                              const CameraViewOptions& look, const QSize& size);
 
 /// Position and visible part of a camera image in its view.
-struct CameraImagePlace {
+struct CameraImageArea {
   ImagePlacement placement;
   QRectF seen; ///< visible part of the image
   bool isZoomed = false;
@@ -47,7 +47,7 @@ struct CameraImagePlace {
 /// people, particles and estimates, the inset, the zoom factor and the marker of a moved camera.
 /// `image` must have been drawn from a frame of `snapshot`. May be called from any thread.
 void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnapshotPtr& snapshot,
-                    const CameraLook& look, const CameraImagePlace& place);
+                    const CameraViewOptions& look, const CameraImageArea& place);
 
 /// Returns the text that a camera view shows if there is no image.
 QString missingImageText(const TrackSnapshotPtr& snapshot, int camera);
@@ -57,7 +57,7 @@ QColor imageGround(const QPalette& palette);
 
 /// Returns an image of this size (pixels) that looks like a camera view, with the whole camera
 /// image fitted into it. May be called from any thread.
-QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraLook& look,
+QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraViewOptions& look,
                      const QSize& size);
 
 } // namespace dewpoint::ui

@@ -85,8 +85,8 @@ CameraImageSource CameraView::source() const {
   return wanted;
 }
 
-CameraLook CameraView::look() const {
-  CameraLook look = look_;
+CameraViewOptions CameraView::options() const {
+  CameraViewOptions look = look_;
   look.palette = palette();
   return look;
 }
@@ -240,7 +240,7 @@ void CameraView::paintEvent(QPaintEvent*) {
   }
   painter.drawImage(drawnArea(), picture_.image);
   painter.setClipRect(shownArea());
-  paintEstimates(painter, picture_, shown_, look(),
+  paintEstimates(painter, picture_, shown_, options(),
                  {.placement = placement_, .seen = shownArea(), .isZoomed = isZoomed()});
   paintCameraProblem(painter, shownArea(), problemText(), palette());
   reportPainted();
@@ -252,7 +252,7 @@ void CameraView::reportPainted() {
   if (isLive && shown_->frame != reportedFrame_) {
     reportedFrame_ = shown_->frame;
     Q_EMIT estimatePainted(
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - shown_->estimated)
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - shown_->estimatedAt)
             .count());
   }
 }

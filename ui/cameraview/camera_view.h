@@ -41,7 +41,7 @@ public:
   /// highlighted.
   void setChosenTarget(int target);
   /// Returns which layers are shown, for example to draw this view elsewhere.
-  CameraLook look() const;
+  CameraViewOptions options() const;
   int camera() const { return camera_; }
   TrackingState state() const { return state_; }
   /// Return the placement of the image in the widget, and the image size in pixels. The size is
@@ -115,7 +115,7 @@ private:
 
   int camera_;
   TrackSnapshotPtr snapshot_; ///< newest snapshot
-  CameraLook look_;           ///< without the palette
+  CameraViewOptions look_;    ///< without the palette
   TrackingState state_ = TrackingState::NoImages;
   ImageZoom zoom_;
   ImagePlacement placement_;

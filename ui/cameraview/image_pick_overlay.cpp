@@ -61,7 +61,7 @@ void ImagePickOverlay::setGuides(std::vector<QPolygonF> lines, std::optional<QPo
 
 void ImagePickOverlay::endPointing() {
   if (pointing_) {
-    Q_EMIT pointingEnded();
+    Q_EMIT dragEnded();
   }
 }
 

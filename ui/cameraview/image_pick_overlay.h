@@ -53,11 +53,11 @@ Q_SIGNALS:
   /// Emitted after a click (`region` has an empty size) or a dragged box, in image pixels.
   void picked(const QRectF& region, Qt::KeyboardModifiers modifiers);
   /// Emitted while a point is dragged: `grabbed()` when the mouse button is pressed; `pointMoved()`
-  /// when the point moves, also by keys; `pointingEnded()` when the drag is over, after `picked()`
+  /// when the point moves, also by keys; `dragEnded()` when the drag is over, after `picked()`
   /// if a pixel was picked. Positions are in image pixels.
   void grabbed(const QPointF& pixel);
   void pointMoved(const QPointF& pixel);
-  void pointingEnded();
+  void dragEnded();
   /// Emitted when Esc is pressed, which ends picking.
   void cancelled();
   /// Emitted when the user presses the mouse button on the image, or picks a pixel with the

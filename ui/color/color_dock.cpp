@@ -58,7 +58,7 @@ std::vector<ImageMenuEntry> ColorDock::menuEntries(ImagePickTool& pick, int came
   const auto point = [&pick, camera, pixel](Qt::KeyboardModifiers modifiers) {
     return [&pick, camera, pixel, modifiers] { pick.pickAt(camera, pixel, modifiers); };
   };
-  if (panel_->takesBoxes()) {
+  if (panel_->targetsAreBoxes()) {
     return {{QStringLiteral("imageTakeBox"), tr("Set box here"),
              tr("Track this object, starting from a box around it"), true, point(Qt::NoModifier)}};
   }
@@ -127,16 +127,16 @@ void ColorDock::showAwaited() {
 
 void ColorDock::updateLearnActionText() {
   bench_.actions.rename(bench_.action("actionLearnColor"),
-                        panel_->takesBoxes() ? QT_TRANSLATE_NOOP("Actions", "Set box")
-                                             : QT_TRANSLATE_NOOP("Actions", "Learn the color"),
+                        panel_->targetsAreBoxes() ? QT_TRANSLATE_NOOP("Actions", "Set box")
+                                                  : QT_TRANSLATE_NOOP("Actions", "Learn the color"),
                         "learn");
 }
 
 void ColorDock::learned(int target, bool isNew) {
   targets_->choose(target);
-  if (panel_->takesBoxes()) {
+  if (panel_->targetsAreBoxes()) {
     targetDock_->raise();
-    bench_.session.startAfterBox(isNew);
+    bench_.session.startAfterBoxDrawn(isNew);
     return;
   }
   dock_->raise();

@@ -123,7 +123,7 @@ void ColorPanel::connectLearner() {
 }
 
 void ColorPanel::retranslateUi() {
-  modes_->setTakesBoxes(takesBoxes());
+  modes_->setTargetsAreBoxes(targetsAreBoxes());
   samples_->retranslateUi();
   choice_->retranslateUi();
   refresh();
@@ -139,7 +139,7 @@ ColorLearner::SampleAction ColorPanel::actionOf(Qt::KeyboardModifiers modifiers)
 }
 
 void ColorPanel::handlePick(int camera, const QRectF& region, Qt::KeyboardModifiers modifiers) {
-  if (takesBoxes()) {
+  if (targetsAreBoxes()) {
     boxes_->setTarget(target_);
     boxes_->pick(snapshot_, camera, region);
     return;
@@ -171,7 +171,7 @@ void ColorPanel::setPicking(bool picking) {
   }
 }
 
-void ColorPanel::setClicksTaken(bool taken) {
+void ColorPanel::setClicksUsedElsewhere(bool taken) {
   if (clicksTaken_ != taken) {
     clicksTaken_ = taken;
     setPicking(picking_);
@@ -179,7 +179,7 @@ void ColorPanel::setClicksTaken(bool taken) {
 }
 
 QString ColorPanel::hint() const {
-  if (takesBoxes()) {
+  if (targetsAreBoxes()) {
     return tr("Click the object or drag a box around it");
   }
   return picking_ && !expectsClick() ? modes_->hintOf(mode_) : tr("Click the object to track");
@@ -207,8 +207,8 @@ void ColorPanel::refresh() {
   name_->setText(any               ? QString::fromStdString(targets[std::size_t(target_)].name)
                  : targets.empty() ? tr("No target yet")
                                    : tr("A new target"));
-  picker_->setVisible(!takesBoxes());
-  if (takesBoxes()) {
+  picker_->setVisible(!targetsAreBoxes());
+  if (targetsAreBoxes()) {
     choice_->setColors({});
     showBox();
     return;
@@ -250,7 +250,7 @@ void ColorPanel::clearRegions() {
 }
 
 void ColorPanel::assessNow() {
-  if (inFront_ && snapshot_ && snapshot_->frames && !learner_->isBusy() && !takesBoxes()) {
+  if (inFront_ && snapshot_ && snapshot_->frames && !learner_->isBusy() && !targetsAreBoxes()) {
     learner_->setTarget(target_);
     learner_->assess();
   }
@@ -259,7 +259,7 @@ void ColorPanel::assessNow() {
 /// An assessment is about one frame: its outlines go when another one is shown, and where playback
 /// stops, the color is assessed again.
 void ColorPanel::keepAssessmentCurrent() {
-  if (!snapshot_->frames || learner_->isBusy() || takesBoxes()) {
+  if (!snapshot_->frames || learner_->isBusy() || targetsAreBoxes()) {
     return;
   }
   const bool moved = std::abs(snapshot_->frame - assessedFrame_) > kOutlinedFrames;
@@ -350,8 +350,8 @@ void ColorPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   }
 }
 
-bool ColorPanel::takesBoxes() const {
-  return document_.presentation().takesBoxes;
+bool ColorPanel::targetsAreBoxes() const {
+  return document_.presentation().targetsAreBoxes;
 }
 
 bool ColorPanel::expectsClick() const {

@@ -42,7 +42,7 @@ public:
   void setPicking(bool picking);
   /// Sets whether plain clicks in images have another purpose, for example on a calibration page.
   /// The panel then waits for a click, and shows a hint about it, only if the user requested this.
-  void setClicksTaken(bool taken);
+  void setClicksUsedElsewhere(bool taken);
   /// Sets whether the panel is visible. Colors are assessed only while it is visible.
   void setInFront(bool inFront);
   bool isPicking() const { return picking_; }
@@ -51,7 +51,7 @@ public:
   /// Returns whether the next click adds a further target.
   bool addsTarget() const;
   /// Returns whether a click sets a target's box instead of its color.
-  bool takesBoxes() const;
+  bool targetsAreBoxes() const;
 
 Q_SIGNALS:
   /// Emitted when isPicking() or addsTarget() has changed.

@@ -52,28 +52,28 @@ void LearnModes::setRefinable(bool canAdd, bool canExclude) {
 
 bool LearnModes::offers(ColorLearner::SampleAction mode) const {
   return mode == SampleAction::Replace ||
-         (!takesBoxes_ && (mode == SampleAction::Add ? canAdd_ : canExclude_));
+         (!targetsAreBoxes_ && (mode == SampleAction::Add ? canAdd_ : canExclude_));
 }
 
-void LearnModes::setTakesBoxes(bool takesBoxes) {
-  takesBoxes_ = takesBoxes;
+void LearnModes::setTargetsAreBoxes(bool targetsAreBoxes) {
+  targetsAreBoxes_ = targetsAreBoxes;
   retranslateUi();
 }
 
 void LearnModes::retranslateUi() {
   setAccessibleName(tr("What a click in an image does"));
-  buttons_[0]->setText(takesBoxes_ ? tr("Box") : tr("Learn"));
+  buttons_[0]->setText(targetsAreBoxes_ ? tr("Box") : tr("Learn"));
   buttons_[1]->setText(tr("Add sample"));
   buttons_[2]->setText(tr("Exclude"));
-  buttons_[1]->setVisible(!takesBoxes_);
-  buttons_[2]->setVisible(!takesBoxes_);
+  buttons_[1]->setVisible(!targetsAreBoxes_);
+  buttons_[2]->setVisible(!targetsAreBoxes_);
   showHints();
 }
 
 void LearnModes::showHints() {
   buttons_[1]->setEnabled(canAdd_);
   buttons_[2]->setEnabled(canExclude_);
-  buttons_[0]->setToolTip(takesBoxes_
+  buttons_[0]->setToolTip(targetsAreBoxes_
                               ? tr("Click the object in a camera image, or drag a box around "
                                    "it.\nWhen this button is off, Shift-click does the same.")
                               : tr("Click the target in a camera image, or drag a box around "

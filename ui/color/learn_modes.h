@@ -30,7 +30,7 @@ public:
   bool offers(ColorLearner::SampleAction mode) const;
   /// Sets whether a click sets a target's box. If so, the buttons for adding and excluding are not
   /// available.
-  void setTakesBoxes(bool takesBoxes);
+  void setTargetsAreBoxes(bool targetsAreBoxes);
   void retranslateUi();
 
   /// Returns the hint for a mode, shown over the images. It names only the clicks that are possible
@@ -47,7 +47,7 @@ private:
   std::array<QToolButton*, 3> buttons_{}; ///< indexed by SampleAction
   bool canAdd_ = false;
   bool canExclude_ = false;
-  bool takesBoxes_ = false;
+  bool targetsAreBoxes_ = false;
 };
 
 } // namespace dewpoint::ui

@@ -100,7 +100,7 @@ void BackwardTracker::showProgress(double part) {
   sinceShown_.start();
   const auto reached = static_cast<qint64>((1.0 - part) * static_cast<double>(frame_));
   shown_ = tr("Tracking the target backward: frame %1.").arg(QLocale().toString(reached + 1));
-  bench_.messages.ask(shown_, {{tr("Stop"), [this] { cancel(); }}});
+  bench_.messages.showQuestion(shown_, {{tr("Stop"), [this] { cancel(); }}});
 }
 
 void BackwardTracker::clearProgress() {

@@ -69,7 +69,7 @@ void CorrectionTool::attach(int camera, CameraView* view) {
           [this, camera](const QPointF& pixel) { point(camera, pixel); });
   connect(overlay, &ImagePickOverlay::picked, this,
           [this, camera](const QRectF& region) { drop(camera, region.topLeft()); });
-  connect(overlay, &ImagePickOverlay::pointingEnded, this, [this] {
+  connect(overlay, &ImagePickOverlay::dragEnded, this, [this] {
     drag_.reset();
     refresh();
   });

@@ -10,7 +10,7 @@ namespace dewpoint::ui {
 namespace {
 
 constexpr MethodPresentation kColors{};
-constexpr MethodPresentation kBoxes{.takesBoxes = true,
+constexpr MethodPresentation kBoxes{.targetsAreBoxes = true,
                                     .showsBoxes = true,
                                     .hasBirdsEyeView = false,
                                     .hasOverlays = false,

@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 /// of the window depends on the kind of target.
 struct MethodPresentation {
   /// True if a click or a drag in an image sets a target's box; otherwise it sets the color.
-  bool takesBoxes = false;
+  bool targetsAreBoxes = false;
   bool showsBoxes = false;     ///< plots, table and export use image boxes; otherwise positions
   bool hasBirdsEyeView = true; ///< positions can be shown in a bird's-eye view
   bool hasOverlays = true;     ///< masks and likelihood maps can be drawn over the images

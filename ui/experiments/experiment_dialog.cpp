@@ -210,11 +210,11 @@ const FigureExperiment& ExperimentDialog::chosen() const {
 void ExperimentDialog::showChosen() {
   description_->setText(words(chosen().sentence));
   runs_->setValue(chosen().runs);
-  clothesLabel_->setVisible(chosen().takesClothes);
-  clothes_->setVisible(chosen().takesClothes);
+  clothesLabel_->setVisible(chosen().hasClothesOption);
+  clothes_->setVisible(chosen().hasClothesOption);
   for (QWidget* part :
        std::initializer_list<QWidget*>{recordingsLabel_, recordings_, browseRecordings_}) {
-    part->setVisible(chosen().takesRecordings);
+    part->setVisible(chosen().usesRecordings);
   }
   const QString home = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   folder_->setText(
@@ -233,7 +233,7 @@ void ExperimentDialog::run() {
   options.folder = folder_->text().trimmed().toStdString();
   options.runs = runs_->value();
   options.clothes = static_cast<StudyClothes>(clothes_->currentIndex());
-  if (chosen().takesRecordings) {
+  if (chosen().usesRecordings) {
     options.recordings = recordings_->text().trimmed().toStdString();
   }
   if (options.folder.empty()) {

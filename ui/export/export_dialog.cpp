@@ -219,7 +219,7 @@ void ExportDialog::chooseFile() {
   if (!chosen.isEmpty()) {
     file_->setText(chosen);
     // The question was asked there, if there was one to ask; until that is known it is open.
-    jobs_->find(chosen.toStdString(), [this, asked = questions_](bool exists) {
+    jobs_->checkExists(chosen.toStdString(), [this, asked = questions_](bool exists) {
       mayReplace_ = mayReplace_ || (exists && asked == questions_);
     });
   }

@@ -37,7 +37,8 @@ void ExportJobs::preview(TrajectoryPtr trajectory, const ExportOptions& options,
   });
 }
 
-void ExportJobs::find(const std::filesystem::path& file, std::function<void(bool exists)> report) {
+void ExportJobs::checkExists(const std::filesystem::path& file,
+                             std::function<void(bool exists)> report) {
   finding_.start([file, report = std::move(report)](const BackgroundJob::Progress&) {
     std::error_code ignored;
     const bool exists = std::filesystem::exists(file, ignored);

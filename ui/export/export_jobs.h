@@ -30,7 +30,7 @@ public:
   /// Runs another long task, such as drawing a figure; emits `finished()` or `failed()` afterwards.
   void run(std::function<Status()> task, const std::filesystem::path& file);
   /// Calls `report` with whether a file exists. Only the newest request is answered.
-  void find(const std::filesystem::path& file, std::function<void(bool exists)> report);
+  void checkExists(const std::filesystem::path& file, std::function<void(bool exists)> report);
   void cancel() { *cancelled_ = true; }
   /// Cancels a preview that is waiting or in progress.
   void stopPreview() { preview_.cancel(); }

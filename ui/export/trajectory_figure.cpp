@@ -74,7 +74,7 @@ void drawItem(QPainter& painter, const ExportTable& table, const FigureDrawing::
                           painter.drawLine(QPointF(line.from.x(), line.from.y()),
                                            QPointF(line.to.x(), line.to.y()));
                         },
-                        [&](const FigureDrawing::Frame& frame) {
+                        [&](const FigureDrawing::PlotFrame& frame) {
                           painter.setPen(QPen(kInk, 1.0));
                           painter.setBrush(Qt::NoBrush);
                           painter.drawRect(rectangle(frame.box));

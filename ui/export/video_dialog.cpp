@@ -212,7 +212,7 @@ void VideoDialog::updateSuffix() {
 }
 
 Result<VideoRequest> VideoDialog::request(const VideoOffer& offer) const {
-  VideoLook look = form_->look();
+  VideoLayout look = form_->videoLayout();
   if (look.views.empty()) {
     return failure(ErrorCode::BadValue, "", tr("Views").toStdString(),
                    tr("no view is checked").toStdString());
@@ -233,7 +233,7 @@ Result<VideoRequest> VideoDialog::request(const VideoOffer& offer) const {
     return tl::make_unexpected(shown.error());
   }
   VideoRequest wanted;
-  wanted.look = std::make_shared<const VideoLook>(std::move(look));
+  wanted.layout = std::make_shared<const VideoLayout>(std::move(look));
   wanted.frames = std::move(*shown);
   wanted.encoding = form_->encoding().value_or(VideoEncoding());
   wanted.framesPerSecond = timing.framesPerSecond;
@@ -263,7 +263,7 @@ void VideoDialog::drawPreview() {
   }
   preview_->setFrames(wanted->frames);
   VideoDrawer& drawer = exporter_->drawer();
-  drawer.begin(offer.session, wanted->look, offer.scene);
+  drawer.begin(offer.session, wanted->layout, offer.scene);
   const QSize pixels = preview_->imageSize();
   const auto consume = [this, request = *wanted,
                         pixels](Result<QImage> image) -> std::function<void()> {
@@ -286,8 +286,8 @@ void VideoDialog::showPreview(const VideoRequest& wanted, const Result<QImage>& 
   QString text = tr("Images: %1. Length: %2. Size: %3 × %4 pixels.")
                      .arg(wanted.frames.size())
                      .arg(secondsText(images / wanted.framesPerSecond, 1))
-                     .arg(wanted.look->size.width())
-                     .arg(wanted.look->size.height());
+                     .arg(wanted.layout->size.width())
+                     .arg(wanted.layout->size.height());
   if (exporter_->drawer().isSceneReduced()) {
     text +=
         QLatin1Char(' ') + tr("This computer draws the bird's-eye view slowly. It is drawn in a "

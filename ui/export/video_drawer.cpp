@@ -28,7 +28,7 @@ Result<TrackSnapshotPtr> countedFromOne(Error error, std::int64_t frame) {
 
 VideoDrawer::VideoDrawer(QObject* parent) : QObject(parent) {}
 
-void VideoDrawer::begin(Session* session, std::shared_ptr<const VideoLook> look,
+void VideoDrawer::begin(Session* session, std::shared_ptr<const VideoLayout> look,
                         const BirdsEyeView* scene) {
   stop();
   session_ = session;
@@ -40,7 +40,7 @@ void VideoDrawer::begin(Session* session, std::shared_ptr<const VideoLook> look,
     return;
   }
   sceneArea_ = static_cast<int>(found - views.begin());
-  scene_.copyLook(*scene, found->look.volume,
+  scene_.copyLook(*scene, found->options.volume,
                   videoAreas(*look_)[static_cast<std::size_t>(sceneArea_)].size());
 }
 

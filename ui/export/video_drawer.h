@@ -30,7 +30,7 @@ public:
 
   /// Sets the session and the composition of the next images. `scene` is the bird's-eye view whose
   /// appearance is copied; null if the composition contains no bird's-eye view.
-  void begin(Session* session, std::shared_ptr<const VideoLook> look, const BirdsEyeView* scene);
+  void begin(Session* session, std::shared_ptr<const VideoLayout> look, const BirdsEyeView* scene);
   /// Drops requests that have not been answered. The session may end after this call.
   void stop();
 
@@ -58,7 +58,7 @@ private:
   void take(Result<TrackSnapshotPtr> snapshot, const Consume& consume);
 
   Session* session_ = nullptr;
-  std::shared_ptr<const VideoLook> look_;
+  std::shared_ptr<const VideoLayout> look_;
   VideoScene scene_;
   int sceneArea_ = -1; ///< index of the bird's-eye view among the views; -1: none
   bool fetching_ = false;

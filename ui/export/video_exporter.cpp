@@ -44,7 +44,7 @@ void VideoExporter::start(VideoRequest request, Session* session, const BirdsEye
   next_ = written_ = 0;
   waiting_ = 0;
   closing_ = false;
-  drawer_->begin(session, state_->request.look, scene);
+  drawer_->begin(session, state_->request.layout, scene);
   open();
 }
 
@@ -65,8 +65,8 @@ void VideoExporter::open() {
     output.file = request.file;
     output.encoding = request.encoding;
     output.framesPerSecond = request.framesPerSecond;
-    output.width = request.look->size.width();
-    output.height = request.look->size.height();
+    output.width = request.layout->size.width();
+    output.height = request.layout->size.height();
     if (auto encoder = VideoEncoder::create(output)) {
       state->encoder.emplace(std::move(*encoder));
     } else {

@@ -18,7 +18,7 @@ namespace dewpoint::ui {
 
 /// Description of a video to export.
 struct VideoRequest {
-  std::shared_ptr<const VideoLook> look;
+  std::shared_ptr<const VideoLayout> layout;
   std::vector<std::int64_t> frames; ///< frame that each image shows (videoFrames())
   VideoEncoding encoding;
   double framesPerSecond = 30.0;

@@ -152,8 +152,8 @@ void VideoForm::setEncodings(std::vector<VideoEncoding> encodings) {
   Q_EMIT encodingChanged();
 }
 
-VideoLook VideoForm::look() const {
-  VideoLook look;
+VideoLayout VideoForm::videoLayout() const {
+  VideoLayout look;
   for (int k = 0; k < views_->count(); ++k) {
     if (views_->item(k)->checkState() == Qt::Checked) {
       look.views.push_back(offered_[static_cast<std::size_t>(k)]);

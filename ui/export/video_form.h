@@ -32,7 +32,7 @@ public:
 
   /// Returns the composition of the images, without the name of the recording. It contains only the
   /// checked views.
-  VideoLook look() const;
+  VideoLayout videoLayout() const;
   /// Returns the speed and frame rate of the video. `recorded` is the frame rate of the recording.
   VideoTiming timing(double recorded) const;
   /// Return the first and the last time to export (seconds); empty for the beginning and the end of

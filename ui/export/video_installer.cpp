@@ -49,7 +49,7 @@ std::vector<VideoView> cameraViewsOf(const Workbench& bench) {
     views.push_back(
         {.camera = shown->camera(),
          .title = cameraName(cameras[index].camera.name, index),
-         .look = shown->look(),
+         .options = shown->options(),
          .aspect = isKnown ? static_cast<double>(size.width) / size.height : kAspectIfUnknown,
          .height = isKnown ? size.height : kHeightIfUnknown});
   }
@@ -65,11 +65,11 @@ void addSceneTo(VideoOffer& offer, const Workbench& bench) {
   const double aspect = static_cast<double>(scene->width()) / std::max(1, scene->height());
   VideoView view{.camera = std::nullopt,
                  .title = BirdsEyeView::tr("Bird's-eye view"),
-                 .look = {},
+                 .options = {},
                  .aspect = std::clamp(aspect, 1.0, 16.0 / 9.0),
                  .height = kHeightIfUnknown};
   if (!offer.views.empty()) {
-    view.look.volume = offer.views.front().look.volume;
+    view.options.volume = offer.views.front().options.volume;
     view.height = std::ranges::max(offer.views, {}, &VideoView::height).height;
   }
   offer.views.push_back(std::move(view));

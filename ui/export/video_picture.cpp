@@ -71,7 +71,7 @@ QSize naturalVideoSize(const std::vector<VideoView>& views) {
   return {toEven(width * shrink), toEven(height * shrink)};
 }
 
-std::vector<QRect> videoAreas(const VideoLook& look) {
+std::vector<QRect> videoAreas(const VideoLayout& look) {
   const ImageGrid grid = gridOf(look.views, look.size);
   const auto columns = static_cast<std::size_t>(grid.columns);
   std::vector<QRect> areas(look.views.size());
@@ -90,7 +90,7 @@ std::vector<QRect> videoAreas(const VideoLook& look) {
   return areas;
 }
 
-QString videoStamp(const VideoLook& look, const TrackSnapshotPtr& snapshot) {
+QString videoStamp(const VideoLayout& look, const TrackSnapshotPtr& snapshot) {
   const QString frame = // people count from 1
       QCoreApplication::translate("VideoDialog", "Frame %1").arg(snapshot->frame + 1);
   const QString time =
@@ -100,7 +100,8 @@ QString videoStamp(const VideoLook& look, const TrackSnapshotPtr& snapshot) {
   return parts.join(QStringLiteral(" · "));
 }
 
-QImage videoPicture(const VideoLook& look, const TrackSnapshotPtr& snapshot, const QImage& scene) {
+QImage videoPicture(const VideoLayout& look, const TrackSnapshotPtr& snapshot,
+                    const QImage& scene) {
   QImage picture(look.size, QImage::Format_RGB32);
   picture.fill(imageGround(look.palette));
   QPainter painter(&picture);
@@ -110,7 +111,7 @@ QImage videoPicture(const VideoLook& look, const TrackSnapshotPtr& snapshot, con
     const VideoView& view = look.views[k];
     if (view.camera) {
       painter.drawImage(areas[k].topLeft(),
-                        cameraPicture(snapshot, *view.camera, view.look, areas[k].size()));
+                        cameraPicture(snapshot, *view.camera, view.options, areas[k].size()));
     } else if (!scene.isNull()) {
       painter.drawImage(areas[k], scene);
     }

@@ -17,14 +17,14 @@ namespace dewpoint::ui {
 struct VideoView {
   std::optional<int> camera; ///< index in the rig; empty for the bird's-eye view
   QString title;
-  CameraLook look;     ///< layers to draw, for camera views
-  double aspect = 1.0; ///< width / height
+  CameraViewOptions options; ///< layers to draw, for camera views
+  double aspect = 1.0;       ///< width / height
   int height = 480; ///< height of the recorded images in pixels; for the bird's-eye view, similar
                     ///< to the cameras
 };
 
 /// Composition of the images of an exported video.
-struct VideoLook {
+struct VideoLayout {
   std::vector<VideoView> views; ///< side by side in a grid; at least one
   QSize size;                   ///< image size, pixels; width and height are even
   bool titlesShown = true;      ///< draws the title of each view in its corner
@@ -38,15 +38,15 @@ struct VideoLook {
 QSize naturalVideoSize(const std::vector<VideoView>& views);
 
 /// Returns the area of each view in the image: a grid in which the views cover as much as possible.
-std::vector<QRect> videoAreas(const VideoLook& look);
+std::vector<QRect> videoAreas(const VideoLayout& look);
 
 /// Returns the text at the lower edge of a video image, for example "take-003 · Frame 133 · 4.400
 /// s". Frames are counted from 1, as everywhere in the window.
-QString videoStamp(const VideoLook& look, const TrackSnapshotPtr& snapshot);
+QString videoStamp(const VideoLayout& look, const TrackSnapshotPtr& snapshot);
 
 /// Returns one image of a video. `scene` is the image of the bird's-eye view, which is enlarged if
 /// it is smaller than its area; null if the video has no bird's-eye view. May be called from any
 /// thread.
-QImage videoPicture(const VideoLook& look, const TrackSnapshotPtr& snapshot, const QImage& scene);
+QImage videoPicture(const VideoLayout& look, const TrackSnapshotPtr& snapshot, const QImage& scene);
 
 } // namespace dewpoint::ui

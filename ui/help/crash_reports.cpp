@@ -100,10 +100,10 @@ CrashReports::CrashReports(const Workbench& bench, fs::path folder)
 void CrashReports::noteActions() {
   for (QAction* action : bench_.actions.all()) {
     connect(action, &QAction::triggered, this,
-            [action] { noteForCrashReport(now() + " " + action->objectName().toStdString()); });
+            [action] { addCrashReportNote(now() + " " + action->objectName().toStdString()); });
   }
   connect(&bench_.messages, &MessageBar::messageShown, this, [](const QString& message) {
-    noteForCrashReport(now() + " message: " + message.toStdString());
+    addCrashReportNote(now() + " message: " + message.toStdString());
   });
 }
 
@@ -120,7 +120,7 @@ void CrashReports::search() {
 }
 
 void CrashReports::offer() {
-  bench_.messages.askUntilAnswered(
+  bench_.messages.showLastingQuestion(
       tr("Dewpoint closed unexpectedly last time and left a report of what happened."),
       {{tr("Show report"), [this] { reportCrash(bench_, report_); }}});
 }

@@ -186,7 +186,7 @@ void ProjectCheckDialog::fillList() {
     if (const QString advice = findingAdvice(finding); !advice.isEmpty()) {
       page += QStringLiteral("<br/>→ %1").arg(advice.toHtmlEscaped());
     }
-    if (const QString place = findingPlace(finding);
+    if (const QString place = findingLocationText(finding);
         !place.isEmpty() && finding.level() != FindingLevel::Ok) {
       page += QStringLiteral("<br/><span style=\"color: %1\">%2</span>")
                   .arg(soft, place.toHtmlEscaped());

@@ -76,7 +76,7 @@ SelfTestInputs selfTestParts(const ProjectOpener& opener) {
   SelfTestInputs parts;
   parts.openScene = [opener] { return opener(SessionRequest("demo")); };
   parts.cameras = connectedCameras();
-  parts.scratch =
+  parts.scratchFolder =
       QDir::temp()
           .filePath(QStringLiteral("dewpoint-self-test-%1").arg(QCoreApplication::applicationPid()))
           .toStdString();

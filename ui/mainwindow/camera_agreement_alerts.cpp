@@ -27,7 +27,7 @@ void CameraAgreementAlerts::setSnapshot(const TrackSnapshotPtr& snapshot) {
   }
   const auto next = std::ranges::find_if(
       found, [&](const CameraDisagreement& one) { return !isAmong(shown_, one); });
-  const bool isOpen = bar_.isAsking(text_);
+  const bool isOpen = bar_.isQuestionOpen(text_);
   if (next != found.end() && !isOpen && !suppressed_) {
     shown_.push_back(*next);
     show(*next, cameraNames(*snapshot));
@@ -36,7 +36,7 @@ void CameraAgreementAlerts::setSnapshot(const TrackSnapshotPtr& snapshot) {
 
 void CameraAgreementAlerts::withdraw() {
   if (!text_.isEmpty()) {
-    bar_.withdraw(text_);
+    bar_.withdrawQuestion(text_);
   }
   text_.clear();
 }
@@ -54,7 +54,7 @@ void CameraAgreementAlerts::show(const CameraDisagreement& found, const QStringL
           [this, camera] { Q_EMIT calibrationRequested(static_cast<int>(camera)); });
     }
   }
-  bar_.askUntilAnswered(disagreementText(found, names), answers);
+  bar_.showLastingQuestion(disagreementText(found, names), answers);
   text_ = bar_.text();
 }
 

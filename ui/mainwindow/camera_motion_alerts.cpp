@@ -22,7 +22,7 @@ void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
   }
   const TrackSnapshot& snapshot = *shown;
   const double now = snapshot.frames ? seconds(snapshot.frames->time) : 0.0;
-  const CameraMotionMessages::News news = news_.take(snapshot.cameraMotions, now);
+  const CameraMotionMessages::News news = news_.update(snapshot.cameraMotions, now);
   if (news.withdrawn) {
     withdraw();
   }
@@ -44,14 +44,14 @@ void CameraMotionAlerts::withdraw() {
 
 void CameraMotionAlerts::withdraw(int camera) {
   if (const auto asked = questions_.extract(camera)) {
-    bar_.withdraw(asked.mapped());
+    bar_.withdrawQuestion(asked.mapped());
   }
 }
 
 void CameraMotionAlerts::ask(int camera, const QString& question, const QString& answer,
                              void (CameraMotionAlerts::*answered)(int)) {
   const auto report = [this, camera, answered] { (this->*answered)(camera); }; // a signal
-  bar_.askUntilAnswered(question, {{answer, report}});
+  bar_.showLastingQuestion(question, {{answer, report}});
   questions_[camera] = question;
 }
 

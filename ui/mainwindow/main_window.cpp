@@ -130,9 +130,10 @@ void MainWindow::installFeatures() {
   connect(&cameras->pick(), &ImagePickTool::imageClicked, people, &PeopleDock::selectSeenAt);
   new CorrectionMode(bench, *cameras, *birdsEye, *trajectory);
   auto* calibration = new CalibrationMode(bench);
-  connect(
-      calibration, &CalibrationMode::shown, &color->panel(),
-      [panel = &color->panel()](const QString& page) { panel->setClicksTaken(!page.isEmpty()); });
+  connect(calibration, &CalibrationMode::shown, &color->panel(),
+          [panel = &color->panel()](const QString& page) {
+            panel->setClicksUsedElsewhere(!page.isEmpty());
+          });
   installCalibrationGuide(bench, *calibration);
   installManualCalibration(bench, *calibration, *cameras);
   installBoardCalibration(bench, *calibration, *cameras);
@@ -160,9 +161,9 @@ void MainWindow::installFeatures() {
   messageRow_ = new MessageRow(messages_, notices_, this);
   placeMessageRow();
   connect(messageRow_, &MessageRow::heightChanging, docks_,
-          [this] { docks_->keepHeightsBelow(true); });
+          [this] { docks_->lockLowerDockHeights(true); });
   connect(messageRow_, &MessageRow::heightChanged, docks_,
-          [this] { docks_->keepHeightsBelow(false); });
+          [this] { docks_->lockLowerDockHeights(false); });
   menus_->make();
   connectRun();
   birdsEye->prepare();
@@ -177,7 +178,7 @@ void MainWindow::installStatusBar() {
   connect(figures, &StatusBarPanel::frameClicked, bench_->action("actionGoToFrame"),
           &QAction::trigger);
   // While no views are shown there is nothing to measure.
-  connect(docks_, &DockManager::viewsShowing, figures, &QWidget::setVisible);
+  connect(docks_, &DockManager::viewsAboutToChange, figures, &QWidget::setVisible);
 }
 
 void MainWindow::connectRun() {

@@ -55,8 +55,9 @@ MissingFilesOffer::MissingFilesOffer(const Workbench& bench)
 }
 
 void MissingFilesOffer::offer(const OpenRequest& request, const MissingFiles& missing) {
-  bench_.messages.ask(sentenceAbout(*missing),
-                      {{tr("Locate…"), [this, request, missing] { locate(request, missing); }}});
+  bench_.messages.showQuestion(sentenceAbout(*missing), {{tr("Locate…"), [this, request, missing] {
+                                                            locate(request, missing);
+                                                          }}});
 }
 
 void MissingFilesOffer::locate(const OpenRequest& request, const MissingFiles& missing) {
@@ -70,10 +71,10 @@ void MissingFilesOffer::locate(const OpenRequest& request, const MissingFiles& m
   }
   OpenRequest again = request;
   const MovedFiles moved = locateRemainingFiles(*missing, wanted, found.toStdString());
-  if (again.what.project) {
-    again.what.project = withMovedFiles(std::move(*again.what.project), moved);
+  if (again.source.project) {
+    again.source.project = withMovedFiles(std::move(*again.source.project), moved);
   } else {
-    again.what.moved.insert(moved.begin(), moved.end());
+    again.source.moved.insert(moved.begin(), moved.end());
   }
   again.unsaved = true;
   again.note = tr("The project was opened with the files that you located. Save the project to "

@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 
 OldResultsOffer::OldResultsOffer(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
   ResultRefresher* results = &bench_.session.results();
-  connect(results, &ResultRefresher::offered, this, &OldResultsOffer::offer);
+  connect(results, &ResultRefresher::offerChanged, this, &OldResultsOffer::offer);
   const auto update = [this, results] {
     bench_.action("actionTrackAgain")->setEnabled(!results->oldResults().frames.empty());
   };
@@ -45,15 +45,15 @@ void OldResultsOffer::offerFirstFrame(qint64 started) {
   late_ = tr("Tracking began at frame %1, where you clicked. The frames before it are not tracked.")
               .arg(started + 1); // people count from 1
   SessionController* session = &bench_.session;
-  bench_.messages.askUntilAnswered(late_, {{tr("Track from the first frame"), [session] {
-                                              session->restart(false);
-                                              session->play();
-                                            }}});
+  bench_.messages.showLastingQuestion(late_, {{tr("Track from the first frame"), [session] {
+                                                 session->restart(false);
+                                                 session->play();
+                                               }}});
 }
 
 void OldResultsOffer::withdrawFirstFrame() {
   if (!late_.isEmpty()) {
-    bench_.messages.withdraw(late_);
+    bench_.messages.withdrawQuestion(late_);
     late_.clear();
   }
 }
@@ -65,13 +65,14 @@ bool OldResultsOffer::fills(const LoggedFrames& logged) const {
 }
 
 void OldResultsOffer::offer(bool offers) {
-  if (offers && !late_.isEmpty() && bench_.messages.isAsking(late_)) {
+  if (offers && !late_.isEmpty() && bench_.messages.isQuestionOpen(late_)) {
     return; // tracking from the first frame renews them, too
   }
   if (offers) {
     shown_ = tr("Some frames were tracked with earlier settings.");
     ResultRefresher* results = &bench_.session.results();
-    bench_.messages.ask(shown_, {{tr("Track again"), [results] { results->trackAgain(); }}});
+    bench_.messages.showQuestion(shown_,
+                                 {{tr("Track again"), [results] { results->trackAgain(); }}});
   } else if (!shown_.isEmpty() && bench_.messages.text() == shown_) {
     bench_.messages.dismiss();
   }

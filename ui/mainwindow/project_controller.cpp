@@ -139,7 +139,7 @@ void ProjectController::connectOpening() {
 }
 
 void ProjectController::openScene(const QString& name, bool calibrate) {
-  bench_.session.open({.what = toPath(name), .calibrate = calibrate});
+  bench_.session.open({.source = toPath(name), .calibrate = calibrate});
 }
 
 void ProjectController::connectRun() {
@@ -168,7 +168,7 @@ void ProjectController::connectRun() {
 }
 
 void ProjectController::open(const std::filesystem::path& file) {
-  bench_.session.open({.what = file});
+  bench_.session.open({.source = file});
 }
 
 void ProjectController::showStart() {
@@ -185,14 +185,14 @@ void ProjectController::showNewProjectPage(const QStringList& files, bool findsC
 }
 
 void ProjectController::openCreated(const Project& project, const QString& note) {
-  const bool boxes = presentationOf(project).takesBoxes;
+  const bool boxes = presentationOf(project).targetsAreBoxes;
   const bool isCalibrated = !hasGuessedPose(project); // else the guide asks for it
   const QString hint =
       boxes ? tr("Click the object or drag a box around it in any camera view.")
       : note.isEmpty() && isCalibrated
           ? tr("Click the object to track in any image. Its color is learned and tracking starts.")
           : note;
-  bench_.session.open({.what = project,
+  bench_.session.open({.source = project,
                        .unsaved = true,
                        .guide = std::exchange(guideNewProject_, false),
                        .note = hint});
@@ -211,7 +211,7 @@ void ProjectController::chooseProject() {
 
 void ProjectController::close() {
   bench_.session.close();
-  if (MessageBar& bar = bench_.messages; !bar.isAsking(bar.text())) {
+  if (MessageBar& bar = bench_.messages; !bar.isQuestionOpen(bar.text())) {
     bar.dismiss(); // it was about what is closed
   }
   showStart();
@@ -268,7 +268,7 @@ void ProjectController::enableRecovery(const std::filesystem::path& folder, Text
   connect(recovery_, &RecoveryOffer::recovered, this,
           [this](const Project& project, const RecoverableWork& work) {
             bench_.session.open(
-                {.what = project,
+                {.source = project,
                  .unsaved = true,
                  .note = tr("The changes were recovered. Save the project to keep them."),
                  .recovered = work});

@@ -24,7 +24,7 @@ bool askToRestart(const Workbench& bench, bool newSeed) {
     return false;
   }
   SessionController* run = &bench.session;
-  bench.messages.ask(
+  bench.messages.showQuestion(
       SessionController::tr("Restart the run? The results so far will be lost."),
       {{SessionController::tr("Restart"), [run, newSeed] { run->restart(newSeed); }}});
   return true;
@@ -37,7 +37,7 @@ bool askToPlayAgain(const Workbench& bench) {
     return false;
   }
   SessionController* run = &bench.session;
-  bench.messages.ask(
+  bench.messages.showQuestion(
       SessionController::tr("The recording has ended. Track it again from the beginning? The "
                             "results so far will be lost."),
       {{SessionController::tr("Track from the beginning"), [run] { run->togglePlay(); }}});

@@ -36,9 +36,9 @@ RunAlerts::RunAlerts(const Workbench& bench, NoticeList& notices, CalibrationMod
   connect(alerts, &CameraMotionAlerts::calibrationRequested, this, &RunAlerts::calibrate);
   connectAgreement(calibration);
   addHiddenButton();
-  connect(&notices_, &NoticeList::began, this,
+  connect(&notices_, &NoticeList::noticeBegan, this,
           [this](const QString& notice) { bench_.messages.record(notice, Severity::Warning); });
-  connect(&notices_, &NoticeList::ended, this, [this](const QString& notice) {
+  connect(&notices_, &NoticeList::noticeEnded, this, [this](const QString& notice) {
     bench_.messages.record(tr("No longer applies: %1").arg(notice), Severity::Information);
   });
   bench_.onTriggered("actionResolveCamera", this, [this] { applyFirstNewPose(); });
@@ -128,7 +128,7 @@ void RunAlerts::applyNewPose(int camera) {
   const MovedCameraPose solved = *report->newPose; // the report goes with the next snapshot
   Camera now = manual_.cameraAt(camera);
   now.cameraFromWorld = solved.camera.cameraFromWorld;
-  manual_.change(camera, tr("Recompute pose of %1").arg(name), now);
+  manual_.changeCamera(camera, tr("Recompute pose of %1").arg(name), now);
   QString sentence =
       tr("The pose of %1 was recomputed. Undo restores the previous pose.").arg(name);
   if (solved.used > 0) {

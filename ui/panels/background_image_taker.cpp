@@ -36,7 +36,7 @@ BackgroundImageTaker::BackgroundImageTaker(Document& document, Selection& select
 
 BackgroundImageTaker::~BackgroundImageTaker() = default;
 
-bool BackgroundImageTaker::canTake(int camera) const {
+bool BackgroundImageTaker::canCapture(int camera) const {
   return !isWriting_ && !shownImage(camera).empty();
 }
 
@@ -52,7 +52,7 @@ QString BackgroundImageTaker::targetSeenBy(int camera) const {
   return seen != nullptr ? QString::fromStdString(seen->target.name) : QString();
 }
 
-void BackgroundImageTaker::take(int camera) {
+void BackgroundImageTaker::capture(int camera) {
   const cv::Mat image = shownImage(camera);
   if (camera < 0 || image.empty()) {
     return;

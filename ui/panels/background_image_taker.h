@@ -45,8 +45,8 @@ public:
   /// writing may take long.
   void setWriter(BackgroundImageWriter keep) { write_ = std::move(keep); }
   /// Returns whether the camera shows an image and no image is being written.
-  bool canTake(int camera) const;
-  void take(int camera);
+  bool canCapture(int camera) const;
+  void capture(int camera);
 
 Q_SIGNALS:
   /// Emitted when a write starts or ends.

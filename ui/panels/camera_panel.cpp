@@ -136,7 +136,7 @@ void CameraPanel::connectFields() {
       }
     });
   });
-  connect(delayEstimate_, &DelayEstimate::kept, this, [this](double delay) {
+  connect(delayEstimate_, &DelayEstimate::delayAccepted, this, [this](double delay) {
     edit(tr("Keep estimated delay"), [delay](ProjectCamera& camera) {
       camera.delay = std::clamp(camera.delay + delay, -fromMilliseconds(kMostLate),
                                 fromMilliseconds(kMostLate));
@@ -146,7 +146,7 @@ void CameraPanel::connectFields() {
   connect(backgroundImage_, &QLineEdit::editingFinished, this,
           [this] { setBackgroundImage(backgroundImage_->text().trimmed()); });
   connect(backgroundImageBrowse_, &QPushButton::clicked, this, &CameraPanel::chooseBackgroundImage);
-  connect(backgroundImageTake_, &QPushButton::clicked, this, [this] { taker_->take(chosen()); });
+  connect(backgroundImageTake_, &QPushButton::clicked, this, [this] { taker_->capture(chosen()); });
   connect(taker_, &BackgroundImageTaker::busyChanged, this, &CameraPanel::updateTakeButton);
   connect(load_, &QPushButton::clicked, this, &CameraPanel::importRequested);
 }
@@ -296,7 +296,7 @@ void CameraPanel::showDelayEstimate() {
 }
 
 void CameraPanel::updateTakeButton() {
-  backgroundImageTake_->setEnabled(source_->isEnabled() && taker_->canTake(chosen()));
+  backgroundImageTake_->setEnabled(source_->isEnabled() && taker_->canCapture(chosen()));
 }
 
 void CameraPanel::setBackgroundImage(const QString& file) {

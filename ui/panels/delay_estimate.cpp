@@ -25,7 +25,7 @@ DelayEstimate::DelayEstimate(QWidget* parent)
   row->addWidget(keep_);
   connect(keep_, &QPushButton::clicked, this, [this] {
     if (estimate_) {
-      Q_EMIT kept(estimate_->delay);
+      Q_EMIT delayAccepted(estimate_->delay);
     }
   });
   onRetranslate(this, [this] { retranslateUi(); });

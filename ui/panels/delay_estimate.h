@@ -29,7 +29,7 @@ public:
 Q_SIGNALS:
   /// Emitted when the user wants to add the estimated delay (seconds) to the delay of the camera in
   /// the project.
-  void kept(double delay);
+  void delayAccepted(double delay);
 
 private:
   void retranslateUi();

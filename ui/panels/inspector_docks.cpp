@@ -81,7 +81,7 @@ CameraPanel* installCameras(const Workbench& bench) {
   QObject::connect(taker, &BackgroundImageTaker::confirmationRequested, &bench.messages,
                    [bar = &bench.messages](const QString& question, const QString& yes,
                                            const std::function<void()>& act) {
-                     bar->ask(question, {{yes, act}});
+                     bar->showQuestion(question, {{yes, act}});
                    });
   return panel;
 }

@@ -61,7 +61,7 @@ QString boundNote(const ParameterValues& used, const ParameterDeclaration& decla
     const auto bound =
         std::ranges::find(declarations, declaration.bound, &ParameterDeclaration::key);
     return ParameterPanel::tr("This value is larger than “%1”, so %2 is used instead.")
-        .arg(labelText(*bound), declaredText(used.at(declaration.bound)));
+        .arg(labelText(*bound), parameterValueText(used.at(declaration.bound)));
   }
   const auto bounded = std::ranges::find_if(declarations, [&](const ParameterDeclaration& other) {
     return other.bound == declaration.key && tracking::exceedsBound(used, other);

@@ -146,7 +146,7 @@ void ParameterRow::setChanged(bool changed, double defaultValue) {
     slider_->setFocus(); // the keys stay with this parameter
   }
   reset_->setVisible(changed);
-  const QString value = declaredText(defaultValue) + unitSuffix(declaration_);
+  const QString value = parameterValueText(defaultValue) + unitSuffix(declaration_);
   dot_->setToolTip(
       QCoreApplication::translate("ParameterRow", "Changed: the default is %1.").arg(value));
   reset_->setToolTip(
@@ -197,18 +197,18 @@ int ParameterRow::toSlider(double value) const {
 }
 
 QString ParameterRow::tooltip() const {
-  if (declaration_.fromCameras) {
+  if (declaration_.derivedFromCameras) {
     return QCoreApplication::translate(
                "ParameterRow",
                "%1\nFrom %2 to %3%4; the default comes from the region that the cameras see.")
         .arg(QCoreApplication::translate("Parameter", declaration_.sentence.c_str()),
-             declaredText(declaration_.minimum), declaredText(declaration_.maximum),
+             parameterValueText(declaration_.minimum), parameterValueText(declaration_.maximum),
              unitSuffix(declaration_));
   }
   return QCoreApplication::translate("ParameterRow", "%1\nFrom %2 to %3%4; default %5%4.")
       .arg(QCoreApplication::translate("Parameter", declaration_.sentence.c_str()),
-           declaredText(declaration_.minimum), declaredText(declaration_.maximum),
-           unitSuffix(declaration_), declaredText(declaration_.defaultValue));
+           parameterValueText(declaration_.minimum), parameterValueText(declaration_.maximum),
+           unitSuffix(declaration_), parameterValueText(declaration_.defaultValue));
 }
 
 } // namespace dewpoint::ui

@@ -195,7 +195,7 @@ void TargetPanel::refresh() {
   choose(std::min(std::max(0, before), static_cast<int>(targets.size()) - 1));
   refreshing_ = false;
   shown_ = chosen();
-  const bool boxes = document_.presentation().takesBoxes;
+  const bool boxes = document_.presentation().targetsAreBoxes;
   radiusLabel_->setVisible(!boxes);
   radius_->setVisible(!boxes);
   shapeLabel_->setVisible(!boxes);
@@ -216,7 +216,7 @@ void TargetPanel::refresh() {
 
 QString TargetPanel::hintOf(int row) const {
   const auto& targets = document_.project().targets;
-  if (document_.presentation().takesBoxes) {
+  if (document_.presentation().targetsAreBoxes) {
     return tr("Click the object or drag a box around it in any camera view. It is tracked from "
               "there.");
   }
@@ -275,16 +275,16 @@ QString TargetPanel::speedText(std::size_t target) const {
 
 void TargetPanel::showRows() {
   const auto& targets = document_.project().targets;
-  const bool showsColors = !document_.presentation().takesBoxes;
+  const bool showsColors = !document_.presentation().targetsAreBoxes;
   const std::vector<QColor> colors = targetColors(
       displayColorSources(targets, document_.methodFamily()), displayGround(palette()));
   std::vector<TargetRow> rows;
   for (std::size_t k = 0; k < targets.size(); ++k) {
     TargetRow row;
-    row.identity = colors[k];
+    row.identityColor = colors[k];
     row.isShown = targets[k].isShown;
     if (showsColors) {
-      row.learned = rangeColor(targets[k].color);
+      row.learnedColor = rangeColor(targets[k].color);
     }
     const bool isTracked = snapshot_ && k < snapshot_->targets.size();
     row.size = isTracked     ? sizeText(targets[k], snapshot_->targets[k].estimate)

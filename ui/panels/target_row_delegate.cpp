@@ -27,8 +27,8 @@ constexpr int kEyeSide = 18;
 
 void drawSwatch(QPainter& painter, const QRectF& place, const TargetRow& row) {
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(row.identity, kRing));
-  painter.setBrush(row.learned.value_or(row.identity));
+  painter.setPen(QPen(row.identityColor, kRing));
+  painter.setBrush(row.learnedColor.value_or(row.identityColor));
   painter.drawEllipse(place.adjusted(kRing / 2.0, kRing / 2.0, -kRing / 2.0, -kRing / 2.0));
 }
 

@@ -12,8 +12,8 @@ namespace dewpoint::ui {
 
 /// Content of a row in the list of targets, in addition to the name.
 struct TargetRow {
-  QColor identity;                    ///< target color in all views
-  std::optional<QColor> learned;      ///< learned target color; empty if the target needs no color
+  QColor identityColor;               ///< target color in all views
+  std::optional<QColor> learnedColor; ///< learned target color; empty if the target needs no color
   std::optional<TrackingState> state; ///< empty without a run
   QString size;
   QString speed;       ///< empty if unknown

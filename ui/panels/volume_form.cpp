@@ -48,8 +48,8 @@ void VolumeForm::createWidgets() {
   for (std::size_t corner = 0; corner < fields_.size(); ++corner) {
     const int row = 1 + 2 * static_cast<int>(corner);
     grid->addWidget(labels[corner], row, 0, 1, 3);
-    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-      const QString name = QLatin1String(kAxes[axis]);
+    for (std::size_t axis = 0; axis < kAxisLetters.size(); ++axis) {
+      const QString name = QLatin1String(kAxisLetters[axis]);
       QDoubleSpinBox* field = makeNumberField(
           (corner == 0 ? QStringLiteral("volumeFrom") : QStringLiteral("volumeTo")) + name,
           kCoordinates, this);
@@ -77,7 +77,7 @@ void VolumeForm::createWidgets() {
 
 void VolumeForm::connectFields() {
   for (std::size_t corner = 0; corner < fields_.size(); ++corner) {
-    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    for (std::size_t axis = 0; axis < kAxisLetters.size(); ++axis) {
       connect(fields_[corner][axis], &QDoubleSpinBox::valueChanged, this,
               [this, corner, axis](double meters) {
                 setCoordinate(corner, static_cast<int>(axis), meters);
@@ -105,7 +105,7 @@ void VolumeForm::refresh() {
   const bool isSet = document_.project().volumeOfInterest.has_value();
   const auto volume = shown();
   const WorldBox box = volume.value_or(unitBox());
-  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+  for (std::size_t axis = 0; axis < kAxisLetters.size(); ++axis) {
     showValue(*fields_[0][axis], box.min[static_cast<Eigen::Index>(axis)]);
     showValue(*fields_[1][axis], box.max[static_cast<Eigen::Index>(axis)]);
   }

@@ -67,7 +67,7 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
   connectActions();
   connect(&birdsEye, &BirdsEyeView::personClicked, &bench_.selection, &Selection::selectTarget);
   connect(&bench_.session, &SessionController::runStarted, this, [this] {
-    bench_.session.session()->setShapesShown(bench_.action("actionShowVolumes")->isChecked());
+    bench_.session.session()->setBodyShapesShown(bench_.action("actionShowVolumes")->isChecked());
     updateForMethod();
   });
   connect(&bench_.session, &SessionController::runEnded, this, [this] { ++run_; });
@@ -104,10 +104,10 @@ void PeopleDock::connectActions() {
   });
   bench_.onToggled("actionShowVolumes", this, [this](bool shown) {
     if (Session* session = bench_.session.session()) {
-      session->setShapesShown(shown);
+      session->setBodyShapesShown(shown);
     }
   });
-  bench_.onTriggered("actionExportPeople", this, [this] { askExport(); });
+  bench_.onTriggered("actionExportPeople", this, [this] { requestExport(); });
   bench_.requireRun(
       {"actionPlacePerson", "actionRemovePerson", "actionExportPeople", "actionShowVolumes"},
       [this] { return tracksPeople(); });
@@ -163,7 +163,7 @@ void PeopleDock::placePeople(bool placing) {
   }
 }
 
-void PeopleDock::askExport() {
+void PeopleDock::requestExport() {
   if (!bench_.session.isRunning()) {
     return;
   }
@@ -179,17 +179,17 @@ void PeopleDock::askExport() {
                           QDir(folder).exists(QStringLiteral("trajectory.csv"));
     return [this, folder, run, occupied] {
       if (occupied && run == run_) {
-        bench_.messages.ask(
+        bench_.messages.showQuestion(
             tr("%1 already contains files of an earlier export. Replace them?").arg(folder),
-            {{tr("Replace"), [this, folder, run] { write(folder, run); }}});
+            {{tr("Replace"), [this, folder, run] { writeTables(folder, run); }}});
       } else {
-        write(folder, run);
+        writeTables(folder, run);
       }
     };
   });
 }
 
-void PeopleDock::write(const QString& folder, int run) {
+void PeopleDock::writeTables(const QString& folder, int run) {
   const Session* session = bench_.session.session();
   if (session == nullptr || run != run_) {
     bench_.messages.showError(tr("The run has ended, so the 3D shapes of people were not saved."));

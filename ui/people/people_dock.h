@@ -42,10 +42,10 @@ private:
   /// Shows or hides docks and actions depending on the method.
   void updateForMethod();
   void placePeople(bool placing);
-  void askExport();
+  void requestExport();
   /// Writes the tables of the run with number `run` (see `run_`). Reports an error if that run is
   /// over.
-  void write(const QString& folder, int run);
+  void writeTables(const QString& folder, int run);
   bool tracksPeople() const;
   /// Applies a correction to the frame shown, in an undoable step of the document.
   void correct(const QString& step, PersonCorrection correction);

@@ -272,7 +272,7 @@ int PlotPanel::shownIterations() const {
 }
 
 void PlotPanel::copyCsv() {
-  QGuiApplication::clipboard()->setText(QString::fromStdString(stack_->exported().csv()));
+  QGuiApplication::clipboard()->setText(QString::fromStdString(stack_->plotExport().csv()));
   Q_EMIT notice(tr("The plots are on the clipboard as CSV."));
 }
 
@@ -287,7 +287,7 @@ void PlotPanel::chooseImageFile() {
 void PlotPanel::savePicture(const QString& file) {
   const bool asDrawing = file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
   files_.add(
-      [this, file, picture = stack_->exported().image(asDrawing)]() -> std::function<void()> {
+      [this, file, picture = stack_->plotExport().image(asDrawing)]() -> std::function<void()> {
         const bool saved = picture.save(file);
         return [this, file, saved] {
           if (saved) {

@@ -379,7 +379,7 @@ QString PlotStack::valuesText() const {
   return parts.join(QStringLiteral("; "));
 }
 
-PlotExport PlotStack::exported() {
+PlotExport PlotStack::plotExport() {
   return {*plot_, rows_, *navigation_, *cursor_, [this] { draw(); }};
 }
 

@@ -70,7 +70,7 @@ public:
   bool showsAll() const { return navigation_->showsAll(); }
 
   /// Returns an object that exports the plots as currently shown, for use in other programs.
-  PlotExport exported();
+  PlotExport plotExport();
   /// Returns all values at the cursor, with names and units.
   QString valuesText() const;
   /// Returns the position of the cursor as text: "frame 132, 4.40 s", or "frame 132, iteration 660,

@@ -22,7 +22,7 @@ TakeComparison::TakeComparison(const Workbench& bench)
   connect(&bench_.session, &SessionController::opened, this, &TakeComparison::offer);
   connect(&bench_.session, &SessionController::runEnded, this, [this] {
     job_->abandon();
-    bench_.messages.withdraw(question_);
+    bench_.messages.withdrawQuestion(question_);
   });
   connect(&bench_.session, &SessionController::closed, this, [this] { offered_.clear(); });
 }
@@ -42,7 +42,7 @@ void TakeComparison::offer() {
         return; // another project was opened meanwhile
       }
       question_ = tr("This take contains the results of the live run.");
-      bench_.messages.askUntilAnswered(
+      bench_.messages.showLastingQuestion(
           question_, {{tr("Compare results"), [this, file] { compare(file.parent_path()); }}});
     };
   });
@@ -62,7 +62,7 @@ void TakeComparison::compare(const std::filesystem::path& take) {
           if (!*compared) {
             bench_.messages.showError(errorText(compared->error()));
           } else if ((*compared)->isSame()) {
-            bench_.messages.ask(replayText(**compared), {});
+            bench_.messages.showQuestion(replayText(**compared), {});
           } else {
             bench_.messages.showWarning(replayText(**compared));
           }

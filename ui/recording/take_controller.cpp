@@ -129,7 +129,7 @@ std::shared_ptr<const LiveRun> TakeController::liveRun() const {
   auto live = std::make_shared<LiveRun>();
   if (const Session* session = bench_.session.session()) {
     RunRecord record = session->record();
-    live->report = runReport(record.project, record.figures);
+    live->report = runReport(record.project, record.statistics);
     live->project = std::move(record.project);
     live->trajectory = std::move(record.people.trajectory);
     live->sets = session->liveSets();
@@ -152,7 +152,7 @@ void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const
   if (const QString problem = takeProblem(take); !problem.isEmpty()) {
     text += QLatin1Char(' ') + tr("Problem: %1").arg(problem);
   }
-  bench_.messages.ask(
+  bench_.messages.showQuestion(
       text,
       {{tr("Open take"), [this, take] { Q_EMIT openRequested(take.folder / "project.toml"); }},
        {tr("Show folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }},

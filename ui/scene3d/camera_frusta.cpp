@@ -46,16 +46,16 @@ void CameraFrusta::show(const CameraRig& rig, double length) {
         unproject(camera, -0.5, -0.5, length), unproject(camera, right, -0.5, length),
         unproject(camera, right, bottom, length), unproject(camera, -0.5, bottom, length)};
     const Eigen::Vector3d center = camera.center();
-    edges.polyline({image[0], image[1], image[2], image[3], image[0]});
+    edges.addPolyline({image[0], image[1], image[2], image[3], image[0]});
     for (const Eigen::Vector3d& corner : image) {
-      edges.line(center, corner);
+      edges.addLine(center, corner);
     }
     // A roof over the upper edge says which way up the image is.
     const Eigen::Vector3d middle = 0.5 * (image[0] + image[1]);
     const Eigen::Vector3d up = (image[0] - image[3]) * 0.18;
-    faces.face({mix(middle, image[0], 0.4), middle + up, mix(middle, image[1], 0.4)});
-    faces.face(image);
-    plumbs.line(center, {center.x(), center.y(), 0.0});
+    faces.addFace({mix(middle, image[0], 0.4), middle + up, mix(middle, image[1], 0.4)});
+    faces.addFace(image);
+    plumbs.addLine(center, {center.x(), center.y(), 0.0});
     glyphs_.push_back({camera.name, center, {image[0], image[1], image[2], image[3]}, index});
   }
   edges.writeTo(edgeData_);

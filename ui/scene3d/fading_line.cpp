@@ -74,7 +74,7 @@ void FadingLine::draw() {
   for (auto begin = points_.begin(); begin != points_.end();) {
     const auto end = std::find_if_not(begin, points_.end(), isKnown);
     if (end - begin > 1) {
-      strokes.polyline({begin, end});
+      strokes.addPolyline({begin, end});
       for (auto point = begin; point != end; ++point) {
         const double age =
             static_cast<double>(points_.end() - point - 1) / static_cast<double>(points_.size());

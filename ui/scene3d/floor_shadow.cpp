@@ -80,7 +80,7 @@ void FloorShadow::show(const Eigen::Vector3d& point, double radius) {
   disc_->SetVisibility(point.z() > 0.0); // below the floor nothing throws a shadow on it
   plumb_->VisibilityOn();
   LinesAndFaces plumb;
-  plumb.line(point, {point.x(), point.y(), 0.0});
+  plumb.addLine(point, {point.x(), point.y(), 0.0});
   plumb.writeTo(plumbData_);
 }
 

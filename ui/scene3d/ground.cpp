@@ -28,7 +28,7 @@ void gridLines(const Eigen::AlignedBox2d& extent, int u, int v, double level, do
       Eigen::Vector3d to = from;
       from[axes[1 - i]] = extent.min()[1 - i];
       to[axes[1 - i]] = extent.max()[1 - i];
-      strokes.line(from, to);
+      strokes.addLine(from, to);
     }
   }
   strokes.writeTo(data);
@@ -116,10 +116,10 @@ void Ground::drawPlane() {
   const Eigen::Vector2d low = extent_.min();
   const Eigen::Vector2d high = extent_.max();
   LinesAndFaces strokes;
-  strokes.face({{low.x(), low.y(), z},
-                {high.x(), low.y(), z},
-                {high.x(), high.y(), z},
-                {low.x(), high.y(), z}});
+  strokes.addFace({{low.x(), low.y(), z},
+                   {high.x(), low.y(), z},
+                   {high.x(), high.y(), z},
+                   {low.x(), high.y(), z}});
   strokes.writeTo(planeData_);
 }
 
@@ -208,7 +208,7 @@ void Ground::drawAxes() {
     const Eigen::Vector3d base(0.0, 0.0, 0.001 * size);
     const Eigen::Vector3d tip = base + Eigen::Vector3d::Unit(axis) * length;
     LinesAndFaces strokes;
-    strokes.line(base, tip);
+    strokes.addLine(base, tip);
     strokes.writeTo(axisData_[axis]);
     names_[axis].clear();
     names_[axis].add(kAxisNames[axis], base + Eigen::Vector3d::Unit(axis) * length * 1.12, 12.0);

@@ -25,7 +25,7 @@ constexpr double kSurfaceOpacity = 0.30;
 constexpr double kWorst = 1e3; ///< of what counts as seen by nobody: meters of a sigma
 
 /// What surfaces are drawn through: even steps between values, falling from good to bad.
-double level(const MapLook& look, double value) {
+double level(const MapOptions& look, double value) {
   if (look.quantity == MapQuantity::CameraCount) {
     return value;
   }
@@ -33,7 +33,7 @@ double level(const MapLook& look, double value) {
 }
 
 /// Between the values of a class and those that are worse.
-double surfaceLevel(const MapLook& look, const MapClass& one) {
+double surfaceLevel(const MapOptions& look, const MapClass& one) {
   return look.quantity == MapQuantity::CameraCount ? one.bound - 0.5 : level(look, one.bound);
 }
 
@@ -62,9 +62,9 @@ MapActor::~MapActor() {
   }
 }
 
-void MapActor::show(std::shared_ptr<const RigMap> map, const MapLook& look) {
+void MapActor::show(std::shared_ptr<const RigMap> map, const MapOptions& look) {
   map_ = std::move(map);
-  look_ = look;
+  options_ = look;
   drawBox();
   drawSlice();
   drawSurfaces();
@@ -75,8 +75,8 @@ Eigen::AlignedBox3d MapActor::volume() const {
 }
 
 double MapActor::valueAt(std::size_t cell) const {
-  return look_.quantity == MapQuantity::CameraCount ? double(map_->counts[cell])
-                                                    : double(map_->sigmas[cell]);
+  return options_.quantity == MapQuantity::CameraCount ? double(map_->counts[cell])
+                                                       : double(map_->sigmas[cell]);
 }
 
 void MapActor::drawBox() {
@@ -89,7 +89,7 @@ void MapActor::drawBox() {
     for (int k = 0; k < 8; ++k) {
       for (const int bit : {1, 2, 4}) {
         if ((k & bit) == 0) {
-          strokes.line(corner(k), corner(k | bit));
+          strokes.addLine(corner(k), corner(k | bit));
         }
       }
     }
@@ -104,15 +104,15 @@ void MapActor::drawSlice() {
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   const auto layer =
-      map_ && look_.slice
-          ? cellAt(map_->grid, {map_->grid.low.x(), map_->grid.low.y(), look_.height})
+      map_ && options_.slice
+          ? cellAt(map_->grid, {map_->grid.low.x(), map_->grid.low.y(), options_.height})
           : std::nullopt;
   if (layer) {
     const VolumeGrid& grid = map_->grid;
-    const std::vector<MapClass> classes = mapClasses(look_);
+    const std::vector<MapClass> classes = mapClasses(options_);
     const Eigen::Vector3d size = grid.high - grid.low;
     // A little above the floor, which would flicker through it.
-    const double z = look_.height + 2e-3 * size.maxCoeff();
+    const double z = options_.height + 2e-3 * size.maxCoeff();
     const int columns = grid.cells[0], rows = grid.cells[1];
     for (int y = 0; y <= rows; ++y) {
       for (int x = 0; x <= columns; ++x) {
@@ -153,13 +153,14 @@ void MapActor::fill(vtkImageData& image) const {
   image.SetOrigin(origin.x(), origin.y(), origin.z());
   image.AllocateScalars(VTK_FLOAT, 1);
   auto* values = static_cast<float*>(image.GetScalarPointer());
-  const double outside = look_.quantity == MapQuantity::CameraCount ? 0.0 : level(look_, kWorst);
+  const double outside =
+      options_.quantity == MapQuantity::CameraCount ? 0.0 : level(options_, kWorst);
   for (int z = -1; z <= grid.cells[2]; ++z) {
     for (int y = -1; y <= grid.cells[1]; ++y) {
       for (int x = -1; x <= grid.cells[0]; ++x) {
         const bool in = x >= 0 && y >= 0 && z >= 0 && x < grid.cells[0] && y < grid.cells[1] &&
                         z < grid.cells[2];
-        *values++ = float(in ? level(look_, valueAt(grid.index(x, y, z))) : outside);
+        *values++ = float(in ? level(options_, valueAt(grid.index(x, y, z))) : outside);
       }
     }
   }
@@ -169,20 +170,20 @@ void MapActor::drawSurfaces() {
   for (const Surface& surface : surfaces_) {
     surface.actor->VisibilityOff();
   }
-  if (!map_ || !look_.volume) {
+  if (!map_ || !options_.volume) {
     return;
   }
   vtkNew<vtkImageData> image;
   fill(*image);
   std::size_t next = 0;
-  for (const MapClass& one : mapClasses(look_)) {
+  for (const MapClass& one : mapClasses(options_)) {
     if (!one.surface || next == surfaces_.size()) {
       continue;
     }
     Surface& surface = surfaces_[next++];
     vtkNew<vtkFlyingEdges3D> edges;
     edges->SetInputData(image);
-    edges->SetValue(0, surfaceLevel(look_, one));
+    edges->SetValue(0, surfaceLevel(options_, one));
     edges->ComputeScalarsOff();
     edges->Update();
     surface.data->ShallowCopy(edges->GetOutput());

@@ -25,8 +25,8 @@ public:
   MapActor& operator=(const MapActor&) = delete;
 
   /// Shows a map, or hides it if `map` is null.
-  void show(std::shared_ptr<const RigMap> map, const MapLook& look);
-  const MapLook& look() const { return look_; }
+  void show(std::shared_ptr<const RigMap> map, const MapOptions& look);
+  const MapOptions& options() const { return options_; }
   /// Returns the volume of the map in meters; empty without a map.
   Eigen::AlignedBox3d volume() const;
   void setPalette(const ScenePalette& palette);
@@ -53,7 +53,7 @@ private:
   vtkSmartPointer<vtkActor> slice_;
   std::array<Surface, kMaxSurfaces> surfaces_;
   std::shared_ptr<const RigMap> map_;
-  MapLook look_;
+  MapOptions options_;
 };
 
 } // namespace dewpoint::ui

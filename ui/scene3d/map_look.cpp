@@ -10,7 +10,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 } // namespace
 
-std::vector<MapClass> mapClasses(const MapLook& look) {
+std::vector<MapClass> mapClasses(const MapOptions& look) {
   if (look.quantity == MapQuantity::CameraCount) {
     return {{1.0, sceneColor(0xf0a35e), false},
             {2.0, sceneColor(0xc6dbef), true},

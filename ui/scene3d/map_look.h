@@ -14,7 +14,7 @@ enum class MapQuantity {
 };
 
 /// Appearance of a rig's map.
-struct MapLook {
+struct MapOptions {
   MapQuantity quantity = MapQuantity::Sigma;
   bool slice = true;   ///< shows a horizontal layer
   double height = 0.0; ///< height of the layer, meters
@@ -22,7 +22,7 @@ struct MapLook {
   /// Standard deviation (meters) that is good enough; it is the center of the color scale.
   double goodSigma = 0.005;
 
-  bool operator==(const MapLook&) const = default;
+  bool operator==(const MapOptions&) const = default;
 };
 
 /// Class of map values drawn in one color: values up to `bound` and above the bound of the
@@ -37,7 +37,7 @@ struct MapClass {
 /// value and three warm colors above it, after the RdYlBu scale of ColorBrewer, which color-blind
 /// users can distinguish. CameraCount: a warm color for one camera, and blues for two, three, four,
 /// and more cameras. Positions not seen by any camera are not drawn.
-std::vector<MapClass> mapClasses(const MapLook& look);
+std::vector<MapClass> mapClasses(const MapOptions& look);
 
 /// Returns the index of the class of a value, or the number of classes if the value is not drawn
 /// (NaN, or no camera).

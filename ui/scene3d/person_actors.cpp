@@ -21,10 +21,10 @@ void fillHull(const ConvexHull& hull, vtkPolyData* faces, vtkPolyData* edges) {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       // Every edge belongs to two faces, which go along it in opposite directions.
       if (face.at(k) < face.at((k + 1) % corners.size())) {
-        lines.line(corners[k], corners[(k + 1) % corners.size()]);
+        lines.addLine(corners[k], corners[(k + 1) % corners.size()]);
       }
     }
-    filled.face(corners);
+    filled.addFace(corners);
   }
   filled.writeTo(faces);
   lines.writeTo(edges);
@@ -38,7 +38,7 @@ void drawCurves(const std::vector<LevelCurve>& curves, vtkPolyData* data) {
     for (const Eigen::Vector2d& point : curve) {
       points.emplace_back(point.x(), point.y(), kAboveFloor);
     }
-    strokes.polyline(points);
+    strokes.addPolyline(points);
   }
   strokes.writeTo(data);
 }

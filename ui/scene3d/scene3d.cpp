@@ -54,7 +54,7 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
   if (snapshot.rig != parts.rig) {
     parts.showRig(snapshot.rig);
   }
-  parts.include(snapshot);
+  parts.includeInContent(snapshot);
   if (parts.imagesShown) {
     parts.images.show(parts.frusta.glyphs(), snapshot.frames);
   }
@@ -119,7 +119,7 @@ void Scene3d::highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes
   parts_->range.show(strokes);
 }
 
-void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
+void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapOptions& look) {
   SceneParts& parts = *parts_;
   const Eigen::AlignedBox3d before = parts.map.volume();
   parts.map.show(std::move(map), look);
@@ -132,7 +132,7 @@ void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
 
 std::optional<Eigen::Vector3d> Scene3d::positionInLayer(const Eigen::Vector2d& place) const {
   const Eigen::AlignedBox3d volume = parts_->map.volume();
-  const MapLook& look = parts_->map.look();
+  const MapOptions& look = parts_->map.options();
   if (volume.isEmpty() || !look.slice) {
     return std::nullopt;
   }
@@ -176,7 +176,7 @@ void Scene3d::showLineOfSight(const std::vector<Eigen::Vector3d>& line) {
   line.empty() ? parts_->lineOfSight.show({}) : parts_->lineOfSight.show({line});
 }
 
-void Scene3d::showPlanned(const CameraRig& cameras) {
+void Scene3d::showPlannedCameras(const CameraRig& cameras) {
   parts_->planned.show(cameras, parts_->frustumLength());
   parts_->planned.setPalette(parts_->plannedPalette());
 }
@@ -185,7 +185,7 @@ void Scene3d::clear() {
   setSnapshot(TrackSnapshot{});
 }
 
-void Scene3d::look(View view) {
+void Scene3d::setView(View view) {
   parts_->view = view;
   resetView();
 }
@@ -212,16 +212,17 @@ void Scene3d::copyView(const Scene3d& other, double aspect) {
   parts.chosenTarget = from.chosenTarget;
   showImages(from.imagesShown);
   parts.applyPalette();
-  look(from.view);
-  if (!from.moved || from.width <= 0 || from.height <= 0) {
+  setView(from.view);
+  if (!from.moved || from.viewportWidth <= 0 || from.viewportHeight <= 0) {
     return;
   }
-  parts.framedRig = from.framedRig; // or the first snapshot would fit the view to its rig
+  parts.rigFittedInView =
+      from.rigFittedInView; // or the first snapshot would fit the view to its rig
   parts.camera->DeepCopy(from.camera);
   parts.uprightPosition = from.uprightPosition;
   parts.moved = true;
   parts.framingPending = false;
-  const double seen = static_cast<double>(from.width) / from.height;
+  const double seen = static_cast<double>(from.viewportWidth) / from.viewportHeight;
   if (aspect < seen) {
     zoom(aspect / seen);
   }
@@ -241,16 +242,16 @@ void Scene3d::zoom(double factor) {
 
 void Scene3d::prepareFrame(int width, int height) {
   SceneParts& parts = *parts_;
-  const bool resized = width != parts.width || height != parts.height;
-  parts.width = width;
-  parts.height = height;
+  const bool resized = width != parts.viewportWidth || height != parts.viewportHeight;
+  parts.viewportWidth = width;
+  parts.viewportHeight = height;
   if (parts.framingPending || (resized && !parts.moved)) {
-    parts.frame();
+    parts.fitView();
     parts.framingPending = false;
   }
   parts.keepUpright();
   parts.setClipping();
-  parts.measure();
+  parts.updateScale();
   parts.ground.prepareFrame(parts.scale);
   parts.frusta.prepareFrame(parts.scale);
   parts.planned.prepareFrame(parts.scale);

@@ -65,7 +65,7 @@ public:
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   /// Shows the map of expected errors, or hides it if `map` is null. Stays in effect until the next
   /// call.
-  void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
+  void showMap(std::shared_ptr<const RigMap> map, const MapOptions& look);
   /// Returns the position on the horizontal map layer that is seen at `place` in the rendered
   /// image, as of the last `prepareFrame()`. Returns nothing outside the layer or if there is no
   /// layer. `place` is in device pixels, as in `projectToImage()`.
@@ -81,10 +81,10 @@ public:
   /// Stays in effect until the next call. The view is never fitted to it.
   void showLineOfSight(const std::vector<Eigen::Vector3d>& line);
   /// Shows planned cameras, which are drawn differently from the cameras of the rig.
-  void showPlanned(const CameraRig& cameras);
+  void showPlannedCameras(const CameraRig& cameras);
   /// Removes everything except the empty grid.
   void clear();
-  void look(View view);
+  void setView(View view);
   View view() const;
   /// Fits the current view to the whole scene again.
   void resetView();

@@ -102,17 +102,17 @@ std::array<unsigned char, 3> colorBytes(const SceneColor& color) {
 
 LinesAndFaces::LinesAndFaces() = default;
 
-void LinesAndFaces::line(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  polyline({from, to});
+void LinesAndFaces::addLine(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  addPolyline({from, to});
 }
 
-void LinesAndFaces::polyline(const std::vector<Eigen::Vector3d>& points) {
+void LinesAndFaces::addPolyline(const std::vector<Eigen::Vector3d>& points) {
   if (points.size() > 1 && allFinite(points)) {
     lines_.push_back(points);
   }
 }
 
-void LinesAndFaces::face(const std::vector<Eigen::Vector3d>& corners) {
+void LinesAndFaces::addFace(const std::vector<Eigen::Vector3d>& corners) {
   if (corners.size() > 2 && allFinite(corners)) {
     faces_.push_back(corners);
   }

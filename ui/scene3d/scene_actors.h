@@ -64,9 +64,9 @@ std::array<unsigned char, 3> colorBytes(const SceneColor& color);
 class LinesAndFaces {
 public:
   LinesAndFaces();
-  void line(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
-  void polyline(const std::vector<Eigen::Vector3d>& points);
-  void face(const std::vector<Eigen::Vector3d>& corners);
+  void addLine(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+  void addPolyline(const std::vector<Eigen::Vector3d>& points);
+  void addFace(const std::vector<Eigen::Vector3d>& corners);
   /// Replaces the content of `data` by the collected lines and faces.
   void writeTo(vtkPolyData* data) const;
 

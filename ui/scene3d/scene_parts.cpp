@@ -63,7 +63,7 @@ ScenePalette SceneParts::plannedPalette() const {
 
 void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
   const CameraRig none;
-  const std::shared_ptr<const CameraRig> last = framedRig; // lives on while it is compared
+  const std::shared_ptr<const CameraRig> last = rigFittedInView; // lives on while it is compared
   const CameraRig& before = last ? *last : none;
   const CameraRig& cameras = shown ? *shown : none;
   rigBox = rigBounds(cameras);
@@ -73,7 +73,7 @@ void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
   content = adjusted ? content.merged(rigBox) : rigBox;
   rig = shown;
   if (!cameras.empty()) {
-    framedRig = shown;
+    rigFittedInView = shown;
     if (!adjusted) {
       moved = moved && change != RigChange::Elsewhere;
       framingPending = framingPending || !moved;
@@ -85,7 +85,7 @@ void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
 }
 
 /// Lets the framed room grow with the estimates, but not after one that has run away.
-void SceneParts::include(const TrackSnapshot& snapshot) {
+void SceneParts::includeInContent(const TrackSnapshot& snapshot) {
   const Eigen::AlignedBox3d before = content;
   const double reach = rigBox.isEmpty() ? 100.0 : 3.0 * std::max(1.0, rigBox.diagonal().norm());
   const Eigen::Vector3d middle =
@@ -150,7 +150,7 @@ void SceneParts::coverGround() {
 }
 
 /// Puts floor and content into the picture, as large as they fit.
-void SceneParts::frame() {
+void SceneParts::fitView() {
   const Eigen::AlignedBox3d box = room();
   const Eigen::Vector3d side = view == View::Above   ? Eigen::Vector3d(Eigen::Vector3d::UnitZ())
                                : view == View::Front ? Eigen::Vector3d(-Eigen::Vector3d::UnitY())
@@ -161,10 +161,10 @@ void SceneParts::frame() {
                                     ? Eigen::Vector3d(Eigen::Vector3d::UnitX())
                                     : Eigen::Vector3d::UnitZ().cross(side).normalized();
   const Eigen::Vector3d up = side.cross(right);
-  const double pixels = std::max(1, height);
+  const double pixels = std::max(1, viewportHeight);
   const double free = std::max(0.5 * pixels, pixels - kBottomPx * scale.pixelRatio);
   const double across =
-      std::max(0.5 * std::max(1, width), width - 2.0 * kSidePx * scale.pixelRatio);
+      std::max(0.5 * std::max(1, viewportWidth), viewportWidth - 2.0 * kSidePx * scale.pixelRatio);
   const double aspect = across / free;
   const double slope = std::tan(kViewAngle / 2.0) * free / pixels;
   Eigen::Vector3d center = box.center();
@@ -242,16 +242,17 @@ void SceneParts::setClipping() {
   camera->SetClippingRange(view == View::Free ? std::max(0.01, 0.002 * far) : 0.01, far);
 }
 
-void SceneParts::measure() {
+void SceneParts::updateScale() {
   const Eigen::Vector3d focal = toEigen(camera->GetFocalPoint());
   scale.eye = toEigen(camera->GetPosition());
   scale.direction = toEigen(camera->GetDirectionOfProjection());
   scale.right = scale.direction.cross(toEigen(camera->GetViewUp())).normalized();
   scale.up = scale.right.cross(scale.direction);
   scale.parallel = camera->GetParallelProjection() != 0;
-  scale.slope = 2.0 * std::tan(kViewAngle / 2.0) / std::max(1, height);
-  scale.metersPerPixel = scale.parallel ? 2.0 * camera->GetParallelScale() / std::max(1, height)
-                                        : scale.slope * (focal - scale.eye).norm();
+  scale.slope = 2.0 * std::tan(kViewAngle / 2.0) / std::max(1, viewportHeight);
+  scale.metersPerPixel = scale.parallel
+                             ? 2.0 * camera->GetParallelScale() / std::max(1, viewportHeight)
+                             : scale.slope * (focal - scale.eye).norm();
 }
 
 } // namespace dewpoint::ui

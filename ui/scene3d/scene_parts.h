@@ -56,14 +56,14 @@ public:
   /// Updates the colors of all targets. Call it after a target color or the ground has changed.
   void applyTargetColors();
   void showRig(const std::shared_ptr<const CameraRig>& shown);
-  void include(const TrackSnapshot& snapshot);
+  void includeInContent(const TrackSnapshot& snapshot);
   void showCrowd(const TrackSnapshot& snapshot);
   void coverGround();
   Eigen::AlignedBox3d room() const; ///< box around the floor and the content, meters
-  void frame();
+  void fitView();
   void keepUpright();
   void setClipping();
-  void measure();
+  void updateScale();
 
   vtkNew<OrderedRenderer> renderer;
   vtkNew<vtkCamera> camera;
@@ -80,7 +80,8 @@ public:
   std::vector<DisplayColorSource> colorSources; ///< one per target
   MeanPath path;
   std::shared_ptr<const CameraRig> rig;
-  std::shared_ptr<const CameraRig> framedRig; ///< last rig with cameras that the view was fitted to
+  std::shared_ptr<const CameraRig>
+      rigFittedInView; ///< last rig with cameras that the view was fitted to
   /// Box around the cameras and what they look at, meters; empty without a rig.
   Eigen::AlignedBox3d rigBox;
   Eigen::AlignedBox3d content; ///< box around everything shown since the rig was set, meters
@@ -92,8 +93,8 @@ public:
   bool imagesShown = false;
   bool moved = false; ///< whether the user has moved the view
   bool framingPending = true;
-  int width = 0;
-  int height = 0;
+  int viewportWidth = 0;
+  int viewportHeight = 0;
   ScreenScale scale;
   Eigen::Vector3d uprightPosition = Eigen::Vector3d::Zero();
 };

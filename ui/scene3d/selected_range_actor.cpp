@@ -24,12 +24,12 @@ void SelectedRangeActor::show(const std::vector<std::vector<Eigen::Vector3d>>& s
   LinesAndFaces drawn;
   for (const auto& stroke : strokes) {
     if (stroke.size() > 1) {
-      drawn.polyline(stroke);
+      drawn.addPolyline(stroke);
     } else if (stroke.size() == 1) {
       // A single place: a short cross, so that it is seen at all.
       for (int axis = 0; axis < 3; ++axis) {
         const Eigen::Vector3d arm = 0.01 * Eigen::Vector3d::Unit(axis);
-        drawn.line(stroke.front() - arm, stroke.front() + arm);
+        drawn.addLine(stroke.front() - arm, stroke.front() + arm);
       }
     }
   }

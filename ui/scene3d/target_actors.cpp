@@ -46,7 +46,7 @@ void unitRings(vtkPolyData* data) {
       point[(axis + 2) % 3] = std::sin(angle);
       ring.push_back(point);
     }
-    strokes.polyline(ring);
+    strokes.addPolyline(ring);
   }
   strokes.writeTo(data);
 }
@@ -231,8 +231,8 @@ void TargetActors::drawTruth(const ScreenScale& scale) {
     }
     for (const double sign : {-1.0, 1.0}) {
       const Eigen::Vector3d arm = Eigen::Vector3d::Unit(axis) * sign;
-      hairs.line(scale.movedCloser(truth_ + arm * inner, nearer),
-                 scale.movedCloser(truth_ + arm * outer, nearer));
+      hairs.addLine(scale.movedCloser(truth_ + arm * inner, nearer),
+                    scale.movedCloser(truth_ + arm * outer, nearer));
     }
   }
   hairs.writeTo(truthData_);
@@ -251,7 +251,7 @@ void TargetActors::drawBest(const ScreenScale& scale) {
     corners.push_back(scale.movedCloser(corner, nearer));
   }
   LinesAndFaces triangle;
-  triangle.polyline(corners);
+  triangle.addPolyline(corners);
   triangle.writeTo(bestData_);
 }
 

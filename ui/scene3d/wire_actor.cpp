@@ -20,7 +20,7 @@ void WireActor::show(const std::vector<std::vector<Eigen::Vector3d>>& lines) {
   LinesAndFaces drawn;
   extent_.setEmpty();
   for (const auto& line : lines) {
-    drawn.polyline(line);
+    drawn.addPolyline(line);
     for (const Eigen::Vector3d& point : line) {
       extent_.extend(point);
     }

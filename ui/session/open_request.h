@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 /// Request to open a project, with what the window must do once it is open. The request is returned
 /// with the result, so it is not stored anywhere else.
 struct OpenRequest {
-  SessionRequest what;
+  SessionRequest source;
   /// True if the document's project is opened again with other inputs; the document then stays
   /// unchanged.
   bool keepHistory = false;

@@ -38,11 +38,12 @@ void ProjectLoader::open(OpenRequest request) {
   if (!std::exchange(opening_, true)) {
     Q_EMIT openingChanged(true);
   }
-  job_.start([this, opener = opener_, what = newestRequest_->what](const BackgroundJob::Progress&) {
+  job_.start([this, opener = opener_,
+              source = newestRequest_->source](const BackgroundJob::Progress&) {
     // What nobody wants any more is closed in a thread, too.
-    const std::shared_ptr<Result<SessionInputs>> result(new Result<SessionInputs>(opener(what)),
+    const std::shared_ptr<Result<SessionInputs>> result(new Result<SessionInputs>(opener(source)),
                                                         DetachedDelete());
-    const MissingFiles missing = *result ? nullptr : missingFilesOrNull(what);
+    const MissingFiles missing = *result ? nullptr : missingFilesOrNull(source);
     return [this, result, missing] { finish(result, missing); };
   });
 }

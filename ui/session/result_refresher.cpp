@@ -117,7 +117,7 @@ void ResultRefresher::setOld(OldResults old) {
 
 void ResultRefresher::setOffered(bool offers) {
   if (std::exchange(offers_, offers) != offers) {
-    Q_EMIT offered(offers);
+    Q_EMIT offerChanged(offers);
   }
 }
 

@@ -48,7 +48,7 @@ Q_SIGNALS:
   void oldResultsChanged();
   /// Emitted when frames with results of earlier settings can now be tracked again (`offers` is
   /// true), or no longer can.
-  void offered(bool offers);
+  void offerChanged(bool offers);
   /// Emitted when `trackAgain()` has finished or was abandoned.
   void refreshed();
 

@@ -121,7 +121,7 @@ void SessionController::open(OpenRequest request) {
 void SessionController::reopen() {
   // A project that is being opened takes the place of this one anyway.
   if (bridge_ != nullptr && (!loader_->isOpening() || loader_->isReopening())) {
-    loader_->open({.what = document_.project(), .keepHistory = true});
+    loader_->open({.source = document_.project(), .keepHistory = true});
   }
 }
 
@@ -367,7 +367,7 @@ void SessionController::startAfterLearning(bool isNew) {
   }
 }
 
-void SessionController::startAfterBox(bool isNew) {
+void SessionController::startAfterBoxDrawn(bool isNew) {
   if (!shown_ || shown_->state != PlayState::Paused || !isNew) {
     return;
   }

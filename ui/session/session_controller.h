@@ -96,7 +96,7 @@ public:
   /// Starts the run after a target got its first box. A later box does not start the run, because
   /// users often set several boxes in the same image, and a run that the user has paused stays
   /// paused.
-  void startAfterBox(bool isNew);
+  void startAfterBoxDrawn(bool isNew);
 
 Q_SIGNALS:
   void openingChanged(bool opening);

@@ -114,12 +114,12 @@ CalibrationAdaptation CalibrationChoice::adaptation() const {
   return fit_->adaptation();
 }
 
-bool CalibrationChoice::asksForNames() const {
-  return fit_->asksForNames();
+bool CalibrationChoice::isNameQuestionShown() const {
+  return fit_->isNameQuestionShown();
 }
 
-void CalibrationChoice::askFit() {
-  fit_->askFit();
+void CalibrationChoice::showFitQuestion() {
+  fit_->showFitQuestion();
 }
 
 QString CalibrationChoice::resultText(const CheckedCalibration& checked, bool& good) const {

@@ -44,9 +44,9 @@ public:
   CalibrationAdaptation adaptation() const;
   /// Returns whether the user is asked which camera of the file belongs to which camera of the
   /// project.
-  bool asksForNames() const;
+  bool isNameQuestionShown() const;
   /// Shows the question how the images differ from those of the calibration.
-  void askFit();
+  void showFitQuestion();
   /// Returns the last button in Tab order.
   QWidget* lastButton() const;
 

@@ -63,7 +63,7 @@ void CalibrationFit::reset() {
   fillNames();
 }
 
-void CalibrationFit::askFit() {
+void CalibrationFit::showFitQuestion() {
   fitRow_->show();
 }
 

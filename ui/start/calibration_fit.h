@@ -29,10 +29,10 @@ public:
   /// the same.
   void setNames(const std::vector<std::string>& cameras, const std::vector<std::string>& inFile);
   /// Returns whether the question about the names is shown.
-  bool asksForNames() const { return !choices_.empty(); }
+  bool isNameQuestionShown() const { return !choices_.empty(); }
   /// Shows the question how the images were changed since the calibration, for example scaled or
   /// cropped.
-  void askFit();
+  void showFitQuestion();
   /// Returns the user's answers.
   CalibrationAdaptation adaptation() const;
   /// Returns whether every camera of the project has a camera in the file, by the answers or by its

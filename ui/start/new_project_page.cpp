@@ -358,14 +358,14 @@ void NewProjectPage::createProject() {
 void NewProjectPage::finish(const Result<CreatedProject>& result) {
   refresh();
   if (!result) {
-    const AskedQuestion asked = askedQuestion(result.error());
+    const ImportProblem asked = importProblem(result.error());
     if (asked.question == ImportQuestion::Fit) {
-      calibration_->askFit();
+      calibration_->showFitQuestion();
       Q_EMIT failed(tr("%1. Choose below how the images differ from those of the calibration.")
                         .arg(errorText(asked.error)));
       return;
     }
-    if (asked.question == ImportQuestion::Names && calibration_->asksForNames()) {
+    if (asked.question == ImportQuestion::Names && calibration_->isNameQuestionShown()) {
       Q_EMIT failed(tr("%1. Choose the camera of the file for each camera of the project below.")
                         .arg(errorText(asked.error)));
       return;

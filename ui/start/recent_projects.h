@@ -34,7 +34,7 @@ public:
   /// Returns whether a file exists. Called from another thread.
   using Exists = std::function<bool(const QString& file)>;
   explicit RecentProjects(QObject* parent = nullptr);
-  void setExists(Exists exists) { exists_ = std::move(exists); }
+  void setExistsCheck(Exists exists) { exists_ = std::move(exists); }
 
   /// Returns the projects that can be opened, newest first.
   QStringList files() const;

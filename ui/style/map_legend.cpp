@@ -23,7 +23,7 @@ struct Entry {
   QString text;
 };
 
-std::vector<Entry> entries(const MapLook& look) {
+std::vector<Entry> entries(const MapOptions& look) {
   const std::vector<MapClass> classes = mapClasses(look);
   const bool counts = look.quantity == MapQuantity::CameraCount;
   std::vector<Entry> all;
@@ -50,7 +50,7 @@ std::vector<Entry> entries(const MapLook& look) {
 
 } // namespace
 
-void paintMapLegend(QPainter& painter, const QRect& area, const MapLook& look,
+void paintMapLegend(QPainter& painter, const QRect& area, const MapOptions& look,
                     const QPalette& palette) {
   painter.save();
   const QString title = look.quantity == MapQuantity::CameraCount

@@ -10,7 +10,7 @@ class QRect;
 namespace dewpoint::ui {
 
 /// Draws the color legend of a map in the upper right corner of `area`.
-void paintMapLegend(QPainter& painter, const QRect& area, const MapLook& look,
+void paintMapLegend(QPainter& painter, const QRect& area, const MapOptions& look,
                     const QPalette& palette);
 
 } // namespace dewpoint::ui

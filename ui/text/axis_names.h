@@ -6,6 +6,6 @@
 namespace dewpoint::ui {
 
 /// Names of the world axes in fields and messages. They are not translated.
-inline constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
+inline constexpr std::array<const char*, 3> kAxisLetters{"X", "Y", "Z"};
 
 } // namespace dewpoint::ui

@@ -47,7 +47,7 @@ QString findingAdvice(const Finding& finding) {
   return translated(textsOf(finding.kind).advice, finding.values);
 }
 
-QString findingPlace(const Finding& finding) {
+QString findingLocationText(const Finding& finding) {
   const QString file = QString::fromStdString(finding.file);
   const QString field = QString::fromStdString(finding.field);
   return file.isEmpty() || field.isEmpty() ? file + field : file + QStringLiteral(": ") + field;

@@ -16,6 +16,6 @@ QString findingText(const Finding& finding);
 /// Returns the translated action that a finding recommends; empty if there is nothing to do.
 QString findingAdvice(const Finding& finding);
 /// Returns the file and field of a finding, for example "room.toml: camera 1.video"; may be empty.
-QString findingPlace(const Finding& finding);
+QString findingLocationText(const Finding& finding);
 
 } // namespace dewpoint::ui

@@ -115,7 +115,7 @@ QString ratioText(double value) {
   return shortest(value, 3);
 }
 
-QString declaredText(double value) {
+QString parameterValueText(double value) {
   return shortest(value, 6);
 }
 

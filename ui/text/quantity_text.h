@@ -26,7 +26,7 @@ QString digitsText(double value, int digits);
 /// Returns a ratio with at most three significant digits, for example "1.08".
 QString ratioText(double value);
 /// Returns a parameter bound or default as declared, with at most six digits.
-QString declaredText(double value);
+QString parameterValueText(double value);
 /// Returns a rate per second with at most four digits and without the unit, for example "30" or
 /// "29.97".
 QString rateText(double perSecond);

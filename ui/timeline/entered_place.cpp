@@ -24,11 +24,11 @@ std::optional<double> secondsIn(const QString& number, const QLocale& locale) {
 
 } // namespace
 
-std::optional<EnteredPlace> enteredPlace(const QString& text, const QLocale& locale) {
+std::optional<EnteredPosition> enteredPosition(const QString& text, const QLocale& locale) {
   const QString entered = text.trimmed();
   if (entered.endsWith(QLatin1Char('s'), Qt::CaseInsensitive)) {
     const auto seconds = secondsIn(entered.chopped(1).trimmed(), locale);
-    return seconds ? std::optional<EnteredPlace>(*seconds) : std::nullopt;
+    return seconds ? std::optional<EnteredPosition>(*seconds) : std::nullopt;
   }
   for (const QLocale& numbers : {locale, QLocale::c()}) {
     bool ok = false;

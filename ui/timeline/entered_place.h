@@ -12,11 +12,11 @@
 namespace dewpoint::ui {
 
 /// Position in a run that the user enters: a frame, counted from 0, or a time in seconds.
-using EnteredPlace = std::variant<qint64, double>;
+using EnteredPosition = std::variant<qint64, double>;
 
 /// Parses a position in a run: "132" is the frame that the window shows as 132, and "2.5 s" is a
 /// time. Numbers may be written as in `locale` or as in English. Returns nothing if the text is
 /// neither a frame nor a time.
-std::optional<EnteredPlace> enteredPlace(const QString& text, const QLocale& locale);
+std::optional<EnteredPosition> enteredPosition(const QString& text, const QLocale& locale);
 
 } // namespace dewpoint::ui

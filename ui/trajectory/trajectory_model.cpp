@@ -20,7 +20,7 @@ std::size_t TrajectoryModel::replaceFrom(std::size_t first,
                                          const std::vector<TrajectorySample>& samples) {
   const MotionLog::Change change = log_.replaceFrom(first, samples);
   const int now = static_cast<int>(log_.rows().size());
-  if (change.dropped > 0 || now < rows_) {
+  if (change.droppedRows > 0 || now < rows_) {
     beginResetModel();
     rows_ = now;
     endResetModel();

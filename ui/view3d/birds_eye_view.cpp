@@ -49,7 +49,7 @@ BirdsEyeView::BirdsEyeView(QWidget* parent)
   });
   connect(picture_.get(), &ScenePicture::unavailable, this, [this] { buttons_->setShown(false); });
   buttons_->setCurrent(scene_.view());
-  connect(buttons_, &ViewButtons::chosen, this, &BirdsEyeView::look);
+  connect(buttons_, &ViewButtons::chosen, this, &BirdsEyeView::setView);
   connect(buttons_, &ViewButtons::fitRequested, this, &BirdsEyeView::resetView);
   connect(handles_, &CameraHandles::chosen, this, &BirdsEyeView::cameraChosen);
   connect(handles_, &CameraHandles::dragged, this, &BirdsEyeView::cameraDragged);
@@ -82,7 +82,7 @@ void BirdsEyeView::setSnapshot(const TrackSnapshotPtr& snapshot) {
 
 void BirdsEyeView::copyLook(const BirdsEyeView& other) {
   scene_.copyView(other.scene_, static_cast<double>(width()) / std::max(1, height()));
-  map_.set(other.map_.shared(), other.map_.look());
+  map_.set(other.map_.shared(), other.map_.options());
   chosenTarget_ = other.chosenTarget_;
   buttons_->setCurrent(scene_.view());
   sceneStale_ = true;
@@ -105,8 +105,8 @@ QSize BirdsEyeView::minimumSizeHint() const {
   return {200, 150};
 }
 
-void BirdsEyeView::look(Scene3d::View view) {
-  scene_.look(view);
+void BirdsEyeView::setView(Scene3d::View view) {
+  scene_.setView(view);
   buttons_->setCurrent(view);
   requestRendering();
   Q_EMIT viewChanged(view);
@@ -301,14 +301,14 @@ void BirdsEyeView::setCameraHandles(std::vector<CameraHandle> handles, int chose
   handles_->set(std::move(handles), chosen);
 }
 
-void BirdsEyeView::showMap(std::shared_ptr<const RigMap> map, const MapLook& look) {
+void BirdsEyeView::showMap(std::shared_ptr<const RigMap> map, const MapOptions& look) {
   if (map_.set(std::move(map), look)) {
     requestRendering();
   }
 }
 
-void BirdsEyeView::showPlanned(const CameraRig& cameras) {
-  scene_.showPlanned(cameras);
+void BirdsEyeView::showPlannedCameras(const CameraRig& cameras) {
+  scene_.showPlannedCameras(cameras);
   requestRendering();
 }
 

@@ -54,11 +54,11 @@ public:
 
   /// Shows the map of expected errors with a legend, or hides it if `map` is null. If several maps
   /// arrive before the next rendering, only the last one is drawn.
-  void showMap(std::shared_ptr<const RigMap> map, const MapLook& look);
+  void showMap(std::shared_ptr<const RigMap> map, const MapOptions& look);
   const RigMap* map() const { return map_.map(); }
-  const MapLook& mapLook() const { return map_.look(); }
+  const MapOptions& mapOptions() const { return map_.options(); }
   /// Shows planned cameras, which are drawn differently from the cameras in the snapshots.
-  void showPlanned(const CameraRig& cameras);
+  void showPlannedCameras(const CameraRig& cameras);
 
   /// Shows the volume of interest, or hides it if `volume` is empty.
   void showVolume(const std::optional<WorldBox>& volume) {
@@ -115,11 +115,11 @@ public:
   QSize minimumSizeHint() const override;
 
 public Q_SLOTS:
-  void look(dewpoint::ui::Scene3d::View view);
-  void lookFromAbove() { look(Scene3d::View::Above); }
-  void lookFromFront() { look(Scene3d::View::Front); }
-  void lookFromSide() { look(Scene3d::View::Side); }
-  void lookFree() { look(Scene3d::View::Free); }
+  void setView(dewpoint::ui::Scene3d::View view);
+  void lookFromAbove() { setView(Scene3d::View::Above); }
+  void lookFromFront() { setView(Scene3d::View::Front); }
+  void lookFromSide() { setView(Scene3d::View::Side); }
+  void lookFree() { setView(Scene3d::View::Free); }
   /// Fits the current view to the whole scene.
   void resetView();
 

@@ -13,19 +13,19 @@
 
 namespace dewpoint::ui {
 
-bool MapOverlay::set(std::shared_ptr<const RigMap> map, const MapLook& look) {
+bool MapOverlay::set(std::shared_ptr<const RigMap> map, const MapOptions& look) {
   if (map == nullptr && map_ == nullptr) {
     return false;
   }
   map_ = std::move(map);
-  look_ = look;
+  options_ = look;
   stale_ = true;
   return true;
 }
 
 void MapOverlay::updateScene() {
   if (std::exchange(stale_, false)) {
-    scene_.showMap(map_, look_);
+    scene_.showMap(map_, options_);
   }
 }
 
@@ -48,7 +48,7 @@ QString MapOverlay::textAt(const ViewProjection& projection, QPointF position) c
 
 void MapOverlay::paintLegend(QPainter& painter, const QWidget& view) const {
   if (map_ != nullptr) {
-    paintMapLegend(painter, view.rect(), look_, view.palette());
+    paintMapLegend(painter, view.rect(), options_, view.palette());
   }
 }
 

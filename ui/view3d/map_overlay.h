@@ -21,10 +21,10 @@ public:
   explicit MapOverlay(Scene3d& scene) : scene_(scene) {}
 
   /// Sets the map, or removes it if `map` is null. Returns false if nothing changes.
-  bool set(std::shared_ptr<const RigMap> map, const MapLook& look);
+  bool set(std::shared_ptr<const RigMap> map, const MapOptions& look);
   const RigMap* map() const { return map_.get(); }
   std::shared_ptr<const RigMap> shared() const { return map_; }
-  const MapLook& look() const { return look_; }
+  const MapOptions& options() const { return options_; }
   /// Shows the newest map in the scene. Call this before rendering, so that only the last of
   /// several maps is drawn.
   void updateScene();
@@ -35,7 +35,7 @@ public:
 private:
   Scene3d& scene_;
   std::shared_ptr<const RigMap> map_;
-  MapLook look_;
+  MapOptions options_;
   bool stale_ = false;
 };
 

@@ -63,7 +63,7 @@ public:
 
   bool start();
   QImage render(QSize size);
-  void pointer(Pointer what, QPoint position, bool shift, bool control);
+  void sendPointerEvent(Pointer event, QPoint position, bool shift, bool control);
 
   std::string reason;
 
@@ -170,9 +170,10 @@ QImage OffscreenVtk::Context::readBack(QSize size) {
   return picture.mirrored();
 }
 
-void OffscreenVtk::Context::pointer(Pointer what, QPoint position, bool shift, bool control) {
+void OffscreenVtk::Context::sendPointerEvent(Pointer event, QPoint position, bool shift,
+                                             bool control) {
   interactor_->SetEventInformationFlipY(position.x(), position.y(), control ? 1 : 0, shift ? 1 : 0);
-  switch (what) {
+  switch (event) {
   case Pointer::Move:
     interactor_->MouseMoveEvent();
     break;
@@ -212,7 +213,7 @@ bool OffscreenVtk::start() {
   return context_->start();
 }
 
-const std::string& OffscreenVtk::reason() const {
+const std::string& OffscreenVtk::startError() const {
   return context_->reason;
 }
 
@@ -220,8 +221,8 @@ QImage OffscreenVtk::render(QSize size) {
   return context_->render(size);
 }
 
-void OffscreenVtk::pointer(Pointer what, QPoint position, bool shift, bool control) {
-  context_->pointer(what, position, shift, control);
+void OffscreenVtk::sendPointerEvent(Pointer event, QPoint position, bool shift, bool control) {
+  context_->sendPointerEvent(event, position, shift, control);
 }
 
 } // namespace dewpoint::ui

@@ -37,16 +37,16 @@ public:
   OffscreenVtk& operator=(const OffscreenVtk&) = delete;
 
   /// Creates the OpenGL context; must be called once, first. Returns false if OpenGL is not usable.
-  /// Then only `reason()` may be called, which returns the reason in English.
+  /// Then only `startError()` may be called, which returns the reason in English.
   bool start();
-  const std::string& reason() const;
+  const std::string& startError() const;
 
   /// Renders one image of this size in device pixels.
   QImage render(QSize size);
 
   /// Passes a mouse event to the trackball camera. `position` is in device pixels from the top left
   /// corner.
-  void pointer(Pointer what, QPoint position, bool shift, bool control);
+  void sendPointerEvent(Pointer event, QPoint position, bool shift, bool control);
   /// Function that is called when the user has moved the view with the mouse.
   std::function<void()> onCameraMoved;
 

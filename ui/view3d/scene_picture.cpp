@@ -25,7 +25,7 @@ void ScenePicture::start() {
   started_ = true;
   vtk_ = std::make_unique<OffscreenVtk>(scene_.renderer());
   if (!vtk_->start()) {
-    failure_ = vtk_->reason();
+    failure_ = vtk_->startError();
     vtk_.reset();
     Q_EMIT unavailable();
     return;
@@ -85,7 +85,7 @@ bool ScenePicture::fits() const {
 
 void ScenePicture::movePointer(OffscreenVtk::Pointer what, QPointF position, bool shift) {
   if (vtk_) {
-    vtk_->pointer(what, (position * view_.devicePixelRatioF()).toPoint(), shift, false);
+    vtk_->sendPointerEvent(what, (position * view_.devicePixelRatioF()).toPoint(), shift, false);
   }
 }
 

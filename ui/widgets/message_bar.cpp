@@ -84,7 +84,7 @@ void MessageBar::dismiss() {
   }
   if (!pending_.empty()) {
     const Question next = pending_.back();
-    askUntilAnswered(next.text, next.answers);
+    showLastingQuestion(next.text, next.answers);
   }
 }
 
@@ -94,21 +94,21 @@ void MessageBar::forget(bool notices) {
   }
 }
 
-void MessageBar::askUntilAnswered(const QString& question, const std::vector<Answer>& answers) {
+void MessageBar::showLastingQuestion(const QString& question, const std::vector<Answer>& answers) {
   std::erase_if(pending_, [&](const Question& asked) { return asked.text == question; });
   pending_.push_back({question, answers});
-  ask(question, answers);
+  showQuestion(question, answers);
   showsPending_ = true;
 }
 
-void MessageBar::withdraw(const QString& question) {
+void MessageBar::withdrawQuestion(const QString& question) {
   if (!isHidden() && text() == question) {
     dismiss();
   }
   std::erase_if(pending_, [&](const Question& asked) { return asked.text == question; });
 }
 
-bool MessageBar::isAsking(const QString& question) const {
+bool MessageBar::isQuestionOpen(const QString& question) const {
   return std::ranges::any_of(pending_,
                              [&](const Question& asked) { return asked.text == question; });
 }
@@ -121,7 +121,7 @@ void MessageBar::clearAnswers() {
   answers_.clear();
 }
 
-void MessageBar::ask(const QString& question, const std::vector<Answer>& answers) {
+void MessageBar::showQuestion(const QString& question, const std::vector<Answer>& answers) {
   setMessage(question, Severity::Information);
   auto* row = static_cast<QHBoxLayout*>(layout());
   for (const Answer& answer : answers) {

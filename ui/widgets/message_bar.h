@@ -37,15 +37,15 @@ public:
   /// Answer to a question: its text, and the function it calls.
   using Answer = std::pair<QString, std::function<void()>>;
   /// Asks a question. Closing the bar gives no answer.
-  void ask(const QString& question, const std::vector<Answer>& answers);
+  void showQuestion(const QString& question, const std::vector<Answer>& answers);
   /// Asks a question until the user answers or closes it. If another message replaces the question,
   /// the question is asked again when this message is gone. Several questions can wait; the newest
   /// is asked first.
-  void askUntilAnswered(const QString& question, const std::vector<Answer>& answers);
+  void showLastingQuestion(const QString& question, const std::vector<Answer>& answers);
   /// Removes a question that no longer needs an answer, whether it is shown or waits.
-  void withdraw(const QString& question);
-  /// Returns whether a question of askUntilAnswered() is shown or waits.
-  bool isAsking(const QString& question) const;
+  void withdrawQuestion(const QString& question);
+  /// Returns whether a question of showLastingQuestion() is shown or waits.
+  bool isQuestionOpen(const QString& question) const;
   QString text() const;
   /// Removes the current message.
   void dismiss();

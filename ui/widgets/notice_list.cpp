@@ -60,12 +60,12 @@ void NoticeList::setNotices(const QStringList& notices) {
   refresh();
   for (const QString& notice : before) {
     if (!wanted.contains(notice)) {
-      Q_EMIT ended(notice);
+      Q_EMIT noticeEnded(notice);
     }
   }
   for (const QString& notice : wanted) {
     if (!before.contains(notice)) {
-      Q_EMIT began(notice);
+      Q_EMIT noticeBegan(notice);
     }
   }
 }
@@ -92,9 +92,9 @@ void NoticeList::refresh() {
   QStringList lines = notices_;
   lines.removeIf([this](const QString& notice) { return hidden_.contains(notice); });
   const QString all = lines.join(QLatin1Char('\n'));
-  const auto more = static_cast<int>(lines.size() - kMostLines);
+  const auto more = static_cast<int>(lines.size() - kMaxLines);
   if (more > 0) {
-    lines.resize(kMostLines);
+    lines.resize(kMaxLines);
     lines += tr("and %n more notice(s)", nullptr, more);
   }
   text_->setText(lines.join(QLatin1Char('\n')));

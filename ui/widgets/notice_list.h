@@ -19,7 +19,7 @@ class NoticeList : public QFrame {
 public:
   /// Maximum number of lines. If there are more notices, the last line states how many, and the
   /// tooltip lists all notices.
-  static constexpr qsizetype kMostLines = 4;
+  static constexpr qsizetype kMaxLines = 4;
 
   explicit NoticeList(QWidget* parent = nullptr);
 
@@ -36,9 +36,9 @@ public:
 
 Q_SIGNALS:
   /// Emitted when a notice begins, because its cause has appeared.
-  void began(const QString& notice);
+  void noticeBegan(const QString& notice);
   /// Emitted when a notice ends, because its cause is gone.
-  void ended(const QString& notice);
+  void noticeEnded(const QString& notice);
   /// Emitted when the number of hidden notices has changed.
   void hiddenCountChanged(qsizetype count);
 

@@ -62,7 +62,7 @@ ViewDock* DockManager::make(const DockDeclaration& declaration) {
     }
   });
   names_->addDock(dock);
-  Q_EMIT made(dock);
+  Q_EMIT dockMade(dock);
   return dock;
 }
 
@@ -180,12 +180,12 @@ void DockManager::distributeDockSizes() {
   arrangement_.distributeSizes();
 }
 
-void DockManager::keepHeightsBelow(bool kept) {
+void DockManager::lockLowerDockHeights(bool locked) {
   distributeDockSizesSoon();
   if (suitsSize_ || maximized_ != nullptr) {
     return;
   }
-  kept ? heightsBelow_.hold() : heightsBelow_.release();
+  locked ? heightsBelow_.hold() : heightsBelow_.release();
 }
 
 bool DockManager::eventFilter(QObject* watched, QEvent* event) {
@@ -231,7 +231,7 @@ void DockManager::showViews(bool shown) {
   if (shown) {
     pages->hide(); // whichever goes goes first: there is no room for both
   }
-  Q_EMIT viewsShowing(shown);
+  Q_EMIT viewsAboutToChange(shown);
   for (ViewDock* dock : docks()) {
     if (!shown) {
       dock->hide();

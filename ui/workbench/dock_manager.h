@@ -49,7 +49,7 @@ public:
   /// Keeps the heights of the docks below the images while the height of the area above the views
   /// changes, so that only the images shrink or grow. Call this with true before the change, and
   /// with false afterward.
-  void keepHeightsBelow(bool kept);
+  void lockLowerDockHeights(bool locked);
   /// Stores the layout of all views in the document, even while one is maximized or a page hides
   /// them.
   void storeLayout();
@@ -68,13 +68,13 @@ public:
   ViewDock* maximized() const { return maximized_; }
 
 Q_SIGNALS:
-  void made(ViewDock* dock);
+  void dockMade(ViewDock* dock);
   /// Emitted when the docks have been arranged again. Modes such as calibration must then show
   /// their docks.
   void laidOut();
-  /// viewsShowing() is emitted before the views are shown (true) or replaced by a page (false),
-  /// viewsShown() afterward.
-  void viewsShowing(bool shown);
+  /// viewsAboutToChange() is emitted before the views are shown (true) or replaced by a page
+  /// (false), viewsShown() afterward.
+  void viewsAboutToChange(bool shown);
   void viewsShown(bool shown);
 
 protected:

@@ -43,7 +43,7 @@ Status takeRequest(BoardOptions& options) {
   options.request.board = *board;
   options.request.firstFrame = frames->first;
   options.request.endFrame = frames->end;
-  options.request.lookFirst = !options.searchAll;
+  options.request.suggestBoardFirst = !options.searchAll;
   options.request.model = options.model == "8"         ? IntrinsicsModel::EightCoefficients
                           : options.model == "fisheye" ? IntrinsicsModel::Fisheye
                                                        : IntrinsicsModel::FiveCoefficients;
@@ -161,7 +161,7 @@ int intrinsicsOfPictures(const BoardOptions& options) {
       options.corners == "sample" ? DetectionEffort::Sample : DetectionEffort::Exact;
   const auto progress = interruptibleProgress();
   const auto seen =
-      findBoards(files, options.request.board, effort, progress, options.request.lookFirst);
+      findBoards(files, options.request.board, effort, progress, options.request.suggestBoardFirst);
   if (!seen) {
     return reportCalibrationError(seen.error());
   }

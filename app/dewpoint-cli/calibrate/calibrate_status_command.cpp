@@ -16,13 +16,13 @@
 namespace dewpoint::app {
 namespace {
 
-std::string lensText(const PartStatus& lens) {
+std::string lensText(const ItemStatus& lens) {
   return std::string(originText(lens)) +
          (lens.error ? fmt::format(" +-{:.2f} px", *lens.error) : "") +
          (lens.isPoor ? " (poor)" : "");
 }
 
-std::string poseText(const PartStatus& pose) {
+std::string poseText(const ItemStatus& pose) {
   return std::string(originText(pose)) +
          (pose.error ? fmt::format(" +-{:.1f} mm", inMillimeters(*pose.error)) : "") +
          (pose.isPoor ? " (poor)" : "");

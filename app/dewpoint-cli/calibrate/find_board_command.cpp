@@ -17,7 +17,7 @@ namespace {
 struct FindBoardOptions {
   std::vector<std::string> inputs;
   double square = 0.0; ///< side of a square, meters; 0: not known
-  int looks = kFramesToLookAt;
+  int looks = kBoardProposalFrames;
 };
 
 /// The boards, and one sentence about mirrored videos or none.

@@ -119,7 +119,7 @@ bool printTake(const TakeStatus& take) {
     }
     fmt::print("{}: {} images, {} dropped, {:.2f} per second, {:.1f} MB, times by {}\n",
                camera.name, counts.images, counts.dropped, counts.framesPerSecond,
-               static_cast<double>(counts.bytes) / kMegabyte, originName(counts.origin));
+               static_cast<double>(counts.bytes) / kMegabyte, timeOriginName(counts.origin));
   }
   return complete;
 }
@@ -202,7 +202,7 @@ Result<bool> awaitTrigger(TakeTrigger& trigger, bool isRemote, FrameSetSource& s
              isRemote ? " or the remote command record" : "");
   bool hasCome = false;
   const Status watched = watchCameras(source, notices, [&] {
-    hasCome = trigger.takeStart();
+    hasCome = trigger.mustStartTake();
     return hasCome || (trigger.hasInputEnded() && !isRemote) || allEnded(feeds);
   });
   return watched.map([&] { return hasCome; });
@@ -228,7 +228,7 @@ void printPreRoll(const TakeStatus& take, double wanted) {
 /// Prints the ports that are open.
 void printPorts(const broadcast::Broadcaster& remote) {
   for (const broadcast::OutletReport& port : remote.reports()) {
-    fmt::print("{}\n", broadcast::placeText(port));
+    fmt::print("{}\n", broadcast::outletAddressText(port));
   }
   std::fflush(stdout); // a program may wait for the port
 }
@@ -279,7 +279,7 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
   auto lastLook = begin;
   const Status watched = watchCameras(source, notices, [&] {
     const double seconds = std::chrono::duration<double>(RecordClock::now() - begin).count();
-    const bool isStopped = options.wait && trigger.takeStop();
+    const bool isStopped = options.wait && trigger.mustStopTake();
     if (isStopped || (options.seconds && seconds >= *options.seconds) || allEnded(feeds)) {
       return true;
     }

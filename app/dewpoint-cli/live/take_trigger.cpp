@@ -36,8 +36,8 @@ Status TakeTrigger::receive(const broadcast::RemoteCommand& command) {
   return refused("this program only records; use record and stop-recording");
 }
 
-bool TakeTrigger::takeStart() {
-  const bool isLine = takeLines() > 0;
+bool TakeTrigger::mustStartTake() {
+  const bool isLine = readPendingLines() > 0;
   std::scoped_lock lock(mutex_);
   if (isLine && stage_ == Stage::Waiting) {
     stage_ = Stage::Started;
@@ -45,8 +45,8 @@ bool TakeTrigger::takeStart() {
   return stage_ != Stage::Waiting;
 }
 
-bool TakeTrigger::takeStop() {
-  const bool isLine = takeLines() > 0;
+bool TakeTrigger::mustStopTake() {
+  const bool isLine = readPendingLines() > 0;
   std::scoped_lock lock(mutex_);
   if (isLine) {
     stage_ = Stage::Stopped;
@@ -59,7 +59,7 @@ std::string TakeTrigger::name() const {
   return name_;
 }
 
-int TakeTrigger::takeLines() {
+int TakeTrigger::readPendingLines() {
   int lines = 0;
   pollfd input{STDIN_FILENO, POLLIN, 0};
   while (!hasInputEnded_ && ::poll(&input, 1, 0) > 0) {

@@ -20,9 +20,9 @@ public:
   Status receive(const broadcast::RemoteCommand& command);
 
   /// Returns whether the take must start now, without waiting.
-  bool takeStart();
+  bool mustStartTake();
   /// Returns whether the take, which must have started, must stop now, without waiting.
-  bool takeStop();
+  bool mustStopTake();
   /// Returns whether standard input has ended, so that no further line can arrive.
   bool hasInputEnded() const { return hasInputEnded_; }
   /// Returns the name that the remote command gave the take; empty if it gave none.
@@ -32,7 +32,7 @@ private:
   enum class Stage { Waiting, Started, Stopped };
 
   /// Returns how many lines have come since the last call.
-  int takeLines();
+  int readPendingLines();
 
   mutable std::mutex mutex_; ///< guards `stage_` and `name_`
   Stage stage_ = Stage::Waiting;

@@ -22,8 +22,8 @@ SelfTestInputs partsOfThisComputer() {
   parts.openScene = [] { return openProject(SessionRequest("demo")); };
   parts.cameras = connectedCameras();
   std::error_code problem;
-  parts.scratch = std::filesystem::temp_directory_path(problem) /
-                  fmt::format("dewpoint-self-test-{}", ::getpid());
+  parts.scratchFolder = std::filesystem::temp_directory_path(problem) /
+                        fmt::format("dewpoint-self-test-{}", ::getpid());
   parts.shouldContinue = [] { return !interruptionRequested(); };
   return parts;
 }

@@ -13,7 +13,7 @@ namespace {
 
 std::string defaultText(const ParameterDeclaration& declaration) {
   const std::string text = fmt::format("{:g}", declaration.defaultValue);
-  return declaration.fromCameras ? text + ", or from the cameras" : text;
+  return declaration.derivedFromCameras ? text + ", or from the cameras" : text;
 }
 
 std::string meaningText(const ParameterDeclaration& declaration) {

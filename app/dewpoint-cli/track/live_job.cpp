@@ -64,7 +64,7 @@ public:
 
   void showPlaces(const broadcast::Broadcaster& broadcaster) {
     for (const broadcast::OutletReport& report : broadcaster.reports()) {
-      fmt::print(out_, "{}\n", broadcast::placeText(report));
+      fmt::print(out_, "{}\n", broadcast::outletAddressText(report));
     }
     std::fflush(out_); // a program may wait for the port
   }

@@ -38,7 +38,7 @@ Status RunNotes::tracked(const TrackingRun& run) {
       print(sentence(notices[printedMotions_]));
     }
   }
-  for (CameraDisagreement& found : agreementWatch_.found(run.definition()->family())) {
+  for (CameraDisagreement& found : agreementWatch_.disagreements(run.definition()->family())) {
     if (std::ranges::none_of(printedDisagreements_,
                              [&](const auto& one) { return one.isSameAs(found); })) {
       print(describeDisagreement(found, run.rig()));

@@ -18,7 +18,7 @@ struct StreamFormat {
   std::string_view fields; ///< contents of a frame, in one sentence
   /// Returns the text that a receiver gets before the first frame, and again after a change of the
   /// rig. An empty text is not sent.
-  std::string (*opening)(const RigMessage& rig);
+  std::string (*preamble)(const RigMessage& rig);
   /// Returns a frame as pieces: lines including their line ends, or datagrams. A receiver can
   /// understand each piece without the others.
   std::vector<std::string> (*encode)(const FrameMessage& frame);

@@ -66,7 +66,7 @@ bool areEqualInConstantTime(std::string_view a, std::string_view b) {
 }
 
 Result<RemoteCommand> parseRemoteCommand(std::string_view text) {
-  if (text.size() > kMaxRemoteBytes || isDeep(text)) {
+  if (text.size() > kMaxRemoteCommandBytes || isDeep(text)) {
     return failure(ErrorCode::NotParsed, "", "", "a short JSON object is expected");
   }
   const json read = json::parse(text, nullptr, false);

@@ -24,7 +24,7 @@ struct RemoteCommand {
 };
 
 /// Maximum length of a command line or WebSocket message, bytes. Longer ones are rejected.
-inline constexpr std::size_t kMaxRemoteBytes = 4096;
+inline constexpr std::size_t kMaxRemoteCommandBytes = 4096;
 /// Maximum length of the name of a recording, bytes.
 inline constexpr std::size_t kMaxRecordingName = 64;
 

@@ -12,14 +12,14 @@
 namespace dewpoint::broadcast {
 
 /// Sends each piece as one UDP datagram to one receiver. Does not notice if there is no receiver.
-/// Sends no opening.
+/// Sends no preamble.
 class DatagramSender final : public Outlet {
 public:
   /// Opens a socket for sending to `address` (HOST:PORT, which may be a broadcast or multicast
   /// address). `kind` is used in the report. Error: BadValue if the address is unknown.
   static Result<std::unique_ptr<DatagramSender>> open(const std::string& address, OutletKind kind);
 
-  void setOpening(const std::string& /*opening*/) override {}
+  void setPreamble(const std::string& /*preamble*/) override {}
   void send(const std::vector<std::string>& pieces) override;
   OutletReport report() const override;
 

@@ -42,7 +42,7 @@ void LineClient::addInput(const char* bytes, std::size_t count, std::vector<std:
       }
       input_.clear();
       isTooLong_ = false;
-    } else if (input_.size() < kMaxRemoteBytes) {
+    } else if (input_.size() < kMaxRemoteCommandBytes) {
       input_ += bytes[k];
     } else {
       isTooLong_ = true;

@@ -31,8 +31,8 @@ public:
   /// pieces that were sent completely. Closes the socket after an error.
   std::int64_t sendWaiting();
   /// Reads at most 16 KiB of the data that has arrived. Returns the lines that are now complete,
-  /// without their line ends. Lines longer than kMaxRemoteBytes are omitted. A client that has
-  /// closed only its sending side still receives data.
+  /// without their line ends. Lines longer than kMaxRemoteCommandBytes are omitted. A client that
+  /// has closed only its sending side still receives data.
   std::vector<std::string> receive();
 
 private:

@@ -48,9 +48,9 @@ Result<std::unique_ptr<LineFile>> LineFile::open(const std::filesystem::path& fi
   return made;
 }
 
-void LineFile::setOpening(const std::string& opening) {
-  isOpened_ = isOpened_ && opening == opening_;
-  opening_ = opening;
+void LineFile::setPreamble(const std::string& preamble) {
+  isOpened_ = isOpened_ && preamble == preamble_;
+  preamble_ = preamble;
 }
 
 bool LineFile::isReady() {
@@ -110,8 +110,8 @@ void LineFile::send(const std::vector<std::string>& pieces) {
   if (!isReady()) {
     return;
   }
-  if (!std::exchange(isOpened_, true) && !opening_.empty()) {
-    write(opening_);
+  if (!std::exchange(isOpened_, true) && !preamble_.empty()) {
+    write(preamble_);
   }
   for (const std::string& piece : pieces) {
     if (number_ >= 0 && !isBroken_) {

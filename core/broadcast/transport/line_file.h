@@ -13,7 +13,7 @@
 namespace dewpoint::broadcast {
 
 /// Writes lines to a file, a named pipe or standard output. send() opens a named pipe as soon as a
-/// program reads from it. Each reader first gets the opening. A line that does not fit into a pipe
+/// program reads from it. Each reader first gets the preamble. A line that does not fit into a pipe
 /// is dropped completely. send() blocks SIGPIPE in the thread that calls it.
 class LineFile final : public Outlet {
 public:
@@ -21,7 +21,7 @@ public:
   /// created, and the contents of an existing file are replaced. Error: FileUnwritable.
   static Result<std::unique_ptr<LineFile>> open(const std::filesystem::path& file);
 
-  void setOpening(const std::string& opening) override;
+  void setPreamble(const std::string& preamble) override;
   void send(const std::vector<std::string>& pieces) override;
   OutletReport report() const override;
 
@@ -38,8 +38,8 @@ private:
   bool isPipe_ = false;   ///< writing could wait
   bool isNamed_ = false;  ///< a named pipe, which can be opened again
   bool isBroken_ = false; ///< nothing more can be written
-  std::string opening_;
-  bool isOpened_ = false;    ///< the present reader has got the opening
+  std::string preamble_;
+  bool isOpened_ = false;    ///< the present reader has got the preamble
   mutable std::mutex mutex_; ///< of the report
   OutletReport report_;
 };

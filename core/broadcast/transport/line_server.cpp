@@ -76,15 +76,15 @@ public:
     wake();
   }
 
-  void setOpening(const std::string& opening) {
+  void setPreamble(const std::string& preamble) {
     {
       const std::lock_guard lock(mutex_);
-      if (opening == opening_) {
+      if (preamble == preamble_) {
         return;
       }
-      opening_ = opening;
+      preamble_ = preamble;
     }
-    send({opening});
+    send({preamble});
   }
 
   void send(const std::vector<std::string>& pieces) {
@@ -184,8 +184,8 @@ private:
     watchConnection(socket.number());
     LineClient& client = clients_.emplace_back(std::move(socket));
     const std::lock_guard lock(mutex_);
-    if (!opening_.empty()) {
-      client.push(std::make_shared<const std::string>(opening_));
+    if (!preamble_.empty()) {
+      client.push(std::make_shared<const std::string>(preamble_));
     }
     return true;
   }
@@ -197,7 +197,7 @@ private:
   std::list<LineClient> clients_; ///< of the thread
   std::mutex mutex_;              ///< of the next two
   std::deque<SharedBytes> pending_;
-  std::string opening_;
+  std::string preamble_;
   std::atomic<int> clientCount_ = 0;
   std::atomic<std::int64_t> sent_ = 0;
   std::atomic<std::int64_t> dropped_ = 0;
@@ -221,8 +221,8 @@ Result<std::unique_ptr<LineServer>> LineServer::open(const std::string& host, st
 LineServer::LineServer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 LineServer::~LineServer() = default;
 
-void LineServer::setOpening(const std::string& opening) {
-  impl_->setOpening(opening);
+void LineServer::setPreamble(const std::string& preamble) {
+  impl_->setPreamble(preamble);
 }
 void LineServer::send(const std::vector<std::string>& pieces) {
   impl_->send(pieces);

@@ -16,7 +16,7 @@ namespace dewpoint::broadcast {
 /// is one JSON object per line. Uses one thread for all clients.
 ///
 /// At most kMaxClients programs can be connected at the same time. A received line longer than
-/// kMaxRemoteBytes is ignored. If a client is too slow, lines for this client are dropped
+/// kMaxRemoteCommandBytes is ignored. If a client is too slow, lines for this client are dropped
 /// (OutgoingQueue). A client that does not acknowledge data for kUnansweredSeconds is disconnected.
 class LineServer final : public Outlet {
 public:
@@ -30,7 +30,7 @@ public:
   /// Disconnects all clients.
   ~LineServer() override;
 
-  void setOpening(const std::string& opening) override;
+  void setPreamble(const std::string& preamble) override;
   void send(const std::vector<std::string>& pieces) override;
   OutletReport report() const override;
   /// Returns the number of the open port.

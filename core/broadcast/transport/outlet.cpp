@@ -3,7 +3,7 @@
 
 namespace dewpoint::broadcast {
 
-std::string placeText(const OutletReport& report) {
+std::string outletAddressText(const OutletReport& report) {
   switch (report.kind) {
   case OutletKind::JsonLines:
     return "JSON lines at " + report.address;

@@ -37,7 +37,7 @@ struct OutletReport {
 
 /// Returns the kind and address of an output in English, for example "JSON lines at
 /// 127.0.0.1:9001".
-std::string placeText(const OutletReport& report);
+std::string outletAddressText(const OutletReport& report);
 
 /// Immutable bytes that several threads and clients share.
 using SharedBytes = std::shared_ptr<const std::string>;
@@ -47,9 +47,9 @@ using SharedBytes = std::shared_ptr<const std::string>;
 class Outlet {
 public:
   virtual ~Outlet() = default;
-  /// Sets the opening: text that each new receiver gets first. If the opening changes, connected
+  /// Sets the preamble: text that each new receiver gets first. If the preamble changes, connected
   /// receivers also get the new one.
-  virtual void setOpening(const std::string& opening) = 0;
+  virtual void setPreamble(const std::string& preamble) = 0;
   /// Sends the pieces of one frame (StreamFormat::encode).
   virtual void send(const std::vector<std::string>& pieces) = 0;
   /// Returns the status of the output.

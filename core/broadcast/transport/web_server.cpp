@@ -43,7 +43,7 @@ std::string_view view(beast::string_view text) {
 struct WebHub {
   std::shared_ptr<RemoteGate> gate;
   bool isLoopback = true;
-  std::string opening;
+  std::string preamble;
   PageTexts texts;
   std::set<class WebClient*> clients;
   int connections = 0; ///< also those that only look at the page
@@ -81,7 +81,7 @@ public:
     timeout.idle_timeout = std::chrono::seconds(30);
     timeout.keep_alive_pings = true;
     stream_.set_option(timeout);
-    stream_.read_message_max(kMaxRemoteBytes);
+    stream_.read_message_max(kMaxRemoteCommandBytes);
     stream_.text(true);
     stream_.auto_fragment(false); // simple clients read one frame as one message
     stream_.async_accept(request, [self = shared_from_this()](beast::error_code problem) {
@@ -105,8 +105,8 @@ private:
   void join() {
     hub_.clients.insert(this);
     hub_.clientCount = static_cast<int>(hub_.clients.size());
-    if (!hub_.opening.empty()) {
-      push(std::make_shared<const std::string>(hub_.opening));
+    if (!hub_.preamble.empty()) {
+      push(std::make_shared<const std::string>(hub_.preamble));
     }
   }
   void leave() {
@@ -265,11 +265,11 @@ public:
     net::post(context_, [this, texts] { hub_.texts = texts; });
   }
 
-  void setOpening(const std::string& opening) {
-    net::post(context_, [this, opening] {
-      if (hub_.opening != opening) {
-        hub_.opening = opening;
-        give(std::make_shared<const std::string>(opening));
+  void setPreamble(const std::string& preamble) {
+    net::post(context_, [this, preamble] {
+      if (hub_.preamble != preamble) {
+        hub_.preamble = preamble;
+        give(std::make_shared<const std::string>(preamble));
       }
     });
   }
@@ -373,8 +373,8 @@ WebServer::~WebServer() = default;
 void WebServer::setPageTexts(const PageTexts& texts) {
   impl_->setPageTexts(texts);
 }
-void WebServer::setOpening(const std::string& opening) {
-  impl_->setOpening(opening);
+void WebServer::setPreamble(const std::string& preamble) {
+  impl_->setPreamble(preamble);
 }
 void WebServer::send(const std::vector<std::string>& pieces) {
   impl_->send(pieces);

@@ -17,9 +17,9 @@ namespace dewpoint::broadcast {
 /// commands from them. Serves livePage() at `/` on the same port. Uses one thread for all clients.
 ///
 /// Limits: An HTTP request has at most 8 KiB of header and no body, and must be complete within
-/// kVisitSeconds. A message longer than kMaxRemoteBytes ends the connection. At most kMaxClients
-/// clients can be connected at the same time. A client that does not answer a ping within 30 s is
-/// disconnected.
+/// kVisitSeconds. A message longer than kMaxRemoteCommandBytes ends the connection. At most
+/// kMaxClients clients can be connected at the same time. A client that does not answer a ping
+/// within 30 s is disconnected.
 ///
 /// Requests from pages of other web sites are refused; see isAllowedOrigin().
 class WebServer final : public Outlet {
@@ -39,7 +39,7 @@ public:
   /// Sets the texts of the page. They are used when a browser loads the page the next time.
   /// Thread-safe.
   void setPageTexts(const PageTexts& texts);
-  void setOpening(const std::string& opening) override;
+  void setPreamble(const std::string& preamble) override;
   void send(const std::vector<std::string>& pieces) override;
   OutletReport report() const override;
   /// Returns the number of the open port.

@@ -72,10 +72,10 @@ std::optional<BoardDescription> boardOfGrid(const MarkerGrid& grid, const Marker
   board.inverted = reading.inverted;
   const double part =
       requested.kind == KindOfBoard::Charuco ? requested.markerSize / requested.squareSize : 0.0;
-  board = std::abs(part - grid.markerPart) < kSameMarkerPart
+  board = std::abs(part - grid.markerToSquareRatio) < kSameMarkerPart
               ? withMarkerSize(board, requested.markerSize)
               : withMarkerSize(board, board.squareSize *
-                                          std::round(grid.markerPart * kMarkerPartSteps) /
+                                          std::round(grid.markerToSquareRatio * kMarkerPartSteps) /
                                           kMarkerPartSteps);
   return withDictionary(board, reading.code, requested);
 }

@@ -131,7 +131,7 @@ int cornersOfPart(const BoardDetector& detector, const cv::Mat& image) {
 
 } // namespace
 
-BoardMiss whyBoardMissed(const BoardDetector& detector, const cv::Mat& image) {
+BoardMiss diagnoseMissedBoard(const BoardDetector& detector, const cv::Mat& image) {
   BoardMiss miss;
   if (image.cols * kEnlargement <= kMostEnlargedWidth) {
     // Exact: with less effort, it would be reduced again.

@@ -28,7 +28,7 @@ struct BoardMiss {
 /// Returns the reason why `detector` does not find its board in an image (CV_8UC1 or CV_8UC3, BGR).
 /// Returns Unknown unless the image proves a reason: the board is found in the reduced or enlarged
 /// image, or a part of the board is found in the original image. Takes up to a few seconds.
-BoardMiss whyBoardMissed(const BoardDetector& detector, const cv::Mat& image);
+BoardMiss diagnoseMissedBoard(const BoardDetector& detector, const cv::Mat& image);
 
 /// Returns the reason in a few words: "blurred, edges of 9 px". Empty if it is not known.
 std::string missReasonText(const BoardMiss& miss);

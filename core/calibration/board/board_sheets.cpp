@@ -53,12 +53,12 @@ Result<BoardSheets> splitOnSheets(const BoardDescription& board, const Paper& pa
   // Before anything is counted in whole numbers: a board in millimeters has millions of sheets.
   const double area = (width / paper.width) * (height / paper.height);
   std::optional<BoardSheets> best;
-  if (area <= kMostSheets) {
+  if (area <= kMaxSheets) {
     for (const bool lengthwise : {false, true}) {
       const BoardSheets sheets =
           splitIn(width, height, border, lengthwise ? paper.height : paper.width,
                   lengthwise ? paper.width : paper.height);
-      if (sheets.count() <= kMostSheets && (!best || sheets.count() < best->count())) {
+      if (sheets.count() <= kMaxSheets && (!best || sheets.count() < best->count())) {
         best = sheets;
       }
     }
@@ -66,7 +66,7 @@ Result<BoardSheets> splitOnSheets(const BoardDescription& board, const Paper& pa
   if (!best) {
     return failure(ErrorCode::BadValue, "", "paper",
                    fmt::format("the board of {:.0f} x {:.0f} mm needs more than {} sheets of {}",
-                               width, height, kMostSheets, paper.name));
+                               width, height, kMaxSheets, paper.name));
   }
   return *best;
 }

@@ -36,11 +36,11 @@ struct BoardSheets {
 
 /// Splits a board into parts that fit on sheets of `paper`. Chooses portrait or landscape,
 /// whichever needs fewer sheets. `border` is the width of the printed strip around the squares,
-/// millimeters. Error: BadValue if more than kMostSheets sheets would be needed.
+/// millimeters. Error: BadValue if more than kMaxSheets sheets would be needed.
 Result<BoardSheets> splitOnSheets(const BoardDescription& board, const Paper& paper, double border);
 
 /// Largest number of sheets on which a board is printed.
-inline constexpr int kMostSheets = 64;
+inline constexpr int kMaxSheets = 64;
 
 /// Returns the dark rectangles of the part of a board that is printed on one sheet, in positions on
 /// the page; millimeters. `dark` contains all dark rectangles, in positions on the board;

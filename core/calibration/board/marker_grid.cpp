@@ -117,15 +117,15 @@ MarkerGrid gridAsSeen(const std::vector<std::vector<ReadMarker>>& images, int co
   std::vector<double> sides;
   for (const auto& markers : images) {
     const auto placed = markersAtPlace(markers, squares);
-    grid.images += placed.ids.empty() ? 0 : 1;
-    grid.markers += static_cast<int>(placed.ids.size());
+    grid.imageCount += placed.ids.empty() ? 0 : 1;
+    grid.markerCount += static_cast<int>(placed.ids.size());
     sides.insert(sides.end(), placed.sides.begin(), placed.sides.end());
     for (const int id : placed.ids) {
       grid.rows = std::max(grid.rows, squares[static_cast<std::size_t>(id)].y + 1);
     }
   }
   if (!sides.empty()) {
-    grid.markerPart = upperMedian(std::move(sides));
+    grid.markerToSquareRatio = upperMedian(std::move(sides));
   }
   if (whiteFirst && grid.rows % 2 != 0) {
     ++grid.rows; // only boards with even rows begin with a white square: the last was not seen
@@ -146,10 +146,10 @@ std::vector<MarkerGrid> findMarkerGrids(const std::vector<std::vector<ReadMarker
   for (int columns = 2; most >= kLeastMarkersAtPlace && columns <= kMostGridColumns; ++columns) {
     for (const bool whiteFirst : {false, true}) {
       MarkerGrid grid = gridAsSeen(images, columns, whiteFirst, lastId);
-      if (grid.images == 0 || (!best.empty() && grid.markers < best.front().markers)) {
+      if (grid.imageCount == 0 || (!best.empty() && grid.markerCount < best.front().markerCount)) {
         continue;
       }
-      if (!best.empty() && grid.markers > best.front().markers) {
+      if (!best.empty() && grid.markerCount > best.front().markerCount) {
         best.clear();
       }
       if (best.size() < kMostEqualGrids) {

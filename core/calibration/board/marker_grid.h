@@ -12,9 +12,10 @@ struct MarkerGrid {
   int columns = 0;         ///< squares in a row
   int rows = 0;            ///< squares in a column, down to the lowest marker that was seen
   bool whiteFirst = false; ///< the first square is white and contains marker 0
-  double markerPart = 0.0; ///< side of a marker as a fraction of the side of a square
-  int images = 0;          ///< number of images that show the arrangement
-  int markers = 0; ///< number of markers in these images that are where the arrangement puts them
+  double markerToSquareRatio = 0.0; ///< side of a marker as a fraction of the side of a square
+  int imageCount = 0;               ///< number of images that show the arrangement
+  int markerCount =
+      0; ///< number of markers in these images that are where the arrangement puts them
 };
 
 /// Finds the ChArUco board whose arrangement of squares puts the markers where the images show

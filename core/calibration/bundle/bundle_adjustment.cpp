@@ -51,7 +51,7 @@ public:
 
   Result<BundleResult> run(const BundleCallback& callback) {
     ceres::Solver::Options options = solverOptions();
-    StopOnRequest stop(callback, std::max<std::size_t>(model_.used, 1));
+    StopOnRequest stop(callback, std::max<std::size_t>(model_.usedObservations, 1));
     options.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
     const auto begin = std::chrono::steady_clock::now();
@@ -62,14 +62,14 @@ public:
     if (summary.termination_type == ceres::FAILURE) {
       return failure(ErrorCode::Undetermined, "", "", "the optimization failed numerically");
     }
-    if (summary.termination_type == ceres::NO_CONVERGENCE && !model_.given.draft) {
+    if (summary.termination_type == ceres::NO_CONVERGENCE && !model_.problem.draft) {
       return failure(ErrorCode::Undetermined, "", "",
                      fmt::format("the optimization did not converge within {} iterations",
-                                 model_.given.maxIterations));
+                                 model_.problem.maxIterations));
     }
     BundleResult result = solution();
     result.iterations = static_cast<int>(summary.iterations.size());
-    if (auto known = model_.given.draft ? Status() : addCovariance(result); !known) {
+    if (auto known = model_.problem.draft ? Status() : addCovariance(result); !known) {
       return tl::make_unexpected(known.error());
     }
     result.seconds =
@@ -81,8 +81,8 @@ private:
   ceres::Solver::Options solverOptions() {
     ceres::Solver::Options options;
     options.num_threads = 1; // sums in one order: the same bits every time
-    options.max_num_iterations = model_.given.maxIterations;
-    options.function_tolerance = model_.given.draft ? kDraftTolerance : kFunctionTolerance;
+    options.max_num_iterations = model_.problem.maxIterations;
+    options.function_tolerance = model_.problem.draft ? kDraftTolerance : kFunctionTolerance;
     options.max_trust_region_radius = kLargestTrust;
     options.parameter_tolerance = kParameterTolerance;
     options.logging_type = ceres::SILENT;
@@ -120,7 +120,7 @@ private:
   BundleResult solution() {
     BundleResult result;
     for (std::size_t c = 0; c < model_.cameras.size(); ++c) {
-      Camera camera = model_.given.cameras[c].camera;
+      Camera camera = model_.problem.cameras[c].camera;
       const BundleModel::CameraBlocks& blocks = model_.cameras[c];
       if (model_.isVariable(model_.cameras[c].pose.data())) {
         const Eigen::Map<const Eigen::Vector3d> turn(blocks.pose.data());
@@ -148,7 +148,7 @@ private:
     const Eigen::Map<const Eigen::Vector3d> first(model_.states[s].values.data());
     const Eigen::Map<const Eigen::Vector3d> second(model_.states[s].values.data() + 3);
     state.known = model_.start.stateUsed[s] && model_.isInProblem(model_.states[s].values.data());
-    if (model_.given.bodies[state.body].kind == Kind::Board) {
+    if (model_.problem.bodies[state.body].kind == Kind::Board) {
       state.worldFromBoard.linear() = rotationFromTurn(first) * model_.states[s].rotation;
       state.worldFromBoard.translation() = second;
     } else {
@@ -158,24 +158,25 @@ private:
 
   void takeResiduals(BundleResult& result) {
     const double none = std::numeric_limits<double>::quiet_NaN();
-    result.residuals.assign(model_.costs.size(), Eigen::Vector2d(none, none));
+    result.residuals.assign(model_.costFunctions.size(), Eigen::Vector2d(none, none));
     std::vector<double> sums(model_.cameras.size(), 0.0);
     std::vector<std::size_t> counts(model_.cameras.size(), 0);
     double sum = 0.0;
-    for (std::size_t i = 0; i < model_.costs.size(); ++i) {
-      if (model_.costs[i] == nullptr) {
+    for (std::size_t i = 0; i < model_.costFunctions.size(); ++i) {
+      if (model_.costFunctions[i] == nullptr) {
         continue;
       }
       const std::vector<double*> blocks = model_.blocksOf(i);
-      model_.costs[i]->Evaluate(blocks.data(), result.residuals[i].data(), nullptr);
-      result.residuals[i] *= model_.given.observations[i].sigma;
+      model_.costFunctions[i]->Evaluate(blocks.data(), result.residuals[i].data(), nullptr);
+      result.residuals[i] *= model_.problem.observations[i].sigma;
       const double squares = result.residuals[i].squaredNorm();
-      sums[model_.given.observations[i].camera] += squares;
-      ++counts[model_.given.observations[i].camera];
+      sums[model_.problem.observations[i].camera] += squares;
+      ++counts[model_.problem.observations[i].camera];
       sum += squares;
     }
-    result.used = model_.used;
-    result.rms = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(model_.used, 1)));
+    result.used = model_.usedObservations;
+    result.rms =
+        std::sqrt(sum / static_cast<double>(std::max<std::size_t>(model_.usedObservations, 1)));
     for (std::size_t c = 0; c < sums.size(); ++c) {
       result.cameraRms.push_back(
           counts[c] == 0 ? none : std::sqrt(sums[c] / static_cast<double>(counts[c])));
@@ -185,7 +186,7 @@ private:
   /// The world's freedoms that nothing in the problem ties down.
   int gaugeFreedoms() const {
     std::size_t anchors = 0;
-    for (const BundleCamera& camera : model_.given.cameras) {
+    for (const BundleCamera& camera : model_.problem.cameras) {
       anchors += camera.poseFixed || camera.posePrior ? 1 : 0;
     }
     bool sized = anchors > 1;
@@ -193,7 +194,7 @@ private:
       if (!model_.start.stateUsed[s]) {
         continue;
       }
-      const Kind kind = model_.given.bodies[model_.start.states[s].body].kind;
+      const Kind kind = model_.problem.bodies[model_.start.states[s].body].kind;
       sized = sized || kind != Kind::Point;
       anchors += model_.start.states[s].fixed ? (kind == Kind::Board ? 1 : 0) : 0;
     }
@@ -218,7 +219,7 @@ private:
     for (std::size_t c = 0; c < model_.cameras.size(); ++c) {
       add(model_.cameras[c].pose.data(), c, CameraQuantity::TurnX, kPoseSize, {});
       add(model_.cameras[c].lens.data(), c, CameraQuantity::Focal, kLensSize,
-          BundleModel::fixedLensEntries(model_.given.cameras[c]));
+          BundleModel::fixedLensEntries(model_.problem.cameras[c]));
       add(&model_.cameras[c].offset, c, CameraQuantity::TimeOffset, 1, {});
     }
     for (BundleModel::StateBlock& state : model_.states) {

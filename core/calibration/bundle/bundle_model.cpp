@@ -21,8 +21,8 @@ ceres::Problem::Options problemOptions() {
 
 } // namespace
 
-BundleModel::BundleModel(const BundleProblem& problem, BundleStart usable)
-    : given(problem), start(std::move(usable)), solver(problemOptions()) {
+BundleModel::BundleModel(const BundleProblem& given, BundleStart usable)
+    : problem(given), start(std::move(usable)), solver(problemOptions()) {
   makeBlocks();
   addObservations();
   addSticks();
@@ -45,7 +45,7 @@ std::vector<int> BundleModel::fixedLensEntries(const BundleCamera& camera) {
 }
 
 void BundleModel::makeBlocks() {
-  for (const BundleCamera& wanted : given.cameras) {
+  for (const BundleCamera& wanted : problem.cameras) {
     CameraBlocks blocks;
     blocks.rotation = wanted.camera.cameraFromWorld.linear();
     Eigen::Map<Eigen::Vector3d>(blocks.pose.data() + 3) = wanted.camera.center();
@@ -57,7 +57,7 @@ void BundleModel::makeBlocks() {
     StateBlock block;
     Eigen::Map<Eigen::Vector3d> first(block.values.data());
     Eigen::Map<Eigen::Vector3d> second(block.values.data() + 3);
-    if (given.bodies[wanted.body].kind == Kind::Board) {
+    if (problem.bodies[wanted.body].kind == Kind::Board) {
       block.rotation = wanted.worldFromBoard.linear();
       second = wanted.worldFromBoard.translation();
     } else {
@@ -69,13 +69,13 @@ void BundleModel::makeBlocks() {
 }
 
 ceres::LossFunction* BundleModel::lossFor(double sigma) {
-  if (given.loss == RobustLoss::None) {
+  if (problem.loss == RobustLoss::None) {
     return nullptr;
   }
   auto& loss = losses[sigma];
   if (!loss) {
-    const double width = given.lossWidth / sigma;
-    switch (given.loss) {
+    const double width = problem.lossWidth / sigma;
+    switch (problem.loss) {
     case RobustLoss::Huber:
       loss = std::make_unique<ceres::HuberLoss>(width);
       break;
@@ -90,8 +90,8 @@ ceres::LossFunction* BundleModel::lossFor(double sigma) {
 }
 
 void BundleModel::addObservations() {
-  costs.resize(given.observations.size(), nullptr);
-  for (std::size_t i = 0; i < given.observations.size(); ++i) {
+  costFunctions.resize(problem.observations.size(), nullptr);
+  for (std::size_t i = 0; i < problem.observations.size(); ++i) {
     if (!start.observationUsed[i]) {
       continue;
     }
@@ -102,18 +102,18 @@ void BundleModel::addObservations() {
       start.observationUsed[i] = false; // behind the camera
       continue;
     }
-    solver.AddResidualBlock(cost.get(), lossFor(given.observations[i].sigma), blocks);
-    costs[i] = cost.release(); // the solver owns it
-    ++used;
+    solver.AddResidualBlock(cost.get(), lossFor(problem.observations[i].sigma), blocks);
+    costFunctions[i] = cost.release(); // the solver owns it
+    ++usedObservations;
   }
 }
 
 PixelCostSetup BundleModel::setupOf(std::size_t i) const {
-  const BundleObservation& seen = given.observations[i];
+  const BundleObservation& seen = problem.observations[i];
   const BundleState& state = start.states[seen.state];
-  const BundleBody& body = given.bodies[state.body];
+  const BundleBody& body = problem.bodies[state.body];
   PixelCostSetup setup;
-  setup.lens = given.cameras[seen.camera].camera.lens;
+  setup.lens = problem.cameras[seen.camera].camera.lens;
   setup.cameraRotation = cameras[seen.camera].rotation;
   setup.pixel = seen.pixel;
   setup.sigma = seen.sigma;
@@ -133,7 +133,7 @@ PixelCostSetup BundleModel::setupOf(std::size_t i) const {
 }
 
 std::vector<double*> BundleModel::blocksOf(std::size_t i) {
-  const BundleObservation& seen = given.observations[i];
+  const BundleObservation& seen = problem.observations[i];
   CameraBlocks& camera = cameras[seen.camera];
   std::vector<double*> blocks{camera.pose.data(), camera.lens.data(), &camera.offset};
   for (const std::size_t knot : start.knots[i]) {
@@ -147,7 +147,7 @@ std::vector<double*> BundleModel::blocksOf(std::size_t i) {
 
 void BundleModel::addSticks() {
   for (std::size_t s = 0; s < states.size(); ++s) {
-    const BundleBody& body = given.bodies[start.states[s].body];
+    const BundleBody& body = problem.bodies[start.states[s].body];
     if (body.kind == Kind::Stick && solver.HasParameterBlock(states[s].values.data())) {
       solver.AddResidualBlock(new StickCost(body.length, body.lengthSigma), nullptr,
                               states[s].values.data());
@@ -157,7 +157,7 @@ void BundleModel::addSticks() {
 
 void BundleModel::addPriors() {
   for (std::size_t c = 0; c < cameras.size(); ++c) {
-    const BundleCamera& wanted = given.cameras[c];
+    const BundleCamera& wanted = problem.cameras[c];
     CameraBlocks& blocks = cameras[c];
     if (wanted.posePrior && solver.HasParameterBlock(blocks.pose.data())) {
       const double rotationSigma = wanted.posePrior->rotationSigma;
@@ -184,7 +184,7 @@ void BundleModel::fixKnownParameters() {
     }
   };
   for (std::size_t c = 0; c < cameras.size(); ++c) {
-    const BundleCamera& wanted = given.cameras[c];
+    const BundleCamera& wanted = problem.cameras[c];
     const std::vector<int> held = fixedLensEntries(wanted);
     double* lens = cameras[c].lens.data();
     hold(cameras[c].pose.data(), wanted.poseFixed);

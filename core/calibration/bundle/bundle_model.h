@@ -13,8 +13,8 @@
 
 namespace dewpoint::calibration {
 
-/// Bundle problem in the form used by the solver: its parameters, and the costs computed from them.
-/// An object must not be moved, because the solver keeps pointers into it.
+/// Bundle problem in the form used by the solver: its parameters, and the costs computed
+/// from them. An object must not be moved, because the solver keeps pointers into it.
 class BundleModel {
 public:
   /// Parameters of a camera; see PixelCost.
@@ -30,7 +30,7 @@ public:
     std::array<double, 6> values{};
   };
 
-  BundleModel(const BundleProblem& problem, BundleStart start);
+  BundleModel(const BundleProblem& given, BundleStart start);
   BundleModel(const BundleModel&) = delete;
   BundleModel& operator=(const BundleModel&) = delete;
 
@@ -43,13 +43,13 @@ public:
   /// Returns the indices of the entries in a camera's lens block that are held fixed, ascending.
   static std::vector<int> fixedLensEntries(const BundleCamera& camera);
 
-  const BundleProblem& given;
+  const BundleProblem& problem;
   BundleStart start;
   std::vector<CameraBlocks> cameras;
   std::vector<StateBlock> states;
   std::vector<ceres::CostFunction*>
-      costs;            ///< one per observation; null if the observation is not used
-  std::size_t used = 0; ///< number of observations used
+      costFunctions;                ///< one per observation; null if the observation is not used
+  std::size_t usedObservations = 0; ///< number of observations used
   /// Loss functions, by BundleObservation::sigma.
   std::map<double, std::unique_ptr<ceres::LossFunction>> losses;
   ceres::Problem solver;

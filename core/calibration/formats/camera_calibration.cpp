@@ -16,7 +16,7 @@ constexpr double kLargest = 1e9;
 
 /// A 3x3 array of numbers under `key`.
 bool readMatrix(TableReader& reader, const char* key, Eigen::Matrix3d& matrix) {
-  const toml::node* node = reader.node(key);
+  const toml::node* node = reader.findNode(key);
   const toml::array* rows = node != nullptr ? node->as_array() : nullptr;
   bool good = rows != nullptr && rows->size() == 3;
   for (std::size_t row = 0; good && row < 3; ++row) {
@@ -44,7 +44,7 @@ bool readMatrix(TableReader& reader, const char* key, Eigen::Matrix3d& matrix) {
 void readIntrinsics(TableReader& reader, Intrinsics& intrinsics) {
   double size[2] = {};
   reader.require("size");
-  if (reader.numbers("size", size, 2, 1, limits::kMaxImageSide)) {
+  if (reader.readNumbers("size", size, 2, 1, limits::kMaxImageSide)) {
     intrinsics.width = static_cast<int>(size[0]);
     intrinsics.height = static_cast<int>(size[1]);
     if (intrinsics.width != size[0] || intrinsics.height != size[1]) {
@@ -75,7 +75,7 @@ void readIntrinsics(TableReader& reader, Intrinsics& intrinsics) {
 }
 
 void readDistortion(TableReader& reader, bool fisheye, std::array<double, 8>& distortion) {
-  const toml::node* node = reader.node("distortions");
+  const toml::node* node = reader.findNode("distortions");
   if (node == nullptr) {
     return;
   }
@@ -88,12 +88,12 @@ void readDistortion(TableReader& reader, bool fisheye, std::array<double, 8>& di
   if (fisheye && count > 4) {
     reader.fail(ErrorCode::BadValue, "distortions", "a fisheye has four coefficients");
   } else if (count > 0) {
-    reader.numbers("distortions", distortion.data(), count, -kLargest, kLargest);
+    reader.readNumbers("distortions", distortion.data(), count, -kLargest, kLargest);
   }
 }
 
 void readRotation(TableReader& reader, Camera& camera) {
-  const toml::node* node = reader.node("rotation");
+  const toml::node* node = reader.findNode("rotation");
   const toml::array* array = node != nullptr ? node->as_array() : nullptr;
   if (array != nullptr && array->size() == 3 && (*array)[0].is_array()) {
     Eigen::Matrix3d matrix;
@@ -108,7 +108,7 @@ void readRotation(TableReader& reader, Camera& camera) {
   }
   reader.require("rotation");
   Eigen::Vector3d vector;
-  if (reader.numbers("rotation", vector.data(), 3, -100, 100)) {
+  if (reader.readNumbers("rotation", vector.data(), 3, -100, 100)) {
     camera.cameraFromWorld.linear() = rotationFromVector(vector);
   }
 }
@@ -121,20 +121,20 @@ Result<Camera> cameraFromToml(const toml::table& table, const std::string& file,
   Camera camera;
   TableReader reader(table, file, prefix);
   for (const char* key : ignoredKeys) {
-    reader.node(key);
+    reader.findNode(key);
   }
-  reader.text("name", camera.name);
+  reader.readText("name", camera.name);
   readIntrinsics(reader, camera.intrinsics);
   bool fisheye = false;
-  reader.boolean("fisheye", fisheye);
+  reader.readBoolean("fisheye", fisheye);
   camera.lens = fisheye ? LensModel::Fisheye : LensModel::Pinhole;
   readDistortion(reader, fisheye, camera.distortion);
   readRotation(reader, camera);
   double unit = 1.0;
-  reader.number("unit", unit, 1e-9, kLargest);
+  reader.readNumber("unit", unit, 1e-9, kLargest);
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
   reader.require("translation");
-  reader.numbers("translation", translation.data(), 3, -kLargest, kLargest);
+  reader.readNumbers("translation", translation.data(), 3, -kLargest, kLargest);
   camera.cameraFromWorld.translation() = unit * translation;
   if (!(camera.cameraFromWorld.translation().cwiseAbs().maxCoeff() <= kLargest)) {
     reader.fail(ErrorCode::BadValue, "translation", fmt::format("more than {} m", kLargest));

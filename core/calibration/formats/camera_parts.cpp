@@ -71,7 +71,7 @@ std::string distortionFault(const CameraParts& parts) {
 } // namespace
 
 Result<Camera> checkedCamera(const CameraParts& parts, const std::string& file,
-                             const CameraPartNames& fields) {
+                             const CameraFieldNames& fields) {
   const auto fault = [&](const std::string& field, std::string detail) {
     return failure(ErrorCode::BadValue, file, field, std::move(detail));
   };

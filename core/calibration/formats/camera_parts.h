@@ -24,7 +24,7 @@ struct CameraParts {
 };
 
 /// Names of the parts of a camera in the file. They are used as the field in errors.
-struct CameraPartNames {
+struct CameraFieldNames {
   std::string size;
   std::string matrix;
   std::string distortion;
@@ -36,7 +36,7 @@ struct CameraPartNames {
 /// not finite, a size that is not a whole number of pixels, skew, a focal length that is not
 /// positive, more coefficients than the lens model has, or a matrix that is not a rotation.
 Result<Camera> checkedCamera(const CameraParts& parts, const std::string& file,
-                             const CameraPartNames& fields);
+                             const CameraFieldNames& fields);
 
 /// Returns the camera matrix [[fx, 0, cx], [0, fy, cy], [0, 0, 1]] in pixels, from intrinsics or
 /// from separate numbers.

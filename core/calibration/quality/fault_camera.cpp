@@ -50,7 +50,7 @@ struct Explained {
 
 class CameraSuspicion {
 public:
-  CameraSuspicion(const FaultSearchInput& input, const Suspect& suspect)
+  CameraSuspicion(const FaultSearchInput& input, const SuspectCamera& suspect)
       : input_(input), suspect_(suspect), initial_(input.problem.cameras[suspect.camera].camera),
         sigma_(kPositionNoise * std::max(suspect.sigmaPx, 1e-3)) {}
 
@@ -286,7 +286,7 @@ private:
   }
 
   const FaultSearchInput& input_;
-  const Suspect& suspect_;
+  const SuspectCamera& suspect_;
   const Camera& initial_;
   double sigma_;
   double numbers_ = 0.0;
@@ -299,7 +299,7 @@ private:
 } // namespace
 
 std::optional<DetectedFault> findCameraFault(const FaultSearchInput& input,
-                                             const Suspect& suspect) {
+                                             const SuspectCamera& suspect) {
   return CameraSuspicion(input, suspect).run();
 }
 

@@ -11,7 +11,7 @@ namespace dewpoint::calibration {
 
 /// Camera that was left out of a fit because it may have a fault, and the points as seen by the
 /// other cameras.
-struct Suspect {
+struct SuspectCamera {
   std::size_t camera = 0;
   const ImagePoints* imagePoints = nullptr;
   const PointPositions* positions = nullptr; ///< points triangulated by the other cameras
@@ -21,6 +21,7 @@ struct Suspect {
 
 /// Finds the fault that best explains the images of a suspect. Returns nothing if no fault explains
 /// them clearly better than assuming no fault.
-std::optional<DetectedFault> findCameraFault(const FaultSearchInput& input, const Suspect& suspect);
+std::optional<DetectedFault> findCameraFault(const FaultSearchInput& input,
+                                             const SuspectCamera& suspect);
 
 } // namespace dewpoint::calibration

@@ -12,7 +12,7 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr std::size_t kRun = 30; ///< states that stay together when a path is thinned
+constexpr std::size_t kRun = 30; ///< states that stay together when a path is subsampledBundle
 
 struct TimedView {
   std::size_t camera;
@@ -120,7 +120,7 @@ Result<BundleProblem> wandBundle(const WandProblem& problem) {
   return bundle;
 }
 
-BundleProblem thinned(const BundleProblem& problem, int most, bool inRuns) {
+BundleProblem subsampledBundle(const BundleProblem& problem, int most, bool inRuns) {
   const std::size_t run = inRuns ? kRun : 1;
   const std::size_t runs = (problem.states.size() + run - 1) / run;
   const std::size_t kept = std::max<std::size_t>(1, static_cast<std::size_t>(most) / run);

@@ -16,7 +16,7 @@ Result<BundleProblem> wandBundle(const WandProblem& problem);
 /// Reduces a problem to at most `most` states and their observations. The states that are kept are
 /// evenly spread in time. With `inRuns`, groups of 30 neighboring states are kept or removed as a
 /// whole, so that positions can still be interpolated between neighboring states.
-BundleProblem thinned(const BundleProblem& problem, int most, bool inRuns);
+BundleProblem subsampledBundle(const BundleProblem& problem, int most, bool inRuns);
 
 /// Sets BundleObservation::outlineShift of every observation, computed from the cameras and states
 /// in `now`. `ballRadius`: radii of balls 0 and 1, meters.

@@ -142,7 +142,7 @@ private:
   /// What the starts are judged on: instants from all over the path. Too far apart to be followed
   /// in time, they are taken as simultaneous; the loss bears what free cameras are off by that.
   static BundleProblem forStarts(const BundleProblem& bundle) {
-    BundleProblem part = thinned(bundle, kInstantsOfStart, false);
+    BundleProblem part = subsampledBundle(bundle, kInstantsOfStart, false);
     for (BundleObservation& seen : part.observations) {
       seen.lag = 0.0;
     }
@@ -204,7 +204,7 @@ private:
   /// Everything that is asked for, on all views; gross errors are dropped round after round.
   Status narrow(BundleProblem bundle) {
     const bool inTime = followsInTime(bundle); // then an instant costs far more
-    bundle = thinned(bundle, given_.maxInstants / (inTime ? 2 : 1), inTime);
+    bundle = subsampledBundle(bundle, given_.maxInstants / (inTime ? 2 : 1), inTime);
     freeRequested(bundle);
     setStick(bundle, kTightStick);
     result_.dropped.assign(bundle.cameras.size(), 0);

@@ -75,7 +75,7 @@ Result<FloorChange> floorThrough(const std::vector<Eigen::Vector3d>& points, con
                      std::sqrt(std::max(eigen.values[0], 0.0))};
 }
 
-Result<Similarity> levelAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+Result<Similarity> levelingRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const Eigen::Vector3d line = to - from;
   const Eigen::Vector3d flat(line.x(), line.y(), 0.0);
   if (!(flat.norm() > std::abs(line.z()))) {

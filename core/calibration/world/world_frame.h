@@ -33,7 +33,7 @@ Result<FloorChange> floorThrough(const std::vector<Eigen::Vector3d>& points, con
 /// Returns the change of the world frame after which the line from `from` to `to` is horizontal.
 /// The world is rotated about `from`, by the smallest angle. Error: Undetermined (field "level") if
 /// the two points are equal or if the line is closer to vertical than to horizontal.
-Result<Similarity> levelAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+Result<Similarity> levelingRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 /// Returns the change of the world frame after which `point` is the origin. The axes keep their
 /// directions.

@@ -98,7 +98,7 @@ AgreementModel::regionImagesOf(std::size_t color, std::size_t camera,
     for (const RegionSighting& sighting : image.regions) {
       const auto& [center, radius, sigma, byShape] = sighting.region;
       const double bias = std::hypot(byShape, anyShape * radius);
-      const bool counts = sighting.counts && counted++ % stride == 0;
+      const bool counts = sighting.isCounted && counted++ % stride == 0;
       const double uncertain =
           std::hypot(sigma, anyShape * radius, kMotionSigma * interval_ * sighting.rate.norm());
       SeenRegion seen{sighting.direction, sighting.directionRate, radius / focal,
@@ -123,7 +123,7 @@ double AgreementModel::biasOf(const Views& views, std::size_t camera) {
   for (const auto& color : views) {
     for (const RegionImage& instant : color[camera]) {
       for (const SeenRegion& seen : instant.seen) {
-        if (seen.counts) {
+        if (seen.isCounted) {
           biases.push_back(seen.bias);
         }
       }
@@ -159,7 +159,7 @@ void AgreementModel::compare(const Views& views, const std::vector<Pose>& poses,
     for (std::size_t a = 0; a < count; ++a) {
       for (const RegionImage& instant : views[color][a]) {
         for (const SeenRegion& seen : instant.seen) {
-          if (!seen.counts) {
+          if (!seen.isCounted) {
             continue;
           }
           const Eigen::Vector3d u = rotations[a] * seen.direction;
@@ -259,13 +259,13 @@ AgreementFit AgreementModel::evaluate(const Views& views, const std::vector<Pose
                 continue;
               }
               const SeenRegion& there = other.seen[i];
-              const Eigen::Vector3d byU = rotations[a].transpose() * matches[i].byU;
-              const Eigen::Vector3d byV = rotations[b].transpose() * matches[i].byV;
+              const Eigen::Vector3d residualByU = rotations[a].transpose() * matches[i].residualByU;
+              const Eigen::Vector3d residualByV = rotations[b].transpose() * matches[i].residualByV;
               Sums::Slope slope;
-              slope.segment<3>(0) = byU.cross(seen.direction);
-              slope[3] = -byV.dot(there.rate);
-              slope.segment<3>(4) = byV.cross(there.direction);
-              slope[7] = byV.dot(there.rate);
+              slope.segment<3>(0) = residualByU.cross(seen.direction);
+              slope[3] = -residualByV.dot(there.rate);
+              slope.segment<3>(4) = residualByV.cross(there.direction);
+              slope[7] = residualByV.dot(there.rate);
               sums.add(a, b, slope, share, matches[i].residual);
             }
           });
@@ -350,7 +350,7 @@ AgreementFit AgreementModel::fit(const AgreementHypothesis& hypothesis) const {
   return std::move(*best);
 }
 
-double AgreementModel::roughLogLikelihood(std::size_t camera, double delay) const {
+double AgreementModel::approximateLogLikelihood(std::size_t camera, double delay) const {
   std::vector<CameraError> errors(cameras_.size());
   errors[camera].delay = delay;
   double sum = 0.0;

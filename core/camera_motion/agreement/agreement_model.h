@@ -61,12 +61,12 @@ struct AgreementFit {
 /// Model of how likely it is that several cameras see their colored regions where they do, when it
 /// is unknown which region shows which object.
 ///
-/// Each sighting that counts (RegionSighting::counts) is compared with the regions that each other
-/// camera saw at the same time. At most one of these regions shows the same object. The ray to this
-/// region must pass close to the ray of the sighting, in front of both cameras, and the sizes must
-/// match. Rays are compared by the sine of the angle between one ray and the epipolar plane of the
-/// other ray, so that the unit of the rig does not matter. This is the first-order ("Sampson")
-/// error, normalized by the uncertainty of both centers.
+/// Each sighting that counts (RegionSighting::isCounted) is compared with the regions that each
+/// other camera saw at the same time. At most one of these regions shows the same object. The ray
+/// to this region must pass close to the ray of the sighting, in front of both cameras, and the
+/// sizes must match. Rays are compared by the sine of the angle between one ray and the epipolar
+/// plane of the other ray, so that the unit of the rig does not matter. This is the first-order
+/// ("Sampson") error, normalized by the uncertainty of both centers.
 ///
 /// Each camera may have the errors that are usual for calibrations and clocks. In addition, it may
 /// have an error that is caused by the shapes of its regions and looks like a rotation. All these
@@ -86,7 +86,7 @@ public:
   /// Returns a rough log likelihood of the sightings if the images of a camera are delayed by
   /// `delay` (seconds). Fits no errors, and uses only the pairs of cameras that include this
   /// camera.
-  double roughLogLikelihood(std::size_t camera, double delay) const;
+  double approximateLogLikelihood(std::size_t camera, double delay) const;
 
   /// Returns the median ratio of the measured to the known radius of targets. The median is taken
   /// over the regions that match between cameras with the errors `errors`. Returns nothing if only

@@ -47,7 +47,7 @@ public:
   std::optional<CameraDisagreement> decided(bool alsoUnknown) {
     std::ranges::stable_sort(all_, std::ranges::greater(),
                              [](const Candidate& one) { return one.disagreement.logOdds; });
-    if (all_.empty() || all_.front().disagreement.logOdds < kLeastLogOdds) {
+    if (all_.empty() || all_.front().disagreement.logOdds < kMinLogOdds) {
       return std::nullopt;
     }
     if (auto named = clearlyBest()) {
@@ -55,7 +55,7 @@ public:
     }
     const auto unknown = std::ranges::find_if(
         all_, [](const Candidate& one) { return one.disagreement.fault == CameraFault::Unknown; });
-    return alsoUnknown && unknown != all_.end() && unknown->disagreement.logOdds >= kLeastLogOdds
+    return alsoUnknown && unknown != all_.end() && unknown->disagreement.logOdds >= kMinLogOdds
                ? std::optional(unknown->disagreement)
                : std::nullopt;
   }
@@ -69,7 +69,7 @@ private:
     std::vector<std::vector<std::size_t>> pairs{best.cameras};
     for (std::size_t i = 1; i < all_.size(); ++i) {
       const CameraDisagreement& other = all_[i].disagreement;
-      if (best.logOdds - other.logOdds >= kLeastLead) {
+      if (best.logOdds - other.logOdds >= kMinLead) {
         break;
       }
       if (best.fault != CameraFault::Swapped || other.fault != CameraFault::Swapped ||
@@ -119,7 +119,7 @@ void addLate(const AgreementModel& model, Candidates& candidates) {
     hypothesis.freeDelay = camera;
     double best = -1e18;
     for (double delay = earliest; delay <= kMostDelay; delay += step) {
-      if (const double value = model.roughLogLikelihood(camera, delay); value > best) {
+      if (const double value = model.approximateLogLikelihood(camera, delay); value > best) {
         best = value;
         hypothesis.initialDelay = delay;
       }

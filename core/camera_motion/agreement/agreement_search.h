@@ -18,18 +18,18 @@ bool isGoodFit(const AgreementFit& asDeclared);
 bool isBadFit(const AgreementFit& asDeclared);
 
 /// Returns the fault that explains the sightings clearly better than no fault, and clearly better
-/// than every other fault. The log odds of this fault must be at least kLeastLogOdds against no
-/// fault, and at least kLeastLead against every other fault. `asDeclared` is the fit of the
+/// than every other fault. The log odds of this fault must be at least kMinLogOdds against no
+/// fault, and at least kMinLead against every other fault. `asDeclared` is the fit of the
 /// hypothesis without a fault. If there is no such fault and `alsoUnknown` is set, returns
-/// CameraFault::Unknown if its log odds are at least kLeastLogOdds. Otherwise returns nothing.
+/// CameraFault::Unknown if its log odds are at least kMinLogOdds. Otherwise returns nothing.
 std::optional<CameraDisagreement> findFault(const AgreementModel& model, const CameraRig& rig,
                                             const AgreementFit& asDeclared, bool alsoUnknown);
 
 /// Minimum log odds (natural logarithm) of a fault against no fault. At this limit, one report in
 /// twenty is wrong.
-inline constexpr double kLeastLogOdds = 3.0;
+inline constexpr double kMinLogOdds = 3.0;
 /// Minimum log odds (natural logarithm) of a fault against any other fault. At this limit, one
 /// report in twenty names the wrong fault.
-inline constexpr double kLeastLead = 3.0;
+inline constexpr double kMinLead = 3.0;
 
 } // namespace dewpoint::camera_motion

@@ -27,19 +27,21 @@ RegionMatch matchRegions(const SeenRegion& a, const Eigen::Vector3d& u, const Se
                          double field) {
   RegionMatch match;
   const Eigen::Vector3d along = apart.normalized();
-  const Eigen::Vector3d byU = v.cross(along);
-  const Eigen::Vector3d byV = along.cross(u);
+  const Eigen::Vector3d residualByU = v.cross(along);
+  const Eigen::Vector3d residualByV = along.cross(u);
   const double value = along.dot(u.cross(v));
-  const double leverU = std::sqrt(std::max(0.0, byU.squaredNorm() - std::pow(byU.dot(u), 2)));
-  const double leverV = std::sqrt(std::max(0.0, byV.squaredNorm() - std::pow(byV.dot(v), 2)));
+  const double leverU =
+      std::sqrt(std::max(0.0, residualByU.squaredNorm() - std::pow(residualByU.dot(u), 2)));
+  const double leverV =
+      std::sqrt(std::max(0.0, residualByV.squaredNorm() - std::pow(residualByV.dot(v), 2)));
   const double sigma =
       std::hypot(std::hypot(a.sigma, widening) * leverU, std::hypot(b.sigma, widening) * leverV);
   if (!(sigma > 0.0)) {
     return match; // both look along the line between the cameras
   }
   match.residual = value / sigma;
-  match.byU = byU / sigma;
-  match.byV = byV / sigma;
+  match.residualByU = residualByU / sigma;
+  match.residualByV = residualByV / sigma;
   match.density = normalDensity(match.residual) * field * leverV / sigma;
   const Eigen::Vector3d normal = u.cross(v);
   const double sine = normal.norm();

@@ -13,9 +13,9 @@ struct SeenRegion {
   Eigen::Vector3d direction; ///< direction to the center: unit vector, camera axes
   Eigen::Vector3d rate;      ///< change of `direction` per second
   double radius;
-  double sigma; ///< standard deviation of the center, per axis
-  double bias;  ///< part of `sigma` that is constant while the object moves
-  bool counts;  ///< RegionSighting::counts
+  double sigma;   ///< standard deviation of the center, per axis
+  double bias;    ///< part of `sigma` that is constant while the object moves
+  bool isCounted; ///< RegionSighting::isCounted
 };
 
 /// Result of matchRegions(): how well two regions, each in the image of another camera, match as
@@ -24,9 +24,9 @@ struct RegionMatch {
   double density = 0.0;  ///< likelihood divided by the likelihood of unrelated regions
   double residual = 0.0; ///< distance between the two rays, in standard deviations
   /// Derivative of `residual` with respect to the direction `u`.
-  Eigen::Vector3d byU = Eigen::Vector3d::Zero();
+  Eigen::Vector3d residualByU = Eigen::Vector3d::Zero();
   /// Derivative of `residual` with respect to the direction `v`.
-  Eigen::Vector3d byV = Eigen::Vector3d::Zero();
+  Eigen::Vector3d residualByV = Eigen::Vector3d::Zero();
   double size =
       0.0; ///< radius of the object seen by both cameras, in the unit of `apart`; 0: unknown
 };

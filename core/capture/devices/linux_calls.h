@@ -42,7 +42,7 @@ public:
   /// Returns 0, or the error number of the failed attempt to open the node.
   int openError() const { return descriptor_ < 0 ? -descriptor_ : 0; }
   /// Calls ioctl() for this node. Returns 0 or the error number.
-  template <class Argument> int ask(unsigned long request, Argument& argument) {
+  template <class Argument> int control(unsigned long request, Argument& argument) {
     return -calls_->control(descriptor_, request, &argument);
   }
 

@@ -79,7 +79,7 @@ std::vector<QueriedControl> queriedControls(LinuxNode& node) {
   for (int k = 0; k < kMostControls; ++k) {
     v4l2_query_ext_ctrl query{};
     query.id = last | V4L2_CTRL_FLAG_NEXT_CTRL;
-    if (node.ask(VIDIOC_QUERY_EXT_CTRL, query) != 0 || query.id <= last) {
+    if (node.control(VIDIOC_QUERY_EXT_CTRL, query) != 0 || query.id <= last) {
       break;
     }
     last = query.id;
@@ -109,7 +109,7 @@ std::optional<std::int64_t> valueOf(LinuxNode& node, const v4l2_query_ext_ctrl& 
   v4l2_ext_control control{};
   control.id = query.id;
   v4l2_ext_controls all = oneOf(control);
-  if (node.ask(VIDIOC_G_EXT_CTRLS, all) != 0) {
+  if (node.control(VIDIOC_G_EXT_CTRLS, all) != 0) {
     return std::nullopt;
   }
   const std::int64_t wide = control.value64; // copies: the structure is packed
@@ -124,7 +124,7 @@ std::vector<ControlMenuItem> menuOf(LinuxNode& node, const v4l2_query_ext_ctrl& 
     v4l2_querymenu item{};
     item.id = query.id;
     item.index = static_cast<std::uint32_t>(index);
-    if (node.ask(VIDIOC_QUERYMENU, item) != 0) {
+    if (node.control(VIDIOC_QUERYMENU, item) != 0) {
       continue; // the device does not have this one
     }
     const std::int64_t number = item.value; // a copy: the structure is packed
@@ -137,7 +137,7 @@ std::vector<ControlMenuItem> menuOf(LinuxNode& node, const v4l2_query_ext_ctrl& 
 
 } // namespace
 
-std::string systemReason(int errorNumber) {
+std::string systemErrorText(int errorNumber) {
   switch (errorNumber) {
   case EACCES:
   case EPERM:
@@ -198,12 +198,12 @@ Status setLinuxControl(LinuxNode& node, const std::string& path, const std::stri
     control.value = static_cast<std::int32_t>(value);
   }
   v4l2_ext_controls all = oneOf(control);
-  if (const int problem = node.ask(VIDIOC_S_EXT_CTRLS, all); problem != 0) {
+  if (const int problem = node.control(VIDIOC_S_EXT_CTRLS, all); problem != 0) {
     const bool isGone = problem == ENODEV;
     const bool isLocked = problem == EACCES; // read-only, or an automatic has it
     return failure(isGone ? ErrorCode::DeviceUnavailable : ErrorCode::BadValue, path, name,
                    isLocked ? "the device does not let it be set now"
-                            : fmt::format("{} is refused ({})", value, systemReason(problem)));
+                            : fmt::format("{} is refused ({})", value, systemErrorText(problem)));
   }
   return {};
 }

@@ -20,6 +20,6 @@ Status setLinuxControl(LinuxNode& node, const std::string& path, const std::stri
                        std::int64_t value);
 
 /// Returns a description of a system error number, as text to append after a colon.
-std::string systemReason(int errorNumber);
+std::string systemErrorText(int errorNumber);
 
 } // namespace dewpoint::capture

@@ -61,14 +61,14 @@ std::optional<CameraDevice> closedDevice(CameraDevice device, const SysfsFacts& 
   device.identity.name = facts.product.empty() ? sysfsName : facts.product;
   device.problem = problem == EACCES || problem == EPERM
                        ? "you have no permission to open it; add your user to the group 'video'"
-                       : "it cannot be opened: " + systemReason(problem);
+                       : "it cannot be opened: " + systemErrorText(problem);
   return device;
 }
 
 std::optional<CameraDevice> deviceAt(const fs::path& root, const LinuxCallsPtr& calls,
                                      const std::string& node) {
   const SysfsFacts facts = sysfsFacts(root, node);
-  const std::string byPath = linkTo(root, kByPath, node);
+  const std::string byPath = sysfsLinkTarget(root, kByPath, node);
   CameraDevice device;
   device.path = "/dev/" + node;
   device.address = byPath.empty() ? device.path : fmt::format("/{}/{}", kByPath, byPath);
@@ -81,7 +81,7 @@ std::optional<CameraDevice> deviceAt(const fs::path& root, const LinuxCallsPtr& 
     return closedDevice(std::move(device), facts, opened.openError(), node);
   }
   v4l2_capability capability{};
-  if (opened.ask(VIDIOC_QUERYCAP, capability) != 0 || !isCamera(capability)) {
+  if (opened.control(VIDIOC_QUERYCAP, capability) != 0 || !isCamera(capability)) {
     return std::nullopt;
   }
   device.formats = linuxFormats(opened);
@@ -124,7 +124,8 @@ std::vector<CameraDevice> LinuxDevices::list() {
     const std::string& serial = device.identity.serial;
     const auto others = [&](const CameraDevice& one) { return one.identity.serial == serial; };
     if (!serial.empty() && std::ranges::count_if(devices, others) == 1) {
-      const std::string byId = linkTo(root_, kById, fs::path(device.path).filename().string());
+      const std::string byId =
+          sysfsLinkTarget(root_, kById, fs::path(device.path).filename().string());
       device.address = byId.empty() ? device.address : fmt::format("/{}/{}", kById, byId);
     }
   }
@@ -135,7 +136,7 @@ std::string LinuxDevices::signature() {
   std::string text;
   for (const std::string& node : videoNodes(root_)) {
     text += fmt::format("{} {} {} {}\n", node, stateOf(root_ / "dev" / node),
-                        linkTo(root_, kByPath, node), linkTo(root_, kById, node));
+                        sysfsLinkTarget(root_, kByPath, node), sysfsLinkTarget(root_, kById, node));
   }
   return text;
 }
@@ -143,7 +144,7 @@ std::string LinuxDevices::signature() {
 Result<std::vector<DeviceControl>> LinuxDevices::controls(const std::string& path) {
   LinuxNode node(calls_, below(path));
   if (node.openError() != 0) {
-    return failure(ErrorCode::DeviceUnavailable, path, "", systemReason(node.openError()));
+    return failure(ErrorCode::DeviceUnavailable, path, "", systemErrorText(node.openError()));
   }
   return linuxControls(node);
 }
@@ -152,7 +153,7 @@ Status LinuxDevices::setControl(const std::string& path, const std::string& name
                                 std::int64_t value) {
   LinuxNode node(calls_, below(path));
   if (node.openError() != 0) {
-    return failure(ErrorCode::DeviceUnavailable, path, name, systemReason(node.openError()));
+    return failure(ErrorCode::DeviceUnavailable, path, name, systemErrorText(node.openError()));
   }
   return setLinuxControl(node, path, name, value);
 }

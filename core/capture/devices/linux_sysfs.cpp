@@ -83,7 +83,8 @@ SysfsFacts sysfsFacts(const fs::path& root, const std::string& node) {
   return facts;
 }
 
-std::string linkTo(const fs::path& root, const std::string& folder, const std::string& node) {
+std::string sysfsLinkTarget(const fs::path& root, const std::string& folder,
+                            const std::string& node) {
   std::string first;
   eachEntry(root / folder, [&](const fs::path& link) {
     std::error_code problem;

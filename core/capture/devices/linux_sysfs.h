@@ -27,7 +27,7 @@ SysfsFacts sysfsFacts(const std::filesystem::path& root, const std::string& node
 
 /// Returns the name of the first link to a node in a folder such as "dev/v4l/by-path". The result
 /// does not include the folder. It is empty if there is no such link.
-std::string linkTo(const std::filesystem::path& root, const std::string& folder,
-                   const std::string& node);
+std::string sysfsLinkTarget(const std::filesystem::path& root, const std::string& folder,
+                            const std::string& node);
 
 } // namespace dewpoint::capture

@@ -30,7 +30,7 @@ std::string percentDecoded(std::string_view text) {
 }
 
 /// host, host:port, [v6] or [v6]:port
-bool readHost(std::string_view text, AddressParts& parts) {
+bool readHost(std::string_view text, ParsedAddress& parts) {
   std::string_view port;
   if (text.starts_with('[')) {
     const std::size_t end = text.find(']');
@@ -53,12 +53,12 @@ bool readHost(std::string_view text, AddressParts& parts) {
 
 } // namespace
 
-std::optional<std::string> AddressParts::option(std::string_view name) const {
+std::optional<std::string> ParsedAddress::option(std::string_view name) const {
   const auto found = std::ranges::find(options, name, [](const auto& pair) { return pair.first; });
   return found != options.end() ? std::optional(found->second) : std::nullopt;
 }
 
-std::string AddressParts::withoutUser() const {
+std::string ParsedAddress::withoutUser() const {
   const bool isV6 = host.find(':') != std::string::npos;
   return scheme + "://" + (isV6 ? "[" + host + "]" : host) +
          (port ? ":" + std::to_string(*port) : "") + path;
@@ -80,12 +80,12 @@ std::vector<std::pair<std::string, std::string>> queryOptions(std::string_view q
   return options;
 }
 
-std::optional<AddressParts> addressParts(std::string_view address) {
+std::optional<ParsedAddress> parseAddress(std::string_view address) {
   const std::size_t separator = address.find("://");
   if (separator == std::string_view::npos || separator == 0) {
     return std::nullopt;
   }
-  AddressParts parts;
+  ParsedAddress parts;
   parts.scheme = toLowerCase(address.substr(0, separator));
   address.remove_prefix(separator + 3);
   const std::size_t end = std::min(address.find_first_of("/?#"), address.size());

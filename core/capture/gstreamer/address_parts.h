@@ -12,7 +12,7 @@ namespace dewpoint::capture {
 
 /// Parts of a network address such as http://user:password@host:8080/video?size=2. Missing parts
 /// are empty.
-struct AddressParts {
+struct ParsedAddress {
   std::string scheme; ///< scheme in lower case, without ://
   std::string user;   ///< user name, with percent escapes decoded
   std::string password;
@@ -30,7 +30,7 @@ struct AddressParts {
 
 /// Splits an address into its parts. Returns nothing if the address has no scheme or an invalid
 /// port.
-std::optional<AddressParts> addressParts(std::string_view address);
+std::optional<ParsedAddress> parseAddress(std::string_view address);
 
 /// Returns the names and values of the options in a query such as name=value&name=value, with
 /// percent escapes decoded.

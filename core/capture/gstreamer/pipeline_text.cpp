@@ -110,7 +110,7 @@ Result<PipelineText> devicePipeline(const LiveCamera& camera, const std::string&
   return pipeline;
 }
 
-PipelineText httpPipeline(const AddressParts& address) {
+PipelineText httpPipeline(const ParsedAddress& address) {
   std::string source = fmt::format("souphttpsrc location={} is-live=true do-timestamp=true "
                                    "timeout={} retries=0 iradio-mode=false",
                                    quotedValue(address.withoutUser()), kNetworkTimeoutSeconds);
@@ -142,13 +142,13 @@ constexpr std::array<RtpPayload, 4> kRtpPayloads{{
     {"H265", 96, "rtph265depay", kWaitingInterImages},
 }};
 
-std::string udpSource(const AddressParts& address) {
+std::string udpSource(const ParsedAddress& address) {
   return fmt::format("udpsrc address={} port={} buffer-size=4194304",
                      quotedValue(address.host.empty() ? "0.0.0.0" : address.host),
                      address.port.value_or(0));
 }
 
-Result<PipelineText> rtpPipeline(const LiveCamera& camera, const AddressParts& address) {
+Result<PipelineText> rtpPipeline(const LiveCamera& camera, const ParsedAddress& address) {
   const std::string encoding = address.option("encoding").value_or("MP2T");
   const auto* const payload = std::ranges::find_if(
       kRtpPayloads, [&](const RtpPayload& one) { return encoding == one.encoding; });
@@ -170,7 +170,7 @@ Result<PipelineText> rtpPipeline(const LiveCamera& camera, const AddressParts& a
 
 Result<PipelineText> addressPipeline(const LiveCamera& camera) {
   constexpr std::string_view kPortMissing = "the address needs a port, as in udp://0.0.0.0:5600";
-  const auto address = addressParts(camera.location);
+  const auto address = parseAddress(camera.location);
   if (!address) {
     return badLocation(camera, "this is not a valid address");
   }

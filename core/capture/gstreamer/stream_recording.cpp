@@ -270,8 +270,9 @@ void StreamRecording::Writer::writeTime(GstClockTime time) {
     return;
   }
   constexpr double kNanosecond = 1e-9;
-  const Status appended = table->append(fmt::format(
-      "{},{:.6f},{}\n", written, static_cast<double>(time) * kNanosecond, originName(lastOrigin)));
+  const Status appended =
+      table->append(fmt::format("{},{:.6f},{}\n", written, static_cast<double>(time) * kNanosecond,
+                                timeOriginName(lastOrigin)));
   if (!appended) {
     lock.unlock();
     setProblem(files.times, appended.error().detail);

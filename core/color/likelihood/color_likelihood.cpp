@@ -23,9 +23,9 @@ ColorLikelihood::ColorLikelihood(const std::vector<double>& logRatios) {
   const auto steps = std::make_shared<Steps>();
   for (std::size_t cell = 0; cell < kColorCellCount; ++cell) {
     assert(std::isfinite(logRatios[cell]));
-    const double bounded = std::clamp(logRatios[cell], -kMost, kMost);
+    const double bounded = std::clamp(logRatios[cell], -kMaxLogRatio, kMaxLogRatio);
     (*steps)[cell] = static_cast<std::int8_t>(std::lround(bounded / kStep));
-    if ((*steps)[cell] > -kMostSteps) {
+    if ((*steps)[cell] > -kMaxSteps) {
       const auto coordinates =
           boundedCoordinates(static_cast<int>(cell >> 10U), static_cast<int>((cell >> 5U) & 31U),
                              static_cast<int>(cell & 31U));
@@ -89,7 +89,7 @@ struct LogRatioKernel {
           out[begin + i] = steps[cells[i]];
         }
       } else {
-        std::memset(out + begin, static_cast<std::uint8_t>(-ColorLikelihood::kMostSteps),
+        std::memset(out + begin, static_cast<std::uint8_t>(-ColorLikelihood::kMaxSteps),
                     static_cast<std::size_t>(length));
       }
     }

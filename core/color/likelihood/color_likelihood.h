@@ -22,11 +22,11 @@ public:
   /// 0.01). The assumption is that nine in ten target pixels have the target's color, and that one
   /// in a hundred of all other pixels has this color by chance. For a matching pixel,
   /// core/observation/sphere/sphere_evidence.cpp uses the same values.
-  static constexpr int kMostSteps = 72;
-  static constexpr double kMost = kMostSteps * kStep; ///< nats
+  static constexpr int kMaxSteps = 72;
+  static constexpr double kMaxLogRatio = kMaxSteps * kStep; ///< nats
 
   /// Creates a table from the log ratio of each cell in nats: kColorCellCount finite numbers. The
-  /// numbers are rounded to steps and clamped to [-kMost, kMost].
+  /// numbers are rounded to steps and clamped to [-kMaxLogRatio, kMaxLogRatio].
   explicit ColorLikelihood(const std::vector<double>& logRatios);
 
   /// Returns the log ratio of a color, in steps.

@@ -148,7 +148,7 @@ ColorLikelihood TargetColorModel::likelihoodForCamera(const ColorGain& gain,
   const double trust = trustIn(weightOf(target), weightOf(others));
   const RangeOfCells inside(range_, gain);
   const RangeOfCells allowed(limits_, gain);
-  std::vector<double> logRatios(kColorCellCount, -ColorLikelihood::kMost);
+  std::vector<double> logRatios(kColorCellCount, -ColorLikelihood::kMaxLogRatio);
   std::size_t cell = 0;
   for (std::size_t b = 0; b < kColorCellsPerChannel; ++b) {
     for (std::size_t g = 0; g < kColorCellsPerChannel; ++g) {
@@ -161,8 +161,9 @@ ColorLikelihood TargetColorModel::likelihoodForCamera(const ColorGain& gain,
         const double unseenRest = kUnseenDensity * std::exp(-0.5 * prior);
         const double seen = std::log((targetDensity.at(cell) + unseen) /
                                      (restPerTarget * restDensity.at(cell) + unseenRest));
-        logRatios[cell] = (1.0 - trust) * prior +
-                          trust * std::clamp(seen, -ColorLikelihood::kMost, ColorLikelihood::kMost);
+        logRatios[cell] =
+            (1.0 - trust) * prior +
+            trust * std::clamp(seen, -ColorLikelihood::kMaxLogRatio, ColorLikelihood::kMaxLogRatio);
       }
     }
   }

@@ -27,7 +27,7 @@ enum class TruthOrigin {
 };
 
 /// Use of a clip during the development of methods.
-enum class TunedOn {
+enum class TuningUse {
   No,     ///< not known to have been viewed during development
   Viewed, ///< viewed or used for tests, but no constant is known to have been chosen on it
   Yes     ///< constants or defaults were chosen on this clip
@@ -43,7 +43,7 @@ struct ClipDeclaration {
   TruthOrigin origin = TruthOrigin::Marked;
   /// Standard deviation of the truth along each axis: in mm, or in pixels if `images` is set.
   double truthSigma = 0.0;
-  TunedOn tunedOn = TunedOn::No;
+  TuningUse tunedOn = TuningUse::No;
   std::string tuned; ///< what was tuned, or why nothing was tuned, in one clause
   int seeds = 5;     ///< default number of runs in a report
   /// True if the `truth` folder of ClipFolders is also needed.

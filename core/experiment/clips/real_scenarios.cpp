@@ -27,13 +27,13 @@ const char* originText(TruthOrigin origin) {
   return "from the targets' colors, not independent";
 }
 
-const char* tunedText(TunedOn tuned) {
+const char* tunedText(TuningUse tuned) {
   switch (tuned) {
-  case TunedOn::No:
+  case TuningUse::No:
     return "no";
-  case TunedOn::Viewed:
+  case TuningUse::Viewed:
     return "looked at";
-  case TunedOn::Yes:
+  case TuningUse::Yes:
     break;
   }
   return "yes";

@@ -20,9 +20,9 @@ struct ExperimentOptions {
   /// Callback that receives the progress `part` (0 to 1). It returns false to stop the experiment.
   std::function<bool(double part)> progress = {};
   /// Folder with the recordings juggle1 and otb. Empty if there are no recordings. Used by
-  /// experiments with FigureExperiment::takesRecordings.
+  /// experiments with FigureExperiment::usesRecordings.
   std::filesystem::path recordings = {};
-  /// Clothes of the simulated people. Used by experiments with FigureExperiment::takesClothes.
+  /// Clothes of the simulated people. Used by experiments with FigureExperiment::hasClothesOption.
   StudyClothes clothes = StudyClothes::Both;
   std::uint64_t firstSeed = kFirstReportingSeed;
 };

@@ -40,19 +40,19 @@ FigurePage::FigurePage(const std::string& title, const std::string& sentence)
                         "<p>{}</p>",
                         htmlEscaped(title), DEWPOINT_VERSION, htmlEscaped(sentence))) {}
 
-void FigurePage::heading(const std::string& text) {
+void FigurePage::addHeading(const std::string& text) {
   body_ += fmt::format("<h2>{}</h2>", htmlEscaped(text));
 }
 
-void FigurePage::paragraph(const std::string& text) {
+void FigurePage::addParagraph(const std::string& text) {
   body_ += fmt::format("<p>{}</p>", htmlEscaped(text));
 }
 
-void FigurePage::claim(const std::string& text, bool reproduced, const std::string& here) {
-  claim(text, reproduced ? ClaimOutcome::Reproduced : ClaimOutcome::NotReproduced, here);
+void FigurePage::addClaim(const std::string& text, bool reproduced, const std::string& here) {
+  addClaim(text, reproduced ? ClaimOutcome::Reproduced : ClaimOutcome::NotReproduced, here);
 }
 
-void FigurePage::claim(const std::string& text, ClaimOutcome outcome, const std::string& here) {
+void FigurePage::addClaim(const std::string& text, ClaimOutcome outcome, const std::string& here) {
   const char* style = outcome == ClaimOutcome::Reproduced ? "good"
                       : outcome == ClaimOutcome::InPart   ? "part"
                                                           : "bad";
@@ -63,34 +63,34 @@ void FigurePage::claim(const std::string& text, ClaimOutcome outcome, const std:
                        htmlEscaped(text), htmlEscaped(here));
 }
 
-void FigurePage::requirement(const std::string& word, bool good, const std::string& text) {
+void FigurePage::addRequirement(const std::string& word, bool good, const std::string& text) {
   body_ += fmt::format("<p><span class='chip {}'>{}</span> {}</p>", good ? "good" : "bad",
                        htmlEscaped(word), htmlEscaped(text));
 }
 
-void FigurePage::plots(const std::vector<std::pair<std::string, Plot>>& plots,
-                       const std::vector<std::pair<std::string, std::string>>& legend) {
+void FigurePage::addPlots(const std::vector<std::pair<std::string, Plot>>& plots,
+                          const std::vector<std::pair<std::string, std::string>>& legend) {
   body_ += plotsHtml(plots, legend);
 }
 
-void FigurePage::pngImage(const std::string& name, const std::string& caption,
-                          const cv::Mat& image) {
-  this->image(name, ".png", caption, image);
+void FigurePage::addPngImage(const std::string& name, const std::string& caption,
+                             const cv::Mat& image) {
+  addImage(name, ".png", caption, image);
 }
 
-void FigurePage::jpegImage(const std::string& name, const std::string& caption,
-                           const cv::Mat& image) {
-  this->image(name, ".jpg", caption, image);
+void FigurePage::addJpegImage(const std::string& name, const std::string& caption,
+                              const cv::Mat& image) {
+  addImage(name, ".jpg", caption, image);
 }
 
-void FigurePage::image(const std::string& name, const std::string& format,
-                       const std::string& caption, const cv::Mat& image) {
+void FigurePage::addImage(const std::string& name, const std::string& format,
+                          const std::string& caption, const cv::Mat& image) {
   files_.emplace_back(name + format, encodeImage(image, format));
   body_ += imageHtml(name + format, caption);
 }
 
-void FigurePage::table(const std::vector<std::string>& head,
-                       const std::vector<std::vector<std::string>>& rows) {
+void FigurePage::addTable(const std::vector<std::string>& head,
+                          const std::vector<std::vector<std::string>>& rows) {
   body_ += "<div class='scroll'><table><thead>" + rowOf(head, "th") + "</thead><tbody>";
   for (const auto& row : rows) {
     body_ += rowOf(row, "td");
@@ -98,7 +98,7 @@ void FigurePage::table(const std::vector<std::string>& head,
   body_ += "</tbody></table></div>";
 }
 
-void FigurePage::data(const std::string& name, std::string text) {
+void FigurePage::addDataFile(const std::string& name, std::string text) {
   body_ += fmt::format("<p class='soft'>The numbers: <a href='{0}'>{0}</a></p>", name);
   files_.emplace_back(name, std::move(text));
 }

@@ -30,30 +30,30 @@ public:
   FigurePage(const std::string& title, const std::string& sentence);
 
   /// Adds a section heading.
-  void heading(const std::string& text);
+  void addHeading(const std::string& text);
   /// Adds a paragraph of text.
-  void paragraph(const std::string& text);
+  void addParagraph(const std::string& text);
   /// Adds a claim of a paper (`text`), whether this experiment reproduces it, and the result of
   /// this experiment (`here`).
-  void claim(const std::string& text, bool reproduced, const std::string& here);
-  void claim(const std::string& text, ClaimOutcome outcome, const std::string& here);
+  void addClaim(const std::string& text, bool reproduced, const std::string& here);
+  void addClaim(const std::string& text, ClaimOutcome outcome, const std::string& here);
   /// Adds a requirement. `word` states whether the requirement is met, and `good` determines the
   /// color of this word.
-  void requirement(const std::string& word, bool good, const std::string& text);
+  void addRequirement(const std::string& word, bool good, const std::string& text);
   /// Adds plots side by side, each with a caption. Each entry of `legend` is a style and the name
   /// that is shown for it.
-  void plots(const std::vector<std::pair<std::string, Plot>>& plots,
-             const std::vector<std::pair<std::string, std::string>>& legend = {});
+  void addPlots(const std::vector<std::pair<std::string, Plot>>& plots,
+                const std::vector<std::pair<std::string, std::string>>& legend = {});
   /// Adds an image, which write() saves as `name`.png.
-  void pngImage(const std::string& name, const std::string& caption, const cv::Mat& image);
+  void addPngImage(const std::string& name, const std::string& caption, const cv::Mat& image);
   /// Adds a table with column headers `head`.
-  void table(const std::vector<std::string>& head,
-             const std::vector<std::vector<std::string>>& rows);
+  void addTable(const std::vector<std::string>& head,
+                const std::vector<std::vector<std::string>>& rows);
   /// Adds an image, which write() saves as `name`.jpg. Use this for camera images, because their
   /// noise makes PNG files large.
-  void jpegImage(const std::string& name, const std::string& caption, const cv::Mat& image);
+  void addJpegImage(const std::string& name, const std::string& caption, const cv::Mat& image);
   /// Adds a file that write() creates next to the page. The page mentions the name of the file.
-  void data(const std::string& name, std::string text);
+  void addDataFile(const std::string& name, std::string text);
 
   /// Returns the complete page as HTML.
   std::string html() const;
@@ -61,8 +61,8 @@ public:
   Status write(const std::filesystem::path& folder) const;
 
 private:
-  void image(const std::string& name, const std::string& format, const std::string& caption,
-             const cv::Mat& image);
+  void addImage(const std::string& name, const std::string& format, const std::string& caption,
+                const cv::Mat& image);
 
   std::string title_;
   std::string body_;

@@ -32,7 +32,7 @@ const SeedBlock& seedBlockOf(std::uint64_t seed) {
 
 bool areReportingSeeds(const std::vector<std::uint64_t>& seeds) {
   return !seeds.empty() && std::ranges::all_of(seeds, [](std::uint64_t seed) {
-    return seedBlockOf(seed).use == SeedPurpose::Reporting;
+    return seedBlockOf(seed).purpose == SeedPurpose::Reporting;
   });
 }
 
@@ -42,14 +42,15 @@ std::string describeSeeds(const std::vector<std::uint64_t>& seeds) {
   }
   const std::string range =
       fmt::format("{} to {}, {} in all: ", seeds.front(), seeds.back(), seeds.size());
-  const SeedPurpose use = seedBlockOf(seeds.front()).use;
-  if (seedBlockOf(seeds.back()).use == use) {
+  const SeedPurpose use = seedBlockOf(seeds.front()).purpose;
+  if (seedBlockOf(seeds.back()).purpose == use) {
     return range + std::string(judgementOf(use));
   }
   std::string names;
   for (const SeedBlock& block : kSeedBlocks) {
-    if (std::ranges::any_of(
-            seeds, [&](std::uint64_t seed) { return seedBlockOf(seed).use == block.use; })) {
+    if (std::ranges::any_of(seeds, [&](std::uint64_t seed) {
+          return seedBlockOf(seed).purpose == block.purpose;
+        })) {
       names += fmt::format("{}{}", names.empty() ? "" : " and ", block.name);
     }
   }

@@ -18,7 +18,7 @@ enum class SeedPurpose { Tuning, Validation, Reporting, Reserve };
 /// Range of seeds from `first` to `last`, inclusive. The blocks apply to every study: the accuracy
 /// suite, people, boxes, the papers' experiments and wand calibration.
 struct SeedBlock {
-  SeedPurpose use = SeedPurpose::Tuning;
+  SeedPurpose purpose = SeedPurpose::Tuning;
   std::string_view name; ///< name of the block, for example "tuning"
   std::uint64_t first = 0;
   std::uint64_t last = 0;

@@ -178,19 +178,19 @@ Status assessFigure3(const std::map<int, Instant>& instants, const ConvergenceCa
   const auto errorAt = [&](int iteration) {
     return (instants.at(iteration).estimate.mean - setup.ball).norm();
   };
-  page.paragraph("Pictures and table are of the first of these seeds: " +
-                 describeSeeds(options.firstSeed, options.runs) + ".");
-  page.heading("What the paper says");
+  page.addParagraph("Pictures and table are of the first of these seeds: " +
+                    describeSeeds(options.firstSeed, options.runs) + ".");
+  page.addHeading("What the paper says");
   // Two steps of 3 cm in front of a camera that is 14 cm away: its image never holds them all.
   const bool away = insideAtTwo[1] < 20;
-  page.claim("At iteration 2 the particles lie in camera 1's image and out of camera 2's.",
-             away && insideAtTwo[0] > 150  ? ClaimOutcome::Reproduced
-             : away && insideAtTwo[0] > 50 ? ClaimOutcome::InPart
-                                           : ClaimOutcome::NotReproduced,
-             fmt::format("Here {} and {} of 200.", insideAtTwo[0], insideAtTwo[1]));
-  page.claim("At iteration 60 they have converged on the ball, with an error below 3 cm.",
-             errorAt(60) < 0.03, fmt::format("Here {:.1f} mm.", inMillimeters(errorAt(60))));
-  page.claim(
+  page.addClaim("At iteration 2 the particles lie in camera 1's image and out of camera 2's.",
+                away && insideAtTwo[0] > 150  ? ClaimOutcome::Reproduced
+                : away && insideAtTwo[0] > 50 ? ClaimOutcome::InPart
+                                              : ClaimOutcome::NotReproduced,
+                fmt::format("Here {} and {} of 200.", insideAtTwo[0], insideAtTwo[1]));
+  page.addClaim("At iteration 60 they have converged on the ball, with an error below 3 cm.",
+                errorAt(60) < 0.03, fmt::format("Here {:.1f} mm.", inMillimeters(errorAt(60))));
+  page.addClaim(
       "At iteration 50 they are still on their way along camera 1's optical axis.",
       errorAt(50) > 0.03,
       fmt::format("Here {:.0f} mm from the ball. When a cloud arrives depends on how far the "
@@ -218,21 +218,22 @@ Status barreraFigure3(const ExperimentOptions& options) {
       inside[iteration].at(camera) =
           drawParticles(rig[camera], instant.particles, instant.images[camera]);
     }
-    page.pngImage(fmt::format("iteration-{}", iteration),
-                  fmt::format("Iteration {}: camera 1 and camera 2", iteration),
-                  beside(instant.images));
+    page.addPngImage(fmt::format("iteration-{}", iteration),
+                     fmt::format("Iteration {}: camera 1 and camera 2", iteration),
+                     beside(instant.images));
     rows.push_back(rowOf(iteration, instant, setup, rig.front().opticalAxis()));
     rows.back().push_back(fmt::format("{} and {}", inside[iteration][0], inside[iteration][1]));
   }
   std::vector<std::string> head = kInstantHead;
   head.emplace_back("particles in image 1 and 2");
-  page.table(head, rows);
-  page.paragraph(kSpreadSentence);
+  page.addTable(head, rows);
+  page.addParagraph(kSpreadSentence);
   if (const auto assessed = assessFigure3(*instants, setup, inside[2], options, page); !assessed) {
     return assessed;
   }
-  page.data("instants.csv", instantsCsv(*instants, setup, rig.front().opticalAxis(), inside));
-  page.data("particles.csv", particlesCsv(*instants));
+  page.addDataFile("instants.csv",
+                   instantsCsv(*instants, setup, rig.front().opticalAxis(), inside));
+  page.addDataFile("particles.csv", particlesCsv(*instants));
   return page.write(options.folder);
 }
 
@@ -262,20 +263,20 @@ Status barreraFigure4(const ExperimentOptions& options) {
   plot.series.push_back(pointSeries("m5", positions, 0, 1, 60.0));
   legend.emplace_back("m5", "the ball and both cameras");
   setCommonAxes({&plot});
-  page.plots({{"The room from above, all particles of each instant", plot}}, legend);
-  page.table(kInstantHead, rows);
-  page.paragraph(kSpreadSentence);
-  page.paragraph("Seeds " + describeSeeds(options.firstSeed, 1) + ".");
-  page.heading("What the paper says");
+  page.addPlots({{"The room from above, all particles of each instant", plot}}, legend);
+  page.addTable(kInstantHead, rows);
+  page.addParagraph(kSpreadSentence);
+  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, 1) + ".");
+  page.addHeading("What the paper says");
   const Instant& way = instants->at(50);
   const Eigen::Vector3d axis = rig.front().opticalAxis();
-  page.claim("On the way the spread along camera 1's optical axis is the larger one.",
-             depthSpread(way.estimate, axis) > sideSpread(way.estimate, axis),
-             fmt::format("Here {:.0f} mm against {:.0f} mm at iteration 50.",
-                         inMillimeters(depthSpread(way.estimate, axis)),
-                         inMillimeters(sideSpread(way.estimate, axis))));
-  page.data("instants.csv", instantsCsv(*instants, setup, axis));
-  page.data("particles.csv", particlesCsv(*instants));
+  page.addClaim("On the way the spread along camera 1's optical axis is the larger one.",
+                depthSpread(way.estimate, axis) > sideSpread(way.estimate, axis),
+                fmt::format("Here {:.0f} mm against {:.0f} mm at iteration 50.",
+                            inMillimeters(depthSpread(way.estimate, axis)),
+                            inMillimeters(sideSpread(way.estimate, axis))));
+  page.addDataFile("instants.csv", instantsCsv(*instants, setup, axis));
+  page.addDataFile("particles.csv", particlesCsv(*instants));
   return page.write(options.folder);
 }
 

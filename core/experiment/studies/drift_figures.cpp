@@ -137,8 +137,8 @@ void assessCone(const StayCurves& curves, FigurePage& page) {
     here += fmt::format("{}{:.0f} % against {:.0f} % at {} m", k == 0 ? "" : ", ",
                         inPercent(shares[toward]), inPercent(shares[away]), kConeDepths.at(k));
   }
-  page.heading("What the paper says");
-  page.claim(
+  page.addHeading("What the paper says");
+  page.addClaim(
       "A particle that falls closer to the camera is less likely to project on the ball, and "
       "less likely to survive, than one that falls further.",
       isAlways,
@@ -189,20 +189,21 @@ Status barreraFigure5(const ExperimentOptions& options) {
       "0.5, 0.15), and only camera 1 of the simulated demo looks.");
   PlotLegend cloudLegend;
   const Plot cone = conePlot(camera, *clouds, cloudLegend);
-  page.plots({{"From above: the clouds of one run spread along the cone", cone}}, cloudLegend);
+  page.addPlots({{"From above: the clouds of one run spread along the cone", cone}}, cloudLegend);
   PlotLegend stayLegend;
   const Plot stay = stayPlot(curves, stayLegend);
-  page.plots(
+  page.addPlots(
       {{"A particle somewhere in the cone is moved by a step along the axis, and sideways as "
         "the motion model draws it: the chance that it is still in the cone",
         stay}},
       stayLegend);
-  page.paragraph("Seeds of the clouds: " + describeSeeds(options.firstSeed, 1) + ".");
+  page.addParagraph("Seeds of the clouds: " + describeSeeds(options.firstSeed, 1) + ".");
   assessCone(curves, page);
   std::vector<std::vector<double>> columns{curves.steps};
   columns.insert(columns.end(), curves.shares.begin(), curves.shares.end());
-  page.data("cone.csv",
-            numbersAsCsv({"step_m", "stay_at_0.25_m", "stay_at_0.5_m", "stay_at_1_m"}, columns));
+  page.addDataFile(
+      "cone.csv",
+      numbersAsCsv({"step_m", "stay_at_0.25_m", "stay_at_0.5_m", "stay_at_1_m"}, columns));
   return page.write(options.folder);
 }
 
@@ -221,17 +222,18 @@ Status barreraDrift(const ExperimentOptions& options) {
   plot.x = {"iteration", 0.0, kIterations, false};
   plot.y = {"moved away, m", 0.0, 1.1 * std::max(0.01, std::ranges::max(*moved)), false};
   plot.series.push_back(lineSeries("m0", *moved, 1.0));
-  page.plots({{"Movement away from camera 1", plot}});
-  page.paragraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
-  page.heading("What the paper says");
-  page.claim("The particles move away from the camera along its optical axis, systematically.",
-             moved->back() > 0.05,
-             fmt::format("Here {:.1f} mm per iteration over the first 5, {:.1f} over 40: the drift "
-                         "grows with the cloud.",
-                         inMillimeters((*moved)[4]) / 5.0, inMillimeters((*moved)[39]) / 40.0));
+  page.addPlots({{"Movement away from camera 1", plot}});
+  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
+  page.addHeading("What the paper says");
+  page.addClaim(
+      "The particles move away from the camera along its optical axis, systematically.",
+      moved->back() > 0.05,
+      fmt::format("Here {:.1f} mm per iteration over the first 5, {:.1f} over 40: the drift "
+                  "grows with the cloud.",
+                  inMillimeters((*moved)[4]) / 5.0, inMillimeters((*moved)[39]) / 40.0));
   std::vector<double> iterations(moved->size());
   std::iota(iterations.begin(), iterations.end(), 1.0);
-  page.data("drift.csv", numbersAsCsv({"iteration", "moved_m"}, {iterations, *moved}));
+  page.addDataFile("drift.csv", numbersAsCsv({"iteration", "moved_m"}, {iterations, *moved}));
   return page.write(options.folder);
 }
 
@@ -314,33 +316,35 @@ Status barreraStarts(const ExperimentOptions& options) {
                               "below {:.0f} mm for good: by that much one step of motion alone "
                               "scatters a point.",
                               options.runs, inMillimeters(std::sqrt(3.0) * kMotionSigma)));
-  page.plots({{"Evenly spread in a cube around the ball",
-               sharePlot("half its edge, m", halves, *boxShares)},
-              {"From one point (0.5, y, 0.15), at and beyond the ball",
-               sharePlot("y, m", beyond, *pointShares)}},
-             {{"m0", "the cloud has converged"}, {"m1", "and is within 3 cm of the ball"}});
-  page.paragraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
-  page.heading("What the paper says");
-  page.claim("From random starts it does not converge at all.",
-             noConvergenceOutcome(boxShares->converged),
-             fmt::format("It depends on the volume, which the paper does not state: here {:.0f} % "
-                         "converge from a cube of 0.4 m, {:.0f} % from one of 1 m, {:.0f} % from "
-                         "one of 4 m.",
-                         inPercent(boxShares->converged[2]), inPercent(boxShares->converged[4]),
-                         inPercent(boxShares->converged.back())));
-  page.claim(
+  page.addPlots({{"Evenly spread in a cube around the ball",
+                  sharePlot("half its edge, m", halves, *boxShares)},
+                 {"From one point (0.5, y, 0.15), at and beyond the ball",
+                  sharePlot("y, m", beyond, *pointShares)}},
+                {{"m0", "the cloud has converged"}, {"m1", "and is within 3 cm of the ball"}});
+  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
+  page.addHeading("What the paper says");
+  page.addClaim(
+      "From random starts it does not converge at all.", noConvergenceOutcome(boxShares->converged),
+      fmt::format("It depends on the volume, which the paper does not state: here {:.0f} % "
+                  "converge from a cube of 0.4 m, {:.0f} % from one of 1 m, {:.0f} % from "
+                  "one of 4 m.",
+                  inPercent(boxShares->converged[2]), inPercent(boxShares->converged[4]),
+                  inPercent(boxShares->converged.back())));
+  page.addClaim(
       "From a start farther than the ball it does not converge at all.",
       noConvergenceOutcome({pointShares->converged.begin() + 1, pointShares->converged.end()}),
       fmt::format("It depends on how far: here {:.0f} % converge from 0.1 m beyond the "
                   "ball, {:.0f} % from 0.3 m, {:.0f} % from 0.5 m.",
                   inPercent(pointShares->converged[2]), inPercent(pointShares->converged[6]),
                   inPercent(pointShares->converged.back())));
-  page.paragraph("Reproduced: fewer than 10 % converge from every start that was tried; in part: "
-                 "from some of them.");
-  page.data("boxes.csv", numbersAsCsv({"half_edge_m", "share", "share_within_3_cm"},
-                                      {halves, boxShares->converged, boxShares->within}));
-  page.data("points.csv", numbersAsCsv({"y_m", "share", "share_within_3_cm"},
-                                       {beyond, pointShares->converged, pointShares->within}));
+  page.addParagraph(
+      "Reproduced: fewer than 10 % converge from every start that was tried; in part: "
+      "from some of them.");
+  page.addDataFile("boxes.csv", numbersAsCsv({"half_edge_m", "share", "share_within_3_cm"},
+                                             {halves, boxShares->converged, boxShares->within}));
+  page.addDataFile("points.csv",
+                   numbersAsCsv({"y_m", "share", "share_within_3_cm"},
+                                {beyond, pointShares->converged, pointShares->within}));
   return page.write(options.folder);
 }
 

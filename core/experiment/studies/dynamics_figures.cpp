@@ -54,8 +54,8 @@ struct Convergence {
 };
 
 Convergence convergenceOf(const std::vector<double>& errors, const DynamicsSetup& setup) {
-  return {iterationsUntilBelow(errors, 0, setup.jump, kConverged),
-          iterationsUntilBelow(errors, setup.jump, int(errors.size()), kConverged)};
+  return {iterationsUntilBelow(errors, 0, setup.jumpIteration, kConverged),
+          iterationsUntilBelow(errors, setup.jumpIteration, int(errors.size()), kConverged)};
 }
 
 /// Errors as gray, black 2 m, white 0; a row per sigma, the smallest at the bottom.
@@ -169,7 +169,7 @@ Status dynamicsFigure6(const ExperimentOptions& options) {
     const double limit = maxTrackableSpeed(setup, 10, options.firstSeed);
     const double most = advanceTowardFarObject(setup, 10, options.firstSeed);
     rows.push_back({fmt::format("{:.2f} m", sigmas[k]), iterationsText(one.first),
-                    fmt::format("{:.2f} m", errors[std::size_t(setup.jump)]),
+                    fmt::format("{:.2f} m", errors[std::size_t(setup.jumpIteration)]),
                     iterationsText(one.again),
                     fmt::format("{:.3f} m, {:.2f} sigma_m", limit, limit / sigmas[k]),
                     fmt::format("{:.3f} m, {:.2f} sigma_m", most, most / sigmas[k])});
@@ -183,25 +183,27 @@ Status dynamicsFigure6(const ExperimentOptions& options) {
   for (std::size_t k = 0; k < columns[1].size(); ++k) {
     columns[0].push_back(double(k));
   }
-  page.plots({{fmt::format("Mean of {} runs", runs), errorPlot(curves)}}, legend);
-  page.paragraph("Seeds " + describeSeeds(options.firstSeed, runs) + ".");
-  page.table({"motion sigma", "first found after", "error at iteration 30", "found again after",
-              "fastest it follows, per iteration", "its way toward a far object, per iteration"},
-             rows);
-  page.heading("What the paper says");
-  page.claim("Converged after about 5 iterations.", std::abs(found[0].first - 5) <= 3,
-             fmt::format("Here after {} with the stated sigma_m of 0.03 m, after {} with 0.06 m.",
-                         iterationsText(found[0].first), iterationsText(found[1].first)));
-  page.claim("The error is 2 m at iteration 30.", std::abs(columns[1][30] - 2.0) < 0.2,
-             fmt::format("Here {:.2f} m.", columns[1][30]));
-  page.claim("About 15 more iterations to converge again.", std::abs(found[0].again - 15) <= 3,
-             fmt::format("Here {} with 0.03 m, {} with 0.06 m: a cloud of 200 particles moves at "
-                         "most about 2.75 sigma_m per iteration, so that 2 m in 15 iterations "
-                         "need about 0.05 m or more.",
-                         iterationsText(found[0].again), iterationsText(found[1].again)));
-  page.data("errors.csv", numbersAsCsv({"iteration", "error_sigma_0.03_m", "error_sigma_0.06_m",
-                                        "error_sigma_0.10_m"},
-                                       columns));
+  page.addPlots({{fmt::format("Mean of {} runs", runs), errorPlot(curves)}}, legend);
+  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, runs) + ".");
+  page.addTable({"motion sigma", "first found after", "error at iteration 30", "found again after",
+                 "fastest it follows, per iteration", "its way toward a far object, per iteration"},
+                rows);
+  page.addHeading("What the paper says");
+  page.addClaim(
+      "Converged after about 5 iterations.", std::abs(found[0].first - 5) <= 3,
+      fmt::format("Here after {} with the stated sigma_m of 0.03 m, after {} with 0.06 m.",
+                  iterationsText(found[0].first), iterationsText(found[1].first)));
+  page.addClaim("The error is 2 m at iteration 30.", std::abs(columns[1][30] - 2.0) < 0.2,
+                fmt::format("Here {:.2f} m.", columns[1][30]));
+  page.addClaim(
+      "About 15 more iterations to converge again.", std::abs(found[0].again - 15) <= 3,
+      fmt::format("Here {} with 0.03 m, {} with 0.06 m: a cloud of 200 particles moves at "
+                  "most about 2.75 sigma_m per iteration, so that 2 m in 15 iterations "
+                  "need about 0.05 m or more.",
+                  iterationsText(found[0].again), iterationsText(found[1].again)));
+  page.addDataFile("errors.csv", numbersAsCsv({"iteration", "error_sigma_0.03_m",
+                                               "error_sigma_0.06_m", "error_sigma_0.10_m"},
+                                              columns));
   return page.write(options.folder);
 }
 
@@ -214,7 +216,7 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
   std::vector<std::vector<double>> columns(3);
   for (int k = 0; k < kSigmas; ++k) {
     DynamicsSetup setup;
-    setup.start = setup.before; // found already, whatever the sigma
+    setup.start = setup.positionBeforeJump; // found already, whatever the sigma
     setup.motionSigma = kLowest + (kHighest - kLowest) * k / (kSigmas - 1);
     errors.push_back(meanErrors(setup, options.runs, options.firstSeed));
     columns[0].push_back(setup.motionSigma);
@@ -226,13 +228,13 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
   }
   FigurePage page("Error after each iteration, for different motion sigmas (figure 7)",
                   chosen("on the object, so that a small sigma_m has found it, too"));
-  page.pngImage(
+  page.addPngImage(
       "figure7",
       fmt::format("Mean error of {} runs: black 2 m, white 0. Across: iterations; upwards: "
                   "sigma_m from 0.001 to 0.3 m",
                   options.runs),
       framed(errorImage(errors), kLowest, kHighest));
-  page.paragraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
+  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, options.runs) + ".");
   const auto at = [&](double sigma) {
     return std::size_t(std::lround((sigma - kLowest) / (kHighest - kLowest) * (kSigmas - 1)));
   };
@@ -242,22 +244,23 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
                     iterationsText(int(columns[1][at(sigma)])),
                     fmt::format("{:.3f} m", columns[2][at(sigma)])});
   }
-  page.table({"motion sigma", "found again after", "error at iteration 70"}, rows);
-  page.heading("What the paper says");
+  page.addTable({"motion sigma", "found again after", "error at iteration 70"}, rows);
+  page.addHeading("What the paper says");
   const double slow = columns[1][at(0.05)];
   const double middle = columns[1][at(0.1)];
   const double fast = columns[1][at(0.2)];
-  page.claim("A larger sigma_m finds the new place sooner, with diminishing gain.",
-             slow > middle && middle >= fast && slow - middle > middle - fast,
-             fmt::format("Here {:.0f}, {:.0f} and {:.0f} iterations at 0.05, 0.1 and 0.2 m.", slow,
-                         middle, fast));
-  page.claim(
+  page.addClaim("A larger sigma_m finds the new place sooner, with diminishing gain.",
+                slow > middle && middle >= fast && slow - middle > middle - fast,
+                fmt::format("Here {:.0f}, {:.0f} and {:.0f} iterations at 0.05, 0.1 and 0.2 m.",
+                            slow, middle, fast));
+  page.addClaim(
       "For very low sigma_m the new place is not found before iteration 70.",
       columns[2][at(0.01)] > kConverged,
       fmt::format("Here the error at iteration 70 is {:.2f} m with 0.01 m.", columns[2][at(0.01)]));
-  page.data("again.csv",
-            numbersAsCsv({"motion_sigma_m", "iterations_to_find_again", "error_at_70_m"}, columns));
-  page.data("errors.csv", errorImageCsv(columns[0], errors));
+  page.addDataFile(
+      "again.csv",
+      numbersAsCsv({"motion_sigma_m", "iterations_to_find_again", "error_at_70_m"}, columns));
+  page.addDataFile("errors.csv", errorImageCsv(columns[0], errors));
   return page.write(options.folder);
 }
 
@@ -266,8 +269,8 @@ Status dynamicsFigure8(const ExperimentOptions& options) {
   FigurePage page("The particle cloud over time (figure 8)",
                   "Particles at iterations 29, 32, 36, 42, 50 and 69; the object jumps by 2 m "
                   "before iteration 30. Projected to the plane of the jump.");
-  page.paragraph(chosen(kStartsBeside));
-  page.paragraph("Seeds " + describeSeeds(options.firstSeed, 1) + ".");
+  page.addParagraph(chosen(kStartsBeside));
+  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, 1) + ".");
   std::array<DynamicsRun, 2> runs;
   std::array<Plot, 2> clouds;
   constexpr std::array kSigmas{0.03, 0.15}; // meters: the paper's, and five times that
@@ -294,26 +297,28 @@ Status dynamicsFigure8(const ExperimentOptions& options) {
       }
     }
   }
-  page.plots({{"sigma_m 0.03 m", clouds[0]}, {"sigma_m 0.15 m", clouds[1]}}, legend);
-  page.table({"iteration", "error, 0.03 m", "spread of the cloud, 0.03 m", "of the belief, 0.03 m",
-              "error, 0.15 m", "spread of the cloud, 0.15 m", "of the belief, 0.15 m"},
-             rows);
-  page.paragraph("Drawn are all particles after the prediction, all alike: that is the cloud, and "
-                 "its spread is their root mean square distance to their mean. The belief is the "
-                 "same particles weighted by the measurement. While the object is far away, the "
-                 "few nearest have all the weight, so that the belief is much narrower than what "
-                 "is drawn.");
-  page.heading("What the paper says");
-  page.claim("A small sigma_m approaches slowly and stays compact.",
-             runs[0].cloudSpreads[69] < runs[1].cloudSpreads[69],
-             fmt::format("Spread of the cloud at iteration 69: {:.2f} m against {:.2f} m.",
-                         runs[0].cloudSpreads[69], runs[1].cloudSpreads[69]));
-  page.claim("A large sigma_m arrives sooner, but spread over a wide area.",
-             runs[1].errors[36] < runs[0].errors[36],
-             fmt::format("Error at iteration 36: {:.2f} m against {:.2f} m.", runs[1].errors[36],
-                         runs[0].errors[36]));
-  page.data("spreads.csv", spreadsCsv(kSigmas, runs));
-  page.data("clouds.csv", cloudsCsv(kSigmas, runs, instants));
+  page.addPlots({{"sigma_m 0.03 m", clouds[0]}, {"sigma_m 0.15 m", clouds[1]}}, legend);
+  page.addTable({"iteration", "error, 0.03 m", "spread of the cloud, 0.03 m",
+                 "of the belief, 0.03 m", "error, 0.15 m", "spread of the cloud, 0.15 m",
+                 "of the belief, 0.15 m"},
+                rows);
+  page.addParagraph(
+      "Drawn are all particles after the prediction, all alike: that is the cloud, and "
+      "its spread is their root mean square distance to their mean. The belief is the "
+      "same particles weighted by the measurement. While the object is far away, the "
+      "few nearest have all the weight, so that the belief is much narrower than what "
+      "is drawn.");
+  page.addHeading("What the paper says");
+  page.addClaim("A small sigma_m approaches slowly and stays compact.",
+                runs[0].cloudSpreads[69] < runs[1].cloudSpreads[69],
+                fmt::format("Spread of the cloud at iteration 69: {:.2f} m against {:.2f} m.",
+                            runs[0].cloudSpreads[69], runs[1].cloudSpreads[69]));
+  page.addClaim("A large sigma_m arrives sooner, but spread over a wide area.",
+                runs[1].errors[36] < runs[0].errors[36],
+                fmt::format("Error at iteration 36: {:.2f} m against {:.2f} m.", runs[1].errors[36],
+                            runs[0].errors[36]));
+  page.addDataFile("spreads.csv", spreadsCsv(kSigmas, runs));
+  page.addDataFile("clouds.csv", cloudsCsv(kSigmas, runs, instants));
   return page.write(options.folder);
 }
 

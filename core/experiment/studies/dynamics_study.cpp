@@ -69,7 +69,9 @@ bool keepsUp(const DynamicsSetup& setup, double speed, int runs, std::uint64_t f
 
 DynamicsRun runDynamics(const DynamicsSetup& setup, std::uint64_t seed,
                         const std::vector<int>& instants) {
-  const Path path = [&](int k) { return k < setup.jump ? setup.before : setup.after; };
+  const Path path = [&](int k) {
+    return k < setup.jumpIteration ? setup.positionBeforeJump : setup.positionAfterJump;
+  };
   return follow(setup, path, seed, instants);
 }
 

@@ -20,9 +20,10 @@ struct DynamicsSetup {
   double motionSigma = 0.03;
   double observationSigma = 0.1;
   Eigen::Vector3d start{0.0, -0.6, 0.0}; ///< initial position of the cloud
-  Eigen::Vector3d before = Eigen::Vector3d::Zero();
-  Eigen::Vector3d after{2.0, 0.0, 0.0};
-  int jump = 30; ///< first iteration (counted from 0) in which the object is at `after`
+  Eigen::Vector3d positionBeforeJump = Eigen::Vector3d::Zero();
+  Eigen::Vector3d positionAfterJump{2.0, 0.0, 0.0};
+  int jumpIteration =
+      30; ///< first iteration (counted from 0) in which the object is at `positionAfterJump`
   int iterations = 100;
 };
 

@@ -28,8 +28,8 @@ struct FigureExperiment {
   /// starts, if the output folder cannot be written, and Canceled if the user stops it.
   Status (*run)(const ExperimentOptions& options);
   std::string_view report = "report.html"; ///< report file in the output folder
-  bool takesRecordings = false;
-  bool takesClothes = false;
+  bool usesRecordings = false;
+  bool hasClothesOption = false;
   ExperimentGroup group = ExperimentGroup::Barrera;
 };
 

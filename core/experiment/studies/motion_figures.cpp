@@ -201,11 +201,11 @@ void showNumbers(const MaskNumbers& numbers, FigurePage& page) {
   for (const double regions : numbers.regions) {
     most = std::isnan(regions) ? most : std::max(most, regions);
   }
-  page.plots({{"Regions of at least 20 pixels in camera 1's mask",
-               numberPlot(numbers, "regions", 1.1 * most,
-                          {{"m0", &numbers.regions}, {"m1", &numbers.people}})}},
-             {{"m0", "regions of the mask"}, {"m1", "people in view"}});
-  page.plots(
+  page.addPlots({{"Regions of at least 20 pixels in camera 1's mask",
+                  numberPlot(numbers, "regions", 1.1 * most,
+                             {{"m0", &numbers.regions}, {"m1", &numbers.people}})}},
+                {{"m0", "regions of the mask"}, {"m1", "people in view"}});
+  page.addPlots(
       {{"The mask against the pixels of the people",
         numberPlot(numbers, "share", 1.0,
                    {{"m0", &numbers.recalls}, {"m1", &numbers.precisions}})}},
@@ -222,28 +222,30 @@ void showNumbers(const MaskNumbers& numbers, FigurePage& page) {
     columns[3].push_back(numbers.recalls[k]);
     columns[4].push_back(numbers.precisions[k]);
   }
-  page.data("masks.csv",
-            numbersAsCsv({"time_s", "regions", "people", "recall", "precision"}, columns));
+  page.addDataFile("masks.csv",
+                   numbersAsCsv({"time_s", "regions", "people", "recall", "precision"}, columns));
 }
 
 void assessMasks(const MotionFrame& nearest, const MaskNumbers& numbers, FigurePage& page) {
   double least = 0.0;
   cv::minMaxLoc(nearest.map.logLikelihood, &least);
-  page.heading("What the paper says");
-  page.claim("The motion likelihood image has a grayish background: nowhere is it below p_B = 0.2.",
-             std::abs(std::exp(least) - 0.2) < 1e-4,
-             fmt::format("Here its least value is {:.3f}.", std::exp(least)));
+  page.addHeading("What the paper says");
+  page.addClaim(
+      "The motion likelihood image has a grayish background: nowhere is it below p_B = 0.2.",
+      std::abs(std::exp(least) - 0.2) < 1e-4,
+      fmt::format("Here its least value is {:.3f}.", std::exp(least)));
   const double regions = meanOfPresent(numbers.regions);
   const double people = meanOfPresent(numbers.people);
-  page.claim("The regions of the masks are fragmented.", regions > people,
-             fmt::format("Here {:.1f} regions for {:.1f} people in the mean over all frames.",
-                         regions, people));
+  page.addClaim("The regions of the masks are fragmented.", regions > people,
+                fmt::format("Here {:.1f} regions for {:.1f} people in the mean over all frames.",
+                            regions, people));
   const double recall = meanOfPresent(numbers.recalls);
   const double precision = meanOfPresent(numbers.precisions);
-  page.claim("The regions of the masks are inaccurate.", recall < 0.95 || precision < 0.95,
-             fmt::format("Here the mask has {:.0f} % of the people's pixels, and {:.0f} % of the "
-                         "mask's pixels are people's.",
-                         inPercent(recall), inPercent(precision)));
+  page.addClaim(
+      "The regions of the masks are inaccurate.", recall < 0.95 || precision < 0.95,
+      fmt::format("Here the mask has {:.0f} % of the people's pixels, and {:.0f} % of the "
+                  "mask's pixels are people's.",
+                  inPercent(recall), inPercent(precision)));
 }
 
 } // namespace
@@ -288,9 +290,9 @@ Status mohedanoMotionFigures(const ExperimentOptions& options) {
                   "Two people cross in the simulated office, in different clothes; camera 1, "
                   "method mohedano-ms with its defaults: MOG2 of OpenCV, sigma 4 pixels, p_B "
                   "0.2.");
-  page.paragraph("Seeds " + describeSeeds(options.firstSeed, 1) + ".");
+  page.addParagraph("Seeds " + describeSeeds(options.firstSeed, 1) + ".");
   const MotionFrame& shown = middle->second;
-  page.jpegImage(
+  page.addJpegImage(
       "figure-1",
       fmt::format("Figure 1, frame {}: the image, its motion mask, and the motion likelihood "
                   "image D",
@@ -305,8 +307,8 @@ Status mohedanoMotionFigures(const ExperimentOptions& options) {
     }
   }
   if (!masks.empty()) {
-    page.jpegImage("figure-3", fmt::format("Figure 3: motion masks of frames {}", names),
-                   besideEachOther(masks));
+    page.addJpegImage("figure-3", fmt::format("Figure 3: motion masks of frames {}", names),
+                      besideEachOther(masks));
   }
   const MaskNumbers numbers = maskNumbersOf(scene, *frames);
   showNumbers(numbers, page);

@@ -28,7 +28,7 @@ OfficeInstant renderInstant(const PeopleRecording& recording, const OfficeRender
       const bool seen = cv::countNonZero(who == static_cast<int>(person + 1)) >= kMinVisiblePixels;
       instant.camerasSeeing[person] += seen ? 1 : 0;
     }
-    instant.who.push_back(who);
+    instant.personIndexImages.push_back(who);
     if (frame % kSilhouetteInterval == 0) {
       instant.silhouettes.push_back(silhouettesIn(renderer, k, frame));
     }

@@ -117,16 +117,17 @@ std::vector<PeopleInstant> instantsToShow(const PeopleScenario& scenario) {
   for (std::int64_t frame = 0; frame < scene.frameCount; ++frame) {
     const double time = scene.timeOf(frame);
     const Gathering now = gatheringAt(scene, time);
-    if (time >= scenario.before && now.tellsMoreThan(most)) {
+    if (time >= scenario.timeBeforeMeeting && now.tellsMoreThan(most)) {
       most = now;
       nearest = time;
     }
   }
-  if (scenario.before <= 0.0) {
+  if (scenario.timeBeforeMeeting <= 0.0) {
     return {instantAt(nearest, "most people, nearest to each other")};
   }
-  return {instantAt(scenario.before, "before"), instantAt(nearest, "nearest to each other"),
-          instantAt(scenario.after, "after")};
+  return {instantAt(scenario.timeBeforeMeeting, "before"),
+          instantAt(nearest, "nearest to each other"),
+          instantAt(scenario.timeAfterMeeting, "after")};
 }
 
 cv::Mat drawPeopleImage(const PeopleFinding& people, const FrameSet& frames, const CameraRig& rig,

@@ -18,7 +18,7 @@ namespace dewpoint::experiment {
 /// Frame of a scenario at which an image shows well how a method performs.
 struct PeopleInstant {
   std::int64_t frame = 0;
-  std::string words; ///< description, such as "nearest to each other, 3.4 s"
+  std::string caption; ///< description, such as "nearest to each other, 3.4 s"
 };
 
 /// Returns the frames to show as images: one before people meet, the one in which most people are

@@ -109,7 +109,7 @@ void addCoverage(const std::vector<PeopleSummary>& summaries, FigurePage& page) 
     const auto outcome = !(all > part)   ? ClaimOutcome::NotReproduced
                          : all < kCovers ? ClaimOutcome::InPart
                                          : ClaimOutcome::Reproduced;
-    page.claim(
+    page.addClaim(
         "Figure 4(a): the volume of MS covers the whole body; that of MS+C covers less of it.",
         outcome,
         fmt::format(
@@ -177,10 +177,10 @@ void addHeights(const std::vector<PeopleTrial>& trials, FigurePage& page) {
       rows.push_back(heightRow(trials, one, height));
     }
   }
-  page.heading("By height");
-  page.table({"grade", "clothes", "method", "height", "people", "found %", "silhouette recall",
-              "height error mm"},
-             rows);
+  page.addHeading("By height");
+  page.addTable({"grade", "clothes", "method", "height", "people", "found %", "silhouette recall",
+                 "height error mm"},
+                rows);
 }
 
 constexpr const char* kHowToRead =
@@ -207,13 +207,13 @@ void addPictures(const std::vector<PeopleTrial>& trials, FigurePage& page) {
   for (const PeopleTrial& trial : trials) {
     for (std::size_t k = 0; k < trial.pictures.size(); ++k) {
       if (!std::exchange(any, true)) {
-        page.heading("Volumes and densities");
-        page.paragraph(kPictureSentence);
+        page.addHeading("Volumes and densities");
+        page.addParagraph(kPictureSentence);
       }
-      page.jpegImage(fmt::format("{}-{}-{}", clothesName(trial.clothes), trial.method, k + 1),
-                     fmt::format("{}, {} clothes: {}", trial.method, clothesName(trial.clothes),
-                                 trial.pictures[k].words),
-                     trial.pictures[k].image);
+      page.addJpegImage(fmt::format("{}-{}-{}", clothesName(trial.clothes), trial.method, k + 1),
+                        fmt::format("{}, {} clothes: {}", trial.method, clothesName(trial.clothes),
+                                    trial.pictures[k].caption),
+                        trial.pictures[k].image);
     }
   }
 }
@@ -260,20 +260,20 @@ FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTri
                     tableCell(one.silhouette.recall, 2), tableCell(one.silhouette.precision, 2),
                     tableCell(one.silhouette.iou, 2)});
   }
-  page.table({"grade", "clothes", "method", "identities kept", "switches", "MOTA", "HOTA",
-              "MOTP mm", "GOSPA m", "longest ghost s", "longest missed s", "95 % volume m³",
-              "ms per frame", "found %", "silhouette recall", "precision", "IoU"},
-             rows);
-  page.heading("Expected results, and whether they were reached");
+  page.addTable({"grade", "clothes", "method", "identities kept", "switches", "MOTA", "HOTA",
+                 "MOTP mm", "GOSPA m", "longest ghost s", "longest missed s", "95 % volume m³",
+                 "ms per frame", "found %", "silhouette recall", "precision", "IoU"},
+                rows);
+  page.addHeading("Expected results, and whether they were reached");
   addCoverage(summaries, page);
   for (const Bar& bar : barsOf(summaries)) {
-    page.requirement(assessmentOf(bar), bar.reached, bar.words);
+    page.addRequirement(assessmentOf(bar), bar.reached, bar.words);
   }
-  page.paragraph(kHowToRead);
+  page.addParagraph(kHowToRead);
   addHeights(trials, page);
   addPictures(trials, page);
-  page.data("runs.csv", peopleTrialsCsv(trials));
-  page.data("people.csv", peoplePersonsCsv(trials));
+  page.addDataFile("runs.csv", peopleTrialsCsv(trials));
+  page.addDataFile("people.csv", peoplePersonsCsv(trials));
   return page;
 }
 

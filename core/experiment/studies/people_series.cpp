@@ -40,7 +40,7 @@ Status writePeopleStudy(const std::string& scenario, const std::vector<PeopleTri
     seeds.insert(trial.seed);
   }
   FigurePage page = peopleReport(scenario, trials);
-  page.paragraph("Seeds " + describeSeeds({seeds.begin(), seeds.end()}) + ".");
+  page.addParagraph("Seeds " + describeSeeds({seeds.begin(), seeds.end()}) + ".");
   return page.write(folder);
 }
 

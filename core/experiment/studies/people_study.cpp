@@ -95,8 +95,8 @@ public:
     record(renderer, instant);
     for (const PeopleInstant& pictured : picturedInstants) {
       if (pictured.frame == instant.frames->index) {
-        pictures_.push_back({pictured.words, drawPeopleImage(found(), *instant.frames, rig_,
-                                                             frames_.back().truth)});
+        pictures_.push_back({pictured.caption, drawPeopleImage(found(), *instant.frames, rig_,
+                                                               frames_.back().truth)});
       }
     }
     return {};
@@ -125,13 +125,14 @@ public:
     for (std::size_t k = 0; k < tallies_.size(); ++k) {
       result.persons.push_back(tallies_[k].result(scenario.scene.people[k].height));
     }
-    if (scenario.before > 0.0) {
+    if (scenario.timeBeforeMeeting > 0.0) {
       const auto at = [&](double time) {
         const auto frame =
             static_cast<std::size_t>(std::lround(time * scenario.scene.framesPerSecond));
         return frames_[std::min(frame, frames_.size() - 1)];
       };
-      result.kept = identitiesKept(at(scenario.before), at(scenario.after), kPeopleGate);
+      result.kept = identitiesKept(at(scenario.timeBeforeMeeting), at(scenario.timeAfterMeeting),
+                                   kPeopleGate);
     } else {
       result.kept = clear.identitySwitches == 0;
     }

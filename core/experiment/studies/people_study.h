@@ -19,7 +19,7 @@ namespace dewpoint::experiment {
 
 /// Image that shows the result of a method in one frame of a scene; see drawPeopleImage().
 struct PeopleImage {
-  std::string words; ///< description, with the time of the frame
+  std::string caption; ///< description, with the time of the frame
   cv::Mat image;
 };
 

@@ -90,7 +90,7 @@ FigureExperiment sceneOfPeople(std::string_view name, std::string_view title,
           .sentence = sentence,
           .runs = 3,
           .run = run,
-          .takesClothes = true,
+          .hasClothesOption = true,
           .group = group};
 }
 
@@ -107,7 +107,7 @@ std::span<const FigureExperiment> studyExperiments() {
           .runs = 2,
           .run = &sugandiRmse,
           .report = kBoxReport,
-          .takesRecordings = true,
+          .usesRecordings = true,
           .group = ExperimentGroup::Sugandi},
       sceneOfPeople(
           "people-crossing", "People whose paths cross",

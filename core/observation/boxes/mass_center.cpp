@@ -13,7 +13,7 @@ std::optional<Eigen::Vector2d> centerOfMass(const cv::Mat& bgr, const ColorClass
     return std::nullopt;
   }
   const cv::Moments mass = cv::moments(match, true);
-  if (mass.m00 < kLeastMassPixels) {
+  if (mass.m00 < kMinMassPixels) {
     return std::nullopt;
   }
   return Eigen::Vector2d(mass.m10 / mass.m00, mass.m01 / mass.m00);

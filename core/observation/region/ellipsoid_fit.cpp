@@ -105,7 +105,7 @@ bool moveCenter(const RegionObservation& observation, const EllipsoidPrior& prio
                 EllipsoidFit& fit) {
   fit.information.setZero();
   Eigen::Vector3d vector = prior.information * (prior.ellipsoid.center - fit.ellipsoid.center);
-  fit.seeing = 0;
+  fit.seeingCameraCount = 0;
   for (std::size_t k = 0; k < fit.views.size(); ++k) {
     const auto& view = observation.views()[k];
     const RegionMeasurement& measurement = fit.views[k];
@@ -118,11 +118,11 @@ bool moveCenter(const RegionObservation& observation, const EllipsoidPrior& prio
     const Eigen::Matrix2d weight = centerNoise(measurement, *image, kNoiseShare).inverse();
     fit.information += j->transpose() * weight * *j;
     vector += j->transpose() * weight * (measurement.center() - image->center);
-    ++fit.seeing;
+    ++fit.seeingCameraCount;
   }
   const Eigen::LDLT<Eigen::Matrix3d> solver(fit.information + prior.information);
   const Eigen::Vector3d step = solver.solve(vector);
-  fit.found = fit.seeing > 0 && solver.isPositive() && step.allFinite();
+  fit.found = fit.seeingCameraCount > 0 && solver.isPositive() && step.allFinite();
   if (fit.found) {
     fit.ellipsoid.center += step;
     fit.covariance = (fit.information + prior.information).inverse();
@@ -145,7 +145,7 @@ void compareViews(const RegionObservation& observation, const EllipsoidPrior& pr
       fit.disagreement += off.dot(centerNoise(fit.views[k], *image, kShapeShare).inverse() * off);
     }
   }
-  fit.degreesOfFreedom = fit.seeing > 1 ? 2 * fit.seeing - 3 : 0;
+  fit.degreesOfFreedom = fit.seeingCameraCount > 1 ? 2 * fit.seeingCameraCount - 3 : 0;
 }
 
 } // namespace

@@ -35,7 +35,7 @@ struct EllipsoidFit {
   /// Measurements, one per camera, near the outline that was expected before the last step of the
   /// fit.
   std::vector<RegionMeasurement> views;
-  int seeing = 0; ///< number of cameras that see the target
+  int seeingCameraCount = 0; ///< number of cameras that see the target
   /// Disagreement between the cameras: the sum of the squared residuals of the center, each divided
   /// by its standard deviation (including kShapeShare). `degreesOfFreedom` is the number of
   /// residuals minus the number of unknowns. Both are 0 if only one camera sees the target.

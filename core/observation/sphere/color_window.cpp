@@ -11,7 +11,7 @@
 namespace dewpoint::observation {
 namespace {
 
-constexpr int kWindowBlock = kMostWindows;
+constexpr int kWindowBlock = kMaxWindows;
 /// Counting a whole image takes as long as this many of its pixels have windows counted one by one:
 /// measured (bench/color_window_bench).
 constexpr std::int64_t kPixelsPerWindow = 60;

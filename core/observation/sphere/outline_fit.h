@@ -25,7 +25,7 @@ struct OutlineView {
 /// Information about the center of the sphere from the image of one camera alone, linearized at
 /// OutlineFit::center. If this camera sees the sphere displaced by d (meters, world) from that
 /// center, the expected value of `vector` is information * d.
-struct CameraPull {
+struct CameraInformation {
   /// Inverse covariance of the center, 1/m²; zero if the camera does not show the outline.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d vector = Eigen::Vector3d::Zero(); ///< 1/m
@@ -48,7 +48,7 @@ struct OutlineFit {
   /// Deviation of the outlines from their expected size: the mean offset of all edges in a camera,
   /// squared and divided by its variance, summed over the cameras.
   double sizeMisfit = 0.0;
-  std::vector<CameraPull> pulls; ///< per camera
+  std::vector<CameraInformation> pulls; ///< per camera
 };
 
 /// Prior knowledge about the sphere, for the fit. World frame.

@@ -85,9 +85,9 @@ bool isWhole(const cv::Mat& bgr, int column, int row) {
 void countWindows(const cv::Mat& bgr, const ColorClassifier& classifier, int windowCount,
                   const std::int32_t* pixels, std::uint8_t* counts) {
   constexpr int kRowBytes = 3 * kWindow;
-  std::array<std::uint8_t, std::size_t{kMostWindows} * kWindow * kRowBytes> windows;
-  std::array<std::uint8_t, std::size_t{kMostWindows} * WindowCounts::kPixels> matches;
-  std::array<int, kMostWindows> whole;
+  std::array<std::uint8_t, std::size_t{kMaxWindows} * kWindow * kRowBytes> windows;
+  std::array<std::uint8_t, std::size_t{kMaxWindows} * WindowCounts::kPixels> matches;
+  std::array<int, kMaxWindows> whole;
   int wholeCount = 0;
   windows.front() = 0; // g++ 12 warns about the rest
   std::uint8_t* next = windows.data();
@@ -109,7 +109,7 @@ void countWindows(const cv::Mat& bgr, const ColorClassifier& classifier, int win
   }
   classifier.matchRow(windows.data(), std::int64_t{WindowCounts::kPixels} * wholeCount,
                       matches.data());
-  std::array<std::uint8_t, kMostWindows> sums;
+  std::array<std::uint8_t, kMaxWindows> sums;
   runKernel<SumWindowsKernel>(matches.data(), wholeCount, sums.data());
   for (int i = 0; i < wholeCount; ++i) {
     counts[whole[static_cast<std::size_t>(i)]] = sums[static_cast<std::size_t>(i)];

@@ -34,7 +34,7 @@ private:
 };
 
 /// Maximum number of windows per call of countWindows().
-inline constexpr int kMostWindows = 64;
+inline constexpr int kMaxWindows = 64;
 
 /// Counts the matching pixels in `windowCount` windows of 5x5 pixels. counts[i] is the count for
 /// the window around the pixel at column pixels[i] % columns and row pixels[i] / columns of `bgr`

@@ -23,12 +23,12 @@ std::size_t TrackedFrame::bytes() const {
   return sum;
 }
 
-TargetStatus statusOf(bool held, double time, double lastHeld) {
+TargetStatus statusOf(bool held, double time, double lastHeldTime) {
   if (held) {
     return TargetStatus::Held;
   }
-  return std::isfinite(lastHeld) && time - lastHeld >= kLostAfter ? TargetStatus::Lost
-                                                                  : TargetStatus::Searching;
+  return std::isfinite(lastHeldTime) && time - lastHeldTime >= kLostAfter ? TargetStatus::Lost
+                                                                          : TargetStatus::Searching;
 }
 
 FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames) {

@@ -37,7 +37,7 @@ struct TrackedTarget {
   BoxParticles boxParticles; ///< particles of a BoxEstimate
   /// Time, in seconds, at which the target was last held (confirmed by the cameras); the time of
   /// this frame if the target is held now.
-  double lastHeld = -std::numeric_limits<double>::infinity();
+  double lastHeldTime = -std::numeric_limits<double>::infinity();
 };
 
 /// Results of one tracked frame, without its images.
@@ -71,8 +71,8 @@ struct FrameRecord {
 };
 
 /// Returns the status of a target at `time`: `held` tells whether the cameras confirm the target at
-/// this time, `lastHeld` when they last did. Times are in seconds.
-TargetStatus statusOf(bool held, double time, double lastHeld);
+/// this time, `lastHeldTime` when they last did. Times are in seconds.
+TargetStatus statusOf(bool held, double time, double lastHeldTime);
 /// Returns the data that the timeline shows about a tracked frame.
 FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames);
 

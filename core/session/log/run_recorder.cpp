@@ -148,7 +148,7 @@ void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFram
   if (run.frameIterations() < run.iterationsPerFrame()) {
     return; // it is under way, and goes on with the settings of then
   }
-  settings_.track(trackedFrame.frame, run.definition());
+  settings_.recordTracked(trackedFrame.frame, run.definition());
   if (awaited) {
     append(workTimes_, Seconds(Clock::now() - *awaited).count(), kFrameTimesKept);
   }
@@ -167,7 +167,7 @@ void RunRecorder::addStatistics(TrackSnapshot& snapshot) const {
   }
   snapshot.microsecondsPerIteration = upperMedian({iterationTimes_.begin(), iterationTimes_.end()});
   snapshot.budget = budget_;
-  snapshot.estimated = estimated_;
+  snapshot.estimatedAt = estimated_;
   snapshot.latency = log_.latency();
   snapshot.liveLatency = log_.liveLatency();
 }

@@ -20,7 +20,8 @@ ChangeRule::Decision ChangeRule::decide(const SessionState& state) {
     return {Action::Mark, from};
   }
   if (state.isEdited) {
-    return {expectedSeconds(old) < state.quick ? Action::TrackAgain : Action::Offer, from};
+    return {expectedSeconds(old) < state.quickLimitSeconds ? Action::TrackAgain : Action::Offer,
+            from};
   }
   // A rerun under way may be what makes them new.
   return {state.isRerunning ? Action::Mark : Action::Offer, from};

@@ -27,7 +27,7 @@ public:
     bool isRerunning = false; ///< past frames are being tracked again
     bool isEdited = false;    ///< settings have changed since the rule was last applied
     OldResults old;
-    double quick = kQuickSeconds; ///< longest duration that counts as quick, seconds
+    double quickLimitSeconds = kQuickSeconds; ///< longest duration that counts as quick, seconds
   };
   enum class Action {
     Nothing,    ///< leave the results as they are

@@ -82,7 +82,7 @@ void History::thinCheckpoints() {
   spacing_ *= 2;
 }
 
-void History::changed(std::int64_t frame, int iterations, const RunChange& change) {
+void History::recordChange(std::int64_t frame, int iterations, const RunChange& change) {
   std::vector<RunChange>& there = changes_[{frame, iterations}];
   const auto* next = std::get_if<DefinitionChange>(&change);
   auto* last = there.empty() ? nullptr : std::get_if<DefinitionChange>(&there.back());

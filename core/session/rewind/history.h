@@ -44,7 +44,7 @@ public:
   void beforeFrame(std::int64_t frame, const TrackingRun& run);
   /// Stores a change that was made to the run in `frame`, after `iterations` iterations on this
   /// frame.
-  void changed(std::int64_t frame, int iterations, const RunChange& change);
+  void recordChange(std::int64_t frame, int iterations, const RunChange& change);
   /// Stores the results of a frame that was tracked, or tracked again.
   void record(TrackedFrame trackedFrame);
   /// Removes the results, checkpoints and changes of frame `frame` and of later frames. A

@@ -35,9 +35,9 @@ void TimeTravel::beforeFrame(const FrameSetPtr& frames, const TrackingRun& run) 
   history_.beforeFrame(frames->index, run);
 }
 
-void TimeTravel::changed(const TrackingRun& run, const RunChange& change) {
+void TimeTravel::recordChange(const TrackingRun& run, const RunChange& change) {
   if (run.frames()) {
-    history_.changed(run.frames()->index, run.frameIterations(), change);
+    history_.recordChange(run.frames()->index, run.frameIterations(), change);
   }
 }
 
@@ -86,7 +86,7 @@ Status TimeTravel::trackAgain(TrackingRun& run, const TrackedFrame& trackedFrame
       run.apply(change);
     }
     if (done < trackedFrame.iterations) {
-      run.iterate();
+      run.iterateTimed();
     }
   }
   return {};

@@ -25,7 +25,7 @@ public:
   /// Stores the images of a frame set. Must be called before the run begins this frame set.
   void beforeFrame(const FrameSetPtr& frames, const TrackingRun& run);
   /// Stores a change that was made to the run in its current frame.
-  void changed(const TrackingRun& run, const RunChange& change);
+  void recordChange(const TrackingRun& run, const RunChange& change);
   /// Stores the results of the run's current frame and returns them. Must be called when the frame
   /// is finished, and again after each further iteration on this frame.
   const TrackedFrame& record(const TrackingRun& run);

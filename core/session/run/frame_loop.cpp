@@ -8,7 +8,7 @@ namespace dewpoint::session {
 
 Result<bool> trackFrame(TrackingRun& run, FrameObservers observers, FrameStep step) {
   for (int left = run.iterationsPerFrame() - run.frameIterations(); left > 0; --left) {
-    const double microseconds = run.iterate();
+    const double microseconds = run.iterateTimed();
     for (FrameObserver* const observer : observers) {
       observer->iterated(run, microseconds);
     }

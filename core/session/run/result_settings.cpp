@@ -44,7 +44,7 @@ void ResultSettings::goBack(std::int64_t frame) {
   }
 }
 
-void ResultSettings::track(std::int64_t frame, const RunDefinitionPtr& definition) {
+void ResultSettings::recordTracked(std::int64_t frame, const RunDefinitionPtr& definition) {
   goBack(frame);
   const bool continues = !sections_.empty() && sections_.back().frames.last == frame - 1 &&
                          (sections_.back().definition == definition ||

@@ -39,7 +39,7 @@ public:
   void goBack(std::int64_t frame);
   /// Stores that a frame was tracked with these settings. Earlier data of this frame and of later
   /// ones are removed.
-  void track(std::int64_t frame, const RunDefinitionPtr& definition);
+  void recordTracked(std::int64_t frame, const RunDefinitionPtr& definition);
   /// Returns the frames whose results came from settings other than `now`.
   std::vector<ResultRange> differentFrom(const RunDefinition& now) const;
   /// Returns the last frame with results; -1 if there is none.

@@ -77,7 +77,7 @@ nlohmann::ordered_json liveLatencyJson(const LiveLatency& live) {
   nlohmann::ordered_json json;
   for (const TimeOrigin origin : {TimeOrigin::Driver, TimeOrigin::Sender, TimeOrigin::Arrival}) {
     if (const std::int64_t images = live.images[static_cast<std::size_t>(origin)]; images > 0) {
-      json["images"][originName(origin)] = images;
+      json["images"][timeOriginName(origin)] = images;
     }
   }
   if (json.is_null()) {
@@ -118,30 +118,31 @@ void NoticeLog::update(const std::vector<Error>& notices, double time) {
   }
 }
 
-std::string runReport(const Project& project, const RunStatistics& figures) {
+std::string runReport(const Project& project, const RunStatistics& statistics) {
   nlohmann::ordered_json json;
   json["version"] = DEWPOINT_VERSION;
   json["project"] = project.name;
   json["method"] = project.method;
   json["seed"] = project.seed;
-  json["threads"] = figures.threads;
-  json["finished"] = figures.finished;
-  json["frames"] = figures.frames;
-  json["seconds"] = figures.seconds;
+  json["threads"] = statistics.threads;
+  json["finished"] = statistics.finished;
+  json["frames"] = statistics.frames;
+  json["seconds"] = statistics.seconds;
   json["frames_per_second"] =
-      figures.seconds > 0.0 ? static_cast<double>(figures.frames) / figures.seconds : 0.0;
-  json["iterations"] = figures.iterations.count();
-  json["microseconds_per_iteration"] = {{"p50", kMicroseconds * figures.iterations.quantile(0.5)},
-                                        {"p99", kMicroseconds * figures.iterations.quantile(0.99)}};
-  json["milliseconds_per_frame"] = {{"p50", inMilliseconds(figures.latency.quantile(0.5))},
-                                    {"p99", inMilliseconds(figures.latency.quantile(0.99))},
-                                    {"p99.9", inMilliseconds(figures.latency.quantile(0.999))},
-                                    {"max", inMilliseconds(figures.latency.longest())}};
-  if (auto live = liveLatencyJson(figures.live.summary()); !live.is_null()) {
+      statistics.seconds > 0.0 ? static_cast<double>(statistics.frames) / statistics.seconds : 0.0;
+  json["iterations"] = statistics.iterations.count();
+  json["microseconds_per_iteration"] = {
+      {"p50", kMicroseconds * statistics.iterations.quantile(0.5)},
+      {"p99", kMicroseconds * statistics.iterations.quantile(0.99)}};
+  json["milliseconds_per_frame"] = {{"p50", inMilliseconds(statistics.latency.quantile(0.5))},
+                                    {"p99", inMilliseconds(statistics.latency.quantile(0.99))},
+                                    {"p99.9", inMilliseconds(statistics.latency.quantile(0.999))},
+                                    {"max", inMilliseconds(statistics.latency.longest())}};
+  if (auto live = liveLatencyJson(statistics.live.summary()); !live.is_null()) {
     json["live_milliseconds"] = std::move(live);
   }
-  json["dropped_frames"] = figures.droppedFrames;
-  json["clocks"] = clocksJson(figures.clocks, project);
+  json["dropped_frames"] = statistics.droppedFrames;
+  json["clocks"] = clocksJson(statistics.clocks, project);
   for (const auto& declaration : project.parameters.declarations()) {
     json["parameters"][declaration.key] = project.parameters.at(declaration.key);
   }
@@ -153,8 +154,8 @@ std::string runReport(const Project& project, const RunStatistics& figures) {
   for (const PositionCorrection& correction : project.corrections) {
     json["corrections"].push_back(correctionJson(correction, project));
   }
-  json["notices"] = figures.notices;
-  for (const NoticePeriod& period : figures.noticeLog.periods()) {
+  json["notices"] = statistics.notices;
+  for (const NoticePeriod& period : statistics.noticeLog.periods()) {
     nlohmann::ordered_json& one = json["notice_log"].emplace_back();
     one["notice"] = period.text;
     one["from"] = period.from;

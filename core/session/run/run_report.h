@@ -57,6 +57,6 @@ struct RunStatistics {
 };
 
 /// Returns the text of run.json: statistics, method, seed, parameters and corrections of a run.
-std::string runReport(const Project& project, const RunStatistics& figures);
+std::string runReport(const Project& project, const RunStatistics& statistics);
 
 } // namespace dewpoint::session

@@ -51,7 +51,7 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
   header.hasBest = method != nullptr && method->family.hasBestParticle;
   header.hasAmbiguous = method != nullptr && method->writesAmbiguity;
   const auto mayBeNoBall = [](const Target& target) { return target.shape != TargetShape::Ball; };
-  header.hasExtent = method != nullptr && method->learnsShapes &&
+  header.hasExtent = method != nullptr && method->tracksAnyShape &&
                      std::ranges::any_of(project.targets, mayBeNoBall);
   header.hasCorrected = header.hasBest && !project.corrections.empty();
   return header;
@@ -206,7 +206,7 @@ int TrackingRun::iterationsPerFrame() const {
   return tracker_->iterationsPerFrame();
 }
 
-double TrackingRun::iterate() {
+double TrackingRun::iterateTimed() {
   const auto begin = std::chrono::steady_clock::now();
   tracker_->iterate(*team_);
   ++iterations_;
@@ -360,14 +360,14 @@ TrackedFrame TrackingRun::trackedFrame(int particleLimit, const TrackedFrame* pr
       target.reasons = explaining->cameraReports(k);
     }
     if (previous != nullptr && k < previous->targets.size()) {
-      target.lastHeld = previous->targets[k].lastHeld;
+      target.lastHeldTime = previous->targets[k].lastHeldTime;
     }
     const bool held = isHeld(target.estimate);
-    target.lastHeld = held ? trackedFrame.time : target.lastHeld;
+    target.lastHeldTime = held ? trackedFrame.time : target.lastHeldTime;
     target.status = isAbsent(target.estimate) ? TargetStatus::Gone
                     : isAmbiguous(target.estimate)
                         ? TargetStatus::Ambiguous
-                        : statusOf(held, trackedFrame.time, target.lastHeld);
+                        : statusOf(held, trackedFrame.time, target.lastHeldTime);
   }
   return trackedFrame;
 }

@@ -91,13 +91,13 @@ public:
   void setThreadCount(int threadCount) { team_ = std::make_unique<ThreadTeam>(threadCount); }
   int threadCount() const { return team_->threadCount(); }
 
-  /// Begins a frame set, on which the next calls of iterate() work.
+  /// Begins a frame set, on which the next calls of iterateTimed() work.
   void beginFrame(FrameSetPtr frames);
   int iterationsPerFrame() const;
   /// Runs one filter iteration for every target and returns its duration in microseconds, averaged
   /// over the targets. After the last iteration of a frame, the corrections of this frame are
   /// applied.
-  double iterate();
+  double iterateTimed();
 
   /// Returns what a correction of people changes in the current frame: a person to add or to
   /// remove. Empty if the method does not find people.

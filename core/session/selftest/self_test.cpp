@@ -49,10 +49,10 @@ void addMachine(const SelfTestInputs& /*parts*/, SelfTestLines& lines) {
 
 void addDisk(const SelfTestInputs& parts, SelfTestLines& lines) {
   std::error_code problem;
-  const auto space = std::filesystem::space(parts.scratch, problem);
+  const auto space = std::filesystem::space(parts.scratchFolder, problem);
   if (problem) {
     lines.push_back({Problem, "disk",
-                     fmt::format("nothing can be written to {}: {}", parts.scratch.string(),
+                     fmt::format("nothing can be written to {}: {}", parts.scratchFolder.string(),
                                  problem.message())});
     return;
   }
@@ -62,7 +62,7 @@ void addDisk(const SelfTestInputs& parts, SelfTestLines& lines) {
        : free < kLittleDisk ? Note
                             : Ok,
        "disk",
-       fmt::format("{:.1f} GB are free in {}", free, parts.scratch.parent_path().string())});
+       fmt::format("{:.1f} GB are free in {}", free, parts.scratchFolder.parent_path().string())});
 }
 
 void addCameras(const SelfTestInputs& parts, SelfTestLines& lines) {
@@ -79,7 +79,7 @@ void addCameras(const SelfTestInputs& parts, SelfTestLines& lines) {
 }
 
 void addCodecs(const SelfTestInputs& parts, SelfTestLines& lines) {
-  for (const CodecOutcome& codec : checkCodecs(parts.scratch)) {
+  for (const CodecOutcome& codec : checkCodecs(parts.scratchFolder)) {
     SelfTestLine line{Ok, "codec " + codec.name, "written and read back"};
     if (codec.isMissing) {
       line.level = Note;
@@ -157,7 +157,7 @@ constexpr std::array kSelfTests{&addVersions, &addMachine, &addDisk,
 
 std::vector<SelfTestLine> runSelfTest(const SelfTestInputs& parts) {
   std::error_code problem; // then the line about the disk says so
-  std::filesystem::create_directories(parts.scratch, problem);
+  std::filesystem::create_directories(parts.scratchFolder, problem);
   SelfTestLines lines;
   for (const auto& test : kSelfTests) {
     if (!parts.shouldContinue()) {
@@ -165,7 +165,7 @@ std::vector<SelfTestLine> runSelfTest(const SelfTestInputs& parts) {
     }
     test(parts, lines);
   }
-  std::filesystem::remove_all(parts.scratch, problem);
+  std::filesystem::remove_all(parts.scratchFolder, problem);
   return lines;
 }
 

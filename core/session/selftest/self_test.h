@@ -27,7 +27,7 @@ struct SelfTestInputs {
   std::vector<std::string> cameras = {}; ///< camera devices of this computer
   /// Folder for test files. The self-test creates the folder and removes it afterward with all its
   /// contents.
-  std::filesystem::path scratch = {};
+  std::filesystem::path scratchFolder = {};
   /// Called between the tests. If it returns false, the self-test ends.
   std::function<bool()> shouldContinue = [] { return true; };
 };

@@ -167,7 +167,7 @@ std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& s
   // All grounds share one choice, so that a target has one hue in all views. It is made for the
   // ground with the narrowest range of lightness: what differs there differs on the others, too.
   constexpr DisplayGround kDecisive = DisplayGround::Image;
-  const std::size_t own = std::min(sources.size(), kMostOwnColors);
+  const std::size_t own = std::min(sources.size(), kMaxOwnColors);
   std::vector<std::optional<LabColor>> chosen(own); // as seen on the decisive ground
   std::vector<DisplayColor> colors(sources.size());
   for (std::size_t k = 0; k < own; ++k) {

@@ -48,12 +48,12 @@ const std::vector<DisplayColor>& displayPalette(DisplayGround ground);
 /// Returns one display color per target: the center of its first learned range, made legible on the
 /// ground. Some targets get the color at their index in `displayPalette()` (used cyclically)
 /// instead, or the next one that no other target has: targets with similar colors, targets without
-/// a clear color, and all targets after the first `kMostOwnColors`. A target has the same hue on
+/// a clear color, and all targets after the first `kMaxOwnColors`. A target has the same hue on
 /// every ground.
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
                                         DisplayGround ground);
 /// Number of targets that can be displayed in their learned color. More could not be distinguished,
 /// and comparing all of them would take too long.
-inline constexpr std::size_t kMostOwnColors = 100;
+inline constexpr std::size_t kMaxOwnColors = 100;
 
 } // namespace dewpoint::session

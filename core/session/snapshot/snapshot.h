@@ -119,7 +119,7 @@ struct TrackSnapshot {
   std::uint64_t seed = 0;
   PlayState state = PlayState::Paused;
   /// Instant at which the newest estimate of the run was finished; zero before the first estimate.
-  std::chrono::steady_clock::time_point estimated{};
+  std::chrono::steady_clock::time_point estimatedAt{};
   std::vector<Error> notices;
   /// Cameras that have moved since the run began. Each also has a notice, at the end of `notices`.
   std::vector<CameraMotionReport> cameraMotions;

@@ -195,7 +195,7 @@ Status TakeRecorder::writeNotes(bool finished) const {
     one["pre_roll_shortened"] = camera.preRoll.shortened;
     one["bytes"] = camera.counts.bytes;
     one["frames_per_second"] = camera.counts.framesPerSecond;
-    one["time_origin"] = originName(camera.counts.origin);
+    one["time_origin"] = timeOriginName(camera.counts.origin);
     if (camera.counts.problem) {
       one["problem"] = camera.counts.problem->detail;
     }

@@ -160,9 +160,9 @@ std::vector<ExposureInView> exposuresInView(const TrackSnapshot& snapshot, int c
 const ExposureInView* worstExposure(const std::vector<ExposureInView>& exposures) {
   const auto badness = [](const ExposureInView& view) {
     const TargetExposure& exposure = view.exposure;
-    const double clipped = exposure.clippedShare() / TargetExposure::kMostClipped;
+    const double clipped = exposure.clippedShare() / TargetExposure::kMaxClippedShare;
     return clipped >= 1.0 ? 1.0 + clipped
-                          : std::max(clipped, exposure.darkShare() / TargetExposure::kMostDark);
+                          : std::max(clipped, exposure.darkShare() / TargetExposure::kMaxDarkShare);
   };
   const auto worst = std::ranges::max_element(exposures, {}, badness);
   return worst == exposures.end() ? nullptr : &*worst;

@@ -28,8 +28,8 @@ std::vector<ExposureInView> exposuresInView(const TrackSnapshot& snapshot, int c
 
 /// Returns the worst exposure; null if the list is empty. If targets are overexposed, this is the
 /// one with the largest fraction of clipped (saturated) pixels. Otherwise, the fractions of clipped
-/// and of dark pixels are compared relative to their limits (TargetExposure::kMostClipped,
-/// kMostDark).
+/// and of dark pixels are compared relative to their limits (TargetExposure::kMaxClippedShare,
+/// kMaxDarkShare).
 const ExposureInView* worstExposure(const std::vector<ExposureInView>& exposures);
 
 } // namespace dewpoint::session

@@ -78,12 +78,12 @@ cv::Mat fittedImage(const cv::Mat& image, const cv::Size& size) {
 
 cv::Mat likelihoodImage(const LikelihoodMap& map) {
   cv::Mat image(map.area.height, map.area.width, CV_8UC4);
-  const double range = std::max(1e-9, map.most - map.least);
+  const double range = std::max(1e-9, map.maxLogLikelihood - map.minLogLikelihood);
   for (int row = 0; row < image.rows; ++row) {
     const auto* values = map.logLikelihood.ptr<float>(row);
     auto* line = image.ptr<cv::Vec4b>(row);
     for (int column = 0; column < image.cols; ++column) {
-      line[column] = heat((static_cast<double>(values[column]) - map.least) / range);
+      line[column] = heat((static_cast<double>(values[column]) - map.minLogLikelihood) / range);
     }
   }
   return image;

@@ -15,7 +15,8 @@ Status CameraAgreementWatch::tracked(const TrackingRun& run) {
   return {};
 }
 
-std::vector<CameraDisagreement> CameraAgreementWatch::found(const MethodFamily& family) const {
+std::vector<CameraDisagreement>
+CameraAgreementWatch::disagreements(const MethodFamily& family) const {
   if (!family.needsCalibration) {
     return {};
   }
@@ -23,7 +24,7 @@ std::vector<CameraDisagreement> CameraAgreementWatch::found(const MethodFamily& 
   std::erase_if(found, [this](const CameraDisagreement& one) {
     const bool mayBeMotion = one.fault == CameraFault::Rotated || one.fault == CameraFault::Unknown;
     return mayBeMotion && std::ranges::any_of(motion_.reports(), [&](const auto& report) {
-             return !report.back &&
+             return !report.isBack &&
                     std::ranges::find(one.cameras, report.event.camera) != one.cameras.end();
            });
   });

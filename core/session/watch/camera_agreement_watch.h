@@ -22,7 +22,7 @@ public:
 
   /// Returns the faults of the cameras found so far (CameraAgreement::found()); none for a method
   /// that needs no calibration.
-  std::vector<CameraDisagreement> found(const MethodFamily& family) const;
+  std::vector<CameraDisagreement> disagreements(const MethodFamily& family) const;
 
   /// Replaces the calibrations of the cameras and starts the assessment from scratch.
   void setCameras(const CameraRig& rig) { agreement_ = CameraAgreement(rig); }

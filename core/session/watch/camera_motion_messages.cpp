@@ -4,7 +4,7 @@
 namespace dewpoint::session {
 
 CameraMotionStage stageOf(const CameraMotionReport& report, double now) {
-  if (report.back) {
+  if (report.isBack) {
     return CameraMotionStage::Back;
   }
   if (report.newPose) {
@@ -15,7 +15,7 @@ CameraMotionStage stageOf(const CameraMotionReport& report, double now) {
 }
 
 CameraMotionMessages::News
-CameraMotionMessages::take(const std::vector<CameraMotionReport>& reports, double now) {
+CameraMotionMessages::update(const std::vector<CameraMotionReport>& reports, double now) {
   News news;
   if (reports.size() < count_) {
     reported_.clear();

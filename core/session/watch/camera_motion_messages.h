@@ -43,7 +43,7 @@ public:
 
   /// Returns the new messages for all reports of a frame, which are in the order of the motions;
   /// `now` is in seconds of the run.
-  News take(const std::vector<CameraMotionReport>& reports, double now);
+  News update(const std::vector<CameraMotionReport>& reports, double now);
   /// Forgets earlier messages, because another run begins.
   void clear();
 

@@ -121,7 +121,7 @@ void CameraMotionWatch::watch(const FrameSet& frames, const std::vector<Target>&
 void CameraMotionWatch::update(CameraMotionReport& report, double time) {
   const std::size_t camera = report.event.camera;
   const double since = seconds(report.event.time) + kSettled;
-  report.back = !detector_.camera(camera).moved;
+  report.isBack = !detector_.camera(camera).moved;
   if (const auto now = sightings_.summary(camera, time - kWindow, kFewest)) {
     report.targetPixels = now->residual.norm();
   }
@@ -130,7 +130,7 @@ void CameraMotionWatch::update(CameraMotionReport& report, double time) {
   const auto& sightings =
       rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.sightings(camera);
   const auto solved = estimatePoseAfterMotion(rig_[camera], turn, sightings, since);
-  report.newPose = solved && !report.back ? std::optional(*solved) : std::nullopt;
+  report.newPose = solved && !report.isBack ? std::optional(*solved) : std::nullopt;
 }
 
 std::vector<Error> CameraMotionWatch::notices() const {

@@ -15,7 +15,7 @@ namespace dewpoint::session {
 /// Report of a moved camera, for views and messages.
 struct CameraMotionReport {
   CameraMotionEvent event;
-  bool back = false; ///< the camera is back in its former pose
+  bool isBack = false; ///< the camera is back in its former pose
   /// Recent distance, in pixels of this camera's image, between targets and their positions
   /// according to the other cameras; empty if unknown.
   std::optional<double> targetPixels;

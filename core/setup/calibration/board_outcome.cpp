@@ -194,7 +194,7 @@ Project withOutcome(Project project, const BoardOutcome& outcome) {
   return project;
 }
 
-std::vector<std::string> remarksOn(const BoardOutcome& outcome) {
+std::vector<std::string> outcomeRemarks(const BoardOutcome& outcome) {
   std::vector<std::string> remarks;
   if (outcome.lenses) {
     for (const Error& kept : outcome.lenses->kept) {

@@ -62,6 +62,6 @@ Project withOutcome(Project project, const BoardOutcome& outcome);
 
 /// Returns sentences about what the user should know in addition to the numbers: cameras that kept
 /// their calibration, notices, and faults.
-std::vector<std::string> remarksOn(const BoardOutcome& outcome);
+std::vector<std::string> outcomeRemarks(const BoardOutcome& outcome);
 
 } // namespace dewpoint::setup

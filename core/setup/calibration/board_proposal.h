@@ -14,14 +14,14 @@ namespace dewpoint::setup {
 /// Canceled; the errors of the source.
 Result<std::vector<BoardGuess>> proposeBoards(FrameSetSource& source,
                                               const BoardDescription& requested,
-                                              int frames = kFramesToLookAt,
+                                              int frames = kBoardProposalFrames,
                                               const CalibrationProgress& progress = {});
 /// Returns the boards that image files probably show, the most likely one first. At most `count` of
 /// the files are searched. `requested` is the board that the user expects. Errors: NotFound if no
 /// board is found; FileMissing; FileUnreadable; Canceled.
 Result<std::vector<BoardGuess>> proposeBoards(const std::vector<std::filesystem::path>& pictures,
                                               const BoardDescription& requested,
-                                              int count = kFramesToLookAt,
+                                              int count = kBoardProposalFrames,
                                               const CalibrationProgress& progress = {});
 /// Returns the boards that the images of one frame probably show, the most likely one first.
 /// `requested` is the board that the user expects. Errors: NotFound if no board is found; Canceled.

@@ -18,7 +18,7 @@ constexpr std::int64_t kFewFrames = 60; // so few are stills: time is spent on e
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
 constexpr std::int64_t kLongRecording =
-    std::int64_t{3} * kFramesToLookAt;       // less is searched in no time
+    std::int64_t{3} * kBoardProposalFrames;  // less is searched in no time
 constexpr double kLookShare = 0.1;           // of the time of a search
 constexpr std::size_t kMostImagesOfAll = 16; // of all cameras: a guess takes 0.2 s an image
 constexpr int kRarelySeen = 50;              // one of so many images: as good as never
@@ -200,7 +200,7 @@ std::vector<std::int64_t> framesToSearch(std::int64_t total,
 std::vector<std::int64_t> someOf(const std::vector<std::int64_t>& frames) {
   std::vector<std::int64_t> some;
   for (const std::int64_t k :
-       evenlySpaced(static_cast<std::int64_t>(frames.size()), kFramesToLookAt)) {
+       evenlySpaced(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames)) {
     some.push_back(frames[static_cast<std::size_t>(k)]);
   }
   return some;
@@ -224,7 +224,7 @@ Status searchFrames(const std::vector<std::int64_t>& frames, const BoardDetector
                     MissedImages& missed) {
   ThreadTeam team(threadCountForTasks(seen.cameras.size()));
   FramePicker picker(source);
-  const auto keep = evenlySpaced(static_cast<std::int64_t>(frames.size()), kFramesToLookAt);
+  const auto keep = evenlySpaced(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
                         static_cast<double>(k) / static_cast<double>(frames.size()))) {
@@ -273,7 +273,7 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
   camera.name = "camera";
   KeptImages kept(1);
   MissedImages missed(1, where == OtherBoards::OfEach);
-  const auto keep = evenlySpaced(static_cast<std::int64_t>(pictures.size()), kFramesToLookAt);
+  const auto keep = evenlySpaced(static_cast<std::int64_t>(pictures.size()), kBoardProposalFrames);
   for (const auto& file : pictures) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
                         static_cast<double>(camera.searched) /
@@ -340,7 +340,7 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
   const BoardDetections nothing = nothingSeen(project, source);
   const auto frames = framesToSearch(*total, request);
   const bool isLong = static_cast<std::int64_t>(frames.size()) > kLongRecording;
-  if (request.lookFirst && isLong) {
+  if (request.suggestBoardFirst && isLong) {
     auto first = searchedFrames(OtherBoards::OfAll, someOf(frames), detector, effort, source,
                                 partOfSearch(progress, 0.0, kLookShare), nothing);
     if (!first) {
@@ -357,13 +357,13 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
 
 Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pictures,
                                    const BoardDescription& board, DetectionEffort effort,
-                                   const CalibrationProgress& progress, bool lookFirst) {
+                                   const CalibrationProgress& progress, bool suggestBoardFirst) {
   const BoardDetector detector(board);
   const auto count = static_cast<std::int64_t>(pictures.size());
   const bool isLong = count > kLongRecording;
-  if (lookFirst && isLong) {
+  if (suggestBoardFirst && isLong) {
     std::vector<std::filesystem::path> few;
-    for (const std::int64_t k : evenlySpaced(count, kFramesToLookAt)) {
+    for (const std::int64_t k : evenlySpaced(count, kBoardProposalFrames)) {
       few.push_back(pictures[static_cast<std::size_t>(k)]);
     }
     auto first = searchedPictures(OtherBoards::OfAll, few, detector, effort,

@@ -32,7 +32,7 @@ struct BoardCalibrationRequest {
   bool refineIntrinsics = false; ///< true to refine the intrinsics together with the poses
   /// True to search a few frames of a long recording first. If these show only another board than
   /// the requested one, the remaining frames are not searched.
-  bool lookFirst = true;
+  bool suggestBoardFirst = true;
 };
 
 /// Image in which the board was not found.
@@ -81,23 +81,24 @@ struct BoardDetections {
 
 /// Searches a recording for the board, in evenly spaced frames that are the same for all cameras.
 /// Only frames from `firstFrame` to before `endFrame` are searched, and in addition `worldFrame`.
-/// With `lookFirst`, a few frames of a long recording are searched first: if they show another
-/// board instead of the requested one, the search ends and returns the other board (`otherBoard`).
-/// If a camera never sees the board, a few of its images are searched for any board. Returns
-/// BadValue if the cameras are live or if the recording has none of these frames. Also returns
-/// Canceled, or the errors of the source.
+/// With `suggestBoardFirst`, a few frames of a long recording are searched first: if they show
+/// another board instead of the requested one, the search ends and returns the other board
+/// (`otherBoard`). If a camera never sees the board, a few of its images are searched for any
+/// board. Returns BadValue if the cameras are live or if the recording has none of these frames.
+/// Also returns Canceled, or the errors of the source.
 Result<BoardDetections> findBoards(const Project& project, FrameSetSource& source,
                                    const BoardCalibrationRequest& request,
                                    const CalibrationProgress& progress = {});
 
-/// Searches image files from one camera for the board. `lookFirst` has the same meaning as in
-/// BoardCalibrationRequest. Each view is named after its file. Returns FileUnreadable, Mismatch if
-/// the image sizes differ, or Canceled.
+/// Searches image files from one camera for the board. `suggestBoardFirst` has the same meaning as
+/// in BoardCalibrationRequest. Each view is named after its file. Returns FileUnreadable, Mismatch
+/// if the image sizes differ, or Canceled.
 Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pictures,
                                    const BoardDescription& board, DetectionEffort effort,
-                                   const CalibrationProgress& progress = {}, bool lookFirst = true);
+                                   const CalibrationProgress& progress = {},
+                                   bool suggestBoardFirst = true);
 
 /// Number of frames that are searched to find out which board a recording shows.
-inline constexpr int kFramesToLookAt = 12;
+inline constexpr int kBoardProposalFrames = 12;
 
 } // namespace dewpoint::setup

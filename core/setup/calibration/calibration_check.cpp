@@ -75,7 +75,7 @@ CheckedCalibration checkCalibration(const std::filesystem::path& file) {
   CheckedCalibration checked;
   const auto read = readCalibration(file);
   if (!read) {
-    AskedQuestion asked = askedQuestion(read.error());
+    ImportProblem asked = importProblem(read.error());
     checked.needsInput = asked.question != ImportQuestion::None;
     checked.problem = std::move(asked.error);
     checked.formatTitle = recognizedTitle(file);

@@ -186,14 +186,14 @@ std::vector<std::string> cameraNamesIn(const ImportRequest& request) {
   return names;
 }
 
-AskedQuestion askedQuestion(Error error) {
+ImportProblem importProblem(Error error) {
   constexpr std::pair<const char*, ImportQuestion> kOptions[] = {
       {"--from", ImportQuestion::Format}, {"--unit", ImportQuestion::Unit},
       {"--lens", ImportQuestion::Lens},   {"--size", ImportQuestion::Size},
       {"--poses", ImportQuestion::Poses}, {"--force", ImportQuestion::None},
       {"--to ", ImportQuestion::Format},  {"--fit", ImportQuestion::Fit},
       {"--map", ImportQuestion::Names}};
-  AskedQuestion asked;
+  ImportProblem asked;
   const auto option = error.detail.find("--");
   for (const auto& [name, question] : kOptions) {
     if (option != std::string::npos && error.detail.compare(option, std::strlen(name), name) == 0) {

@@ -70,13 +70,13 @@ enum class ImportQuestion { None, Format, Unit, Lens, Size, Poses, Camera, Fit, 
 
 /// Error of importCalibration(), and the question that it raises. The text of the error does not
 /// mention the command-line option that answers the question.
-struct AskedQuestion {
+struct ImportProblem {
   ImportQuestion question = ImportQuestion::None;
   Error error;
 };
 /// Returns the question to ask the user after an error of importCalibration(), so that the import
 /// can be repeated with the answer. None if the error raises no question.
-AskedQuestion askedQuestion(Error error);
+ImportProblem importProblem(Error error);
 
 /// Writes the project's cameras in the format of any supported tool.
 Result<CalibrationConversion> exportCalibration(const Project& project,

@@ -9,7 +9,7 @@
 namespace dewpoint::setup {
 namespace {
 
-StepProgress ofCameras(const CalibrationStatus& status, PartStatus CameraCalibrationStatus::*part,
+StepProgress ofCameras(const CalibrationStatus& status, ItemStatus CameraCalibrationStatus::*part,
                        Knowledge least) {
   return {static_cast<int>(countKnown(status, part, least)),
           std::max(1, static_cast<int>(status.cameras.size())), worstError(status, part)};
@@ -74,7 +74,7 @@ StepErrorUnit errorUnit(GuideStep step) {
   return StepErrorUnit::None;
 }
 
-const std::vector<GuideStep>& stepsOf(CalibrationWay way) {
+const std::vector<GuideStep>& stepsOf(CalibrationProcedure procedure) {
   using enum GuideStep;
   static const std::array<std::vector<GuideStep>, 5> kSteps{
       {{FieldOfView, GridOnFloor, MeasuredLength},
@@ -82,7 +82,7 @@ const std::vector<GuideStep>& stepsOf(CalibrationWay way) {
        {PrintBoard, LensesByBoard, BoardInVolume, Floor, MeasuredLength},
        {FieldOfView, RoughPositions, LearnBall, WaveWand, Floor, MeasuredLength},
        {ImportFile, Floor, MeasuredLength}}};
-  return kSteps.at(static_cast<std::size_t>(way));
+  return kSteps.at(static_cast<std::size_t>(procedure));
 }
 
 StepProgress progressOf(GuideStep step, const Project& project, const CalibrationStatus& status) {
@@ -127,22 +127,23 @@ StepProgress progressOf(GuideStep step, const Project& project, const Calibratio
              : ofPart(false);
 }
 
-GuideStep nextStep(CalibrationWay way, const Project& project, const CalibrationStatus& status) {
-  for (const GuideStep step : stepsOf(way)) {
+GuideStep nextStep(CalibrationProcedure procedure, const Project& project,
+                   const CalibrationStatus& status) {
+  for (const GuideStep step : stepsOf(procedure)) {
     if (!progressOf(step, project, status).isDone()) {
       return step;
     }
   }
-  return stepsOf(way).back();
+  return stepsOf(procedure).back();
 }
 
-std::optional<CalibrationWay> wayTaken(const CalibrationStatus& status) {
-  constexpr std::array<std::pair<CalibrationOrigin, CalibrationWay>, 4> kWays{
-      {{CalibrationOrigin::Points, CalibrationWay::Points},
-       {CalibrationOrigin::Board, CalibrationWay::Board},
-       {CalibrationOrigin::Wand, CalibrationWay::Wand},
-       {CalibrationOrigin::File, CalibrationWay::File}}};
-  std::optional<CalibrationWay> most;
+std::optional<CalibrationProcedure> procedureInUse(const CalibrationStatus& status) {
+  constexpr std::array<std::pair<CalibrationOrigin, CalibrationProcedure>, 4> kWays{
+      {{CalibrationOrigin::Points, CalibrationProcedure::Points},
+       {CalibrationOrigin::Board, CalibrationProcedure::Board},
+       {CalibrationOrigin::Wand, CalibrationProcedure::Wand},
+       {CalibrationOrigin::File, CalibrationProcedure::File}}};
+  std::optional<CalibrationProcedure> most;
   std::ptrdiff_t count = 0;
   for (const auto& one : kWays) {
     const auto cameras =

@@ -9,9 +9,9 @@
 namespace dewpoint::setup {
 
 /// Way to calibrate the cameras of a project.
-enum class CalibrationWay { Grid, Points, Board, Wand, File };
+enum class CalibrationProcedure { Grid, Points, Board, Wand, File };
 
-/// Step of a CalibrationWay. Each way is a sequence of some of these steps.
+/// Step of a CalibrationProcedure. Each way is a sequence of some of these steps.
 enum class GuideStep {
   ImportFile,     ///< read a calibration made with another tool
   PrintBoard,     ///< print a board and glue it to something flat
@@ -45,15 +45,16 @@ enum class StepErrorUnit { None, Pixels, Meters, Fraction };
 StepErrorUnit errorUnit(GuideStep step);
 
 /// Returns the steps of a way, in order.
-const std::vector<GuideStep>& stepsOf(CalibrationWay way);
+const std::vector<GuideStep>& stepsOf(CalibrationProcedure procedure);
 
 /// Returns the progress of a step. `status` is the calibrationStatus() of the same project.
 StepProgress progressOf(GuideStep step, const Project& project, const CalibrationStatus& status);
 
 /// Returns the first step of a way that is not done, or the last step if all steps are done.
-GuideStep nextStep(CalibrationWay way, const Project& project, const CalibrationStatus& status);
+GuideStep nextStep(CalibrationProcedure procedure, const Project& project,
+                   const CalibrationStatus& status);
 
 /// Returns the way in which most camera poses were calibrated; nothing if none is recorded.
-std::optional<CalibrationWay> wayTaken(const CalibrationStatus& status);
+std::optional<CalibrationProcedure> procedureInUse(const CalibrationStatus& status);
 
 } // namespace dewpoint::setup

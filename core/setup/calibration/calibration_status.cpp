@@ -20,7 +20,7 @@ Knowledge knowledgeFrom(CalibrationOrigin origin) {
 }
 
 template <class Record>
-PartStatus partStatus(const std::optional<Record>& record, const Camera& camera, bool isGuessed,
+ItemStatus partStatus(const std::optional<Record>& record, const Camera& camera, bool isGuessed,
                       double poor) {
   if (record && describes(*record, camera)) {
     return {knowledgeFrom(record->origin), record->origin, record->error,
@@ -46,7 +46,7 @@ CameraCalibrationStatus cameraStatus(const Project& project, std::size_t index) 
 
 /// Scale and floor are those of the cameras' positions: they are not known better than the best
 /// known of these, and not at all while one is guessed.
-PartStatus worldPart(const std::vector<CameraCalibrationStatus>& cameras,
+ItemStatus worldPart(const std::vector<CameraCalibrationStatus>& cameras,
                      const std::optional<CalibrationOrigin>& origin, bool survivesEditing) {
   Knowledge best = Knowledge::Missing;
   for (const CameraCalibrationStatus& camera : cameras) {
@@ -55,7 +55,7 @@ PartStatus worldPart(const std::vector<CameraCalibrationStatus>& cameras,
     }
     best = std::max(best, camera.pose.knowledge);
   }
-  PartStatus status{.knowledge = best == Knowledge::Missing ? best : Knowledge::Given};
+  ItemStatus status{.knowledge = best == Knowledge::Missing ? best : Knowledge::Given};
   if (origin && (best == Knowledge::Measured || survivesEditing)) {
     status.knowledge = knowledgeFrom(*origin);
     status.origin = origin;
@@ -99,7 +99,7 @@ CalibrationStatus calibrationStatus(const Project& project) {
   return status;
 }
 
-const char* originText(const PartStatus& part) {
+const char* originText(const ItemStatus& part) {
   if (part.knowledge == Knowledge::Missing) {
     return "guessed";
   }
@@ -121,18 +121,18 @@ const char* originText(const PartStatus& part) {
   return "points marked in the images";
 }
 
-std::size_t countKnown(const CalibrationStatus& status, PartStatus CameraCalibrationStatus::*part,
+std::size_t countKnown(const CalibrationStatus& status, ItemStatus CameraCalibrationStatus::*part,
                        Knowledge least) {
   return static_cast<std::size_t>(
       std::ranges::count_if(status.cameras, [&](const CameraCalibrationStatus& camera) {
-        const PartStatus& known = camera.*part;
+        const ItemStatus& known = camera.*part;
         const bool isPoor = least == Knowledge::Measured && known.isPoor;
         return known.knowledge >= least && !isPoor;
       }));
 }
 
 std::optional<double> worstError(const CalibrationStatus& status,
-                                 PartStatus CameraCalibrationStatus::*part) {
+                                 ItemStatus CameraCalibrationStatus::*part) {
   std::optional<double> worst;
   for (const CameraCalibrationStatus& camera : status.cameras) {
     if (const auto& error = (camera.*part).error) {

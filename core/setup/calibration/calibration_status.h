@@ -17,7 +17,7 @@ enum class Knowledge {
 };
 
 /// Status of one part of the calibration.
-struct PartStatus {
+struct ItemStatus {
   Knowledge knowledge = Knowledge::Missing;
   /// Origin of this part; empty if it is not recorded.
   std::optional<CalibrationOrigin> origin = {};
@@ -25,21 +25,21 @@ struct PartStatus {
   std::optional<double> error = {};
   bool isPoor = false; ///< measured, but with such low accuracy that it should be measured again
 
-  bool operator==(const PartStatus&) const = default;
+  bool operator==(const ItemStatus&) const = default;
 };
 
 /// Calibration status of one camera.
 struct CameraCalibrationStatus {
-  PartStatus lens;    ///< status of the intrinsics; the error is LensRecord::error, pixels
-  PartStatus pose;    ///< status of the pose; the error is PoseRecord::error, meters
+  ItemStatus lens;    ///< status of the intrinsics; the error is LensRecord::error, pixels
+  ItemStatus pose;    ///< status of the pose; the error is PoseRecord::error, meters
   double delay = 0.0; ///< delay of the images (ProjectCamera::delay), seconds
 };
 
 /// Calibration status of a project.
 struct CalibrationStatus {
   std::vector<CameraCalibrationStatus> cameras; ///< status of each camera, in project order
-  PartStatus scale;      ///< status of the scale; the error is WorldRecord::scaleError
-  PartStatus floor;      ///< status of the floor and the upward direction, without an error
+  ItemStatus scale;      ///< status of the scale; the error is WorldRecord::scaleError
+  ItemStatus floor;      ///< status of the floor and the upward direction, without an error
   bool isUpright = true; ///< false if the images show that the z axis does not point up
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed
   /// (WorldRecord::accuracy).
@@ -57,15 +57,15 @@ CalibrationStatus calibrationStatus(const Project& project);
 
 /// Returns the origin of a part of the calibration in a few English words, for example "guessed" or
 /// "board".
-const char* originText(const PartStatus& part);
+const char* originText(const ItemStatus& part);
 
 /// Returns the number of cameras with at least this knowledge of a part. A part with `isPoor`
 /// counts as Given, not as Measured.
-std::size_t countKnown(const CalibrationStatus& status, PartStatus CameraCalibrationStatus::*part,
+std::size_t countKnown(const CalibrationStatus& status, ItemStatus CameraCalibrationStatus::*part,
                        Knowledge least);
 
 /// Returns the largest error of a part among the cameras; empty if none is known.
 std::optional<double> worstError(const CalibrationStatus& status,
-                                 PartStatus CameraCalibrationStatus::*part);
+                                 ItemStatus CameraCalibrationStatus::*part);
 
 } // namespace dewpoint::setup

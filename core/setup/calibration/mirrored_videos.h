@@ -39,7 +39,7 @@ MirroredVideos mirroredVideos(const BoardDetections& seen);
 /// Returns Cause::None for a chessboard. Returns BadValue if the cameras are live, Canceled, or the
 /// errors of the source.
 Result<MirroredVideos> findMirroredVideos(FrameSetSource& source, const BoardDescription& board,
-                                          int frames = kFramesToLookAt,
+                                          int frames = kBoardProposalFrames,
                                           const CalibrationProgress& progress = {});
 
 /// Returns a sentence that names the mirrored videos. `names` contains the names of all cameras.

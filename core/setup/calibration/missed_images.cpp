@@ -48,7 +48,7 @@ Status MissedImages::explain(const BoardDetector& detector, const CalibrationPro
       if (!reportProgress(progress, CalibrationStage::BoardDetection, 1.0)) {
         return canceled();
       }
-      camera.missed[i].miss = whyBoardMissed(detector, images_[k][i]);
+      camera.missed[i].miss = diagnoseMissedBoard(detector, images_[k][i]);
     }
   }
   return {};
@@ -85,7 +85,7 @@ std::string missedText(const BoardDetections::PerCamera& camera) {
   }
   int others = 0;
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    if (k < kMostListedRuns) {
+    if (k < kMaxListedRuns) {
       text += (k == 0 ? "" : ", ") + runText(runs[k]);
     } else {
       others += runs[k].images;

@@ -46,7 +46,7 @@ struct MissedRun {
 std::vector<MissedRun> missedRuns(const BoardDetections::PerCamera& camera);
 
 /// Maximum number of runs that a sentence about missed images lists.
-inline constexpr std::size_t kMostListedRuns = 8;
+inline constexpr std::size_t kMaxListedRuns = 8;
 
 /// Returns whether the reason of any missed image is known.
 bool isAnyExplained(const BoardDetections::PerCamera& camera);

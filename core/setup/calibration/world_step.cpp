@@ -51,7 +51,7 @@ Result<FloorChange> changeOf(WorldStep step, const CameraRig& rig, const Positio
   case WorldStep::Floor:
     return floorThrough(at, rig);
   case WorldStep::Level:
-    return levelAlong(at[0], at[1]).map(rigid);
+    return levelingRotation(at[0], at[1]).map(rigid);
   case WorldStep::Origin:
     return rigid(originAt(at[0]));
   case WorldStep::XAxis:

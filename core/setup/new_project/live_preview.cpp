@@ -20,8 +20,8 @@ using PreviewClock = std::chrono::steady_clock;
 
 /// As wide as the previews of recordings.
 constexpr int kThumbnailWidth = 192;
-/// How long a source is measured by tryLive(), and how long it may take to begin; seconds. Chosen:
-/// streams send their first key frame within a few seconds.
+/// How long a source is measured by captureLivePreview(), and how long it may take to begin;
+/// seconds. Chosen: streams send their first key frame within a few seconds.
 constexpr double kMeasured = 1.0;
 constexpr double kPatience = 5.0;
 
@@ -79,13 +79,13 @@ tl::unexpected<Error> noPreview(ErrorCode code, const LiveCamera& camera, std::s
 
 } // namespace
 
-Status watchLive(const LiveCamera& camera, double interval, const PreviewReceiver& receive) {
-  return watchLive(camera, interval, receive,
-                   [](const LiveCamera& wanted) { return makeLiveStream(wanted, nullptr); });
+Status previewLive(const LiveCamera& camera, double interval, const PreviewReceiver& receive) {
+  return previewLive(camera, interval, receive,
+                     [](const LiveCamera& wanted) { return makeLiveStream(wanted, nullptr); });
 }
 
-Status watchLive(const LiveCamera& camera, double interval, const PreviewReceiver& receive,
-                 const LiveStreamFactory& factory) {
+Status previewLive(const LiveCamera& camera, double interval, const PreviewReceiver& receive,
+                   const LiveStreamFactory& factory) {
   if (auto good = checkLocation(camera); !good) {
     return good;
   }
@@ -118,14 +118,15 @@ Status watchLive(const LiveCamera& camera, double interval, const PreviewReceive
                             : noPreview(ErrorCode::ConnectionLost, camera, stream->lostReason());
 }
 
-Result<LivePreview> tryLive(const std::string& location, const std::function<bool()>& goesOn) {
+Result<LivePreview> captureLivePreview(const std::string& location,
+                                       const std::function<bool()>& goesOn) {
   LiveCamera camera;
   camera.location = location;
   LivePreview first;
   bool isCanceled = false;
   const auto begin = PreviewClock::now();
   std::optional<PreviewClock::time_point> firstAt;
-  const auto watched = watchLive(camera, 0.0, [&](const LivePreview& preview) {
+  const auto watched = previewLive(camera, 0.0, [&](const LivePreview& preview) {
     isCanceled = !goesOn();
     if (!firstAt && !preview.image.empty()) {
       firstAt = PreviewClock::now();

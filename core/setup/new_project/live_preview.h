@@ -19,7 +19,7 @@ struct LivePreview {
   double framesPerSecond = 0.0; ///< measured frame rate; 0 while it is not known
 };
 
-/// Function that is called with each preview, in the thread of watchLive(). It returns whether to
+/// Function that is called with each preview, in the thread of previewLive(). It returns whether to
 /// continue.
 using PreviewReceiver = std::function<bool(const LivePreview&)>;
 
@@ -30,16 +30,17 @@ using PreviewReceiver = std::function<bool(const LivePreview&)>;
 /// `camera` specifies the location and may request a size; its rotation is not used. Errors:
 /// DeviceUnavailable or BadValue if the source cannot be opened, ConnectionLost if it stops
 /// sending. Passwords are removed from the locations in errors.
-Status watchLive(const LiveCamera& camera, double interval, const PreviewReceiver& receive);
+Status previewLive(const LiveCamera& camera, double interval, const PreviewReceiver& receive);
 /// Opens a live source with a connection created by `factory`, and passes an image to `receive`
 /// every `interval` seconds. In all other respects, it is like the overload above.
-Status watchLive(const LiveCamera& camera, double interval, const PreviewReceiver& receive,
-                 const LiveStreamFactory& factory);
+Status previewLive(const LiveCamera& camera, double interval, const PreviewReceiver& receive,
+                   const LiveStreamFactory& factory);
 
 /// Opens a live source for about a second. Returns its first image, the size of the images and the
 /// frame rate. `goesOn` is called from time to time; if it returns false, the function ends early.
-/// Errors: those of watchLive(); Canceled if `goesOn` returned false; DeviceUnavailable if no image
-/// arrives within 5 s.
-Result<LivePreview> tryLive(const std::string& location, const std::function<bool()>& goesOn);
+/// Errors: those of previewLive(); Canceled if `goesOn` returned false; DeviceUnavailable if no
+/// image arrives within 5 s.
+Result<LivePreview> captureLivePreview(const std::string& location,
+                                       const std::function<bool()>& goesOn);
 
 } // namespace dewpoint::setup

@@ -93,8 +93,8 @@ void castSolid(const Solid& solid, const Vector3f& origin, const Vector3f& direc
   if (relative.squaredNorm() - along * along > solid.bound * solid.bound) {
     return;
   }
-  const Vector3f o = toSolid(solid, relative);
-  const Vector3f d = toSolid(solid, direction);
+  const Vector3f o = toSolidFrame(solid, relative);
+  const Vector3f d = toSolidFrame(solid, direction);
   const float before = hit.distance;
   switch (solid.shape) {
   case Shape::Box:
@@ -194,7 +194,7 @@ ShadedColor Room::shadedColorOf(const Vector3f& origin, const Vector3f& directio
   const bool isWall = hit.solid == &walls_;
   const Pattern pattern =
       isWall && hit.normal.z() > 0.5F ? Pattern::Floor : hit.solid->material.pattern;
-  const Vector3f position = isWall ? point : toSolid(*hit.solid, point - hit.solid->center);
+  const Vector3f position = isWall ? point : toSolidFrame(*hit.solid, point - hit.solid->center);
   const Vector3f color = texture(pattern, hit.solid->material.color, position);
   const float light = shade(point, hit.normal, lit, lamp_);
   const float dark = shade(point, hit.normal, 0.0F, lamp_);

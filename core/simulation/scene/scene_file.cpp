@@ -50,7 +50,7 @@ void rangesFromColor(SceneBall& ball) {
 
 void readRange(TableReader& reader, const char* key, double& low, double& high, double limit) {
   std::array<double, 2> range{low, high};
-  if (reader.numbers(key, range.data(), 2, 0.0, limit)) {
+  if (reader.readNumbers(key, range.data(), 2, 0.0, limit)) {
     low = range[0];
     high = range[1];
   }
@@ -59,15 +59,15 @@ void readRange(TableReader& reader, const char* key, double& low, double& high, 
 Result<SceneBall> readBall(const toml::table& table, const std::string& file, std::size_t index) {
   TableReader reader(table, file, fmt::format("ball {}.", index + 1));
   SceneBall ball;
-  reader.text("name", ball.name);
-  reader.number("radius", ball.radius, 0.001, 10.0);
+  reader.readText("name", ball.name);
+  reader.readNumber("radius", ball.radius, 0.001, 10.0);
   Eigen::Vector3d rgb = ball.color.reverse();
-  if (reader.numbers("color", rgb.data(), 3, 0.0, 255.0)) {
+  if (reader.readNumbers("color", rgb.data(), 3, 0.0, 255.0)) {
     ball.color = rgb.reverse();
     rangesFromColor(ball);
   }
   std::string motion = "smooth";
-  reader.text("motion", motion);
+  reader.readText("motion", motion);
   const auto* known =
       std::ranges::find_if(kMotionNames, [&](const auto& entry) { return motion == entry.second; });
   if (known == kMotionNames.end()) {
@@ -76,10 +76,10 @@ Result<SceneBall> readBall(const toml::table& table, const std::string& file, st
   } else {
     ball.motion = known->first;
   }
-  reader.numbers("position", ball.position.data(), 3);
-  reader.numbers("extent", ball.extent.data(), 3);
-  reader.number("period", ball.period, 1e-3, 1e6);
-  reader.number("still_seconds", ball.stillSeconds, 0.0, 1e6);
+  reader.readNumbers("position", ball.position.data(), 3);
+  reader.readNumbers("extent", ball.extent.data(), 3);
+  reader.readNumber("period", ball.period, 1e-3, 1e6);
+  reader.readNumber("still_seconds", ball.stillSeconds, 0.0, 1e6);
   readRange(reader, "hue", ball.hueMin, ball.hueMax, 360.0);
   readRange(reader, "saturation", ball.saturationMin, ball.saturationMax, 1.0);
   readRange(reader, "intensity", ball.intensityMin, ball.intensityMax, 1.0);
@@ -92,9 +92,9 @@ Result<SceneBall> readBall(const toml::table& table, const std::string& file, st
 Result<SceneLight> readLight(const toml::table& table, const std::string& file, std::size_t index) {
   TableReader reader(table, file, fmt::format("light {}.", index + 1));
   SceneLight light;
-  reader.number("time", light.time, 0.0, 1e9);
-  reader.number("brightness", light.brightness, 0.01, 100.0);
-  reader.number("kelvin", light.kelvin, 1000.0, 40000.0);
+  reader.readNumber("time", light.time, 0.0, 1e9);
+  reader.readNumber("brightness", light.brightness, 0.01, 100.0);
+  reader.readNumber("kelvin", light.kelvin, 1000.0, 40000.0);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));
   }
@@ -106,13 +106,13 @@ Result<SceneLight> readLight(const toml::table& table, const std::string& file, 
 void readPose(TableReader& reader, Camera& camera) {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   reader.require("position");
-  reader.numbers("position", position.data(), 3);
+  reader.readNumbers("position", position.data(), 3);
   Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rotation;
   Eigen::Vector3d target;
   double roll = 0.0;
-  reader.number("roll", roll, -360.0, 360.0);
-  const bool aimed = reader.numbers("target", target.data(), 3);
-  if (reader.numbers("rotation", rotation.data(), 9)) {
+  reader.readNumber("roll", roll, -360.0, 360.0);
+  const bool aimed = reader.readNumbers("target", target.data(), 3);
+  if (reader.readNumbers("rotation", rotation.data(), 9)) {
     if (aimed || reader.has("roll")) {
       reader.fail(ErrorCode::BadValue, "rotation",
                   "rotation cannot be used together with target or roll");
@@ -138,24 +138,24 @@ Result<Camera> readCamera(const toml::table& table, const std::string& file, std
   Camera camera;
   camera.name = defaultCameraName(index);
   Intrinsics& lens = camera.intrinsics;
-  reader.text("name", camera.name);
+  reader.readText("name", camera.name);
   for (const char* key : {"width", "height", "focal"}) {
     reader.require(key);
   }
-  reader.integer("width", lens.width, 1, kMaxSide);
-  reader.integer("height", lens.height, 1, kMaxSide);
+  reader.readInteger("width", lens.width, 1, kMaxSide);
+  reader.readInteger("height", lens.height, 1, kMaxSide);
   std::array<double, 2> focal{};
-  if (reader.numbers("focal", focal.data(), 2, 1e-3, 1e6)) {
+  if (reader.readNumbers("focal", focal.data(), 2, 1e-3, 1e6)) {
     lens.focalX = focal[0];
     lens.focalY = focal[1];
   }
   std::array<double, 2> center{(lens.width - 1) / 2.0, (lens.height - 1) / 2.0};
-  reader.numbers("center", center.data(), 2);
+  reader.readNumbers("center", center.data(), 2);
   lens.centerX = center[0];
   lens.centerY = center[1];
-  reader.numbers("distortion", camera.distortion.data(), camera.distortion.size());
+  reader.readNumbers("distortion", camera.distortion.data(), camera.distortion.size());
   bool fisheye = false;
-  reader.boolean("fisheye", fisheye);
+  reader.readBoolean("fisheye", fisheye);
   camera.lens = fisheye ? LensModel::Fisheye : LensModel::Pinhole;
   readPose(reader, camera);
   if (auto error = reader.finish()) {
@@ -198,19 +198,19 @@ Status checkPixels(const CameraRig& cameras, const std::string& file) {
 Result<Scene> readScene(const toml::table& table, const std::string& file) {
   TableReader reader(table, file, "");
   Scene scene = demoScene();
-  reader.text("name", scene.name);
-  reader.number("frames_per_second", scene.framesPerSecond, 1e-3, 1e5);
-  reader.integer("frame_count", scene.frameCount, 1, 100'000'000);
-  reader.integer("seed", scene.seed, std::numeric_limits<std::int64_t>::min(),
-                 std::numeric_limits<std::int64_t>::max());
-  reader.integer("look_alikes", scene.distractors, 0, kMaxDistractors);
-  reader.boolean("occluder", scene.occluder);
-  reader.boolean("clutter", scene.clutter);
-  reader.number("noise_sigma", scene.noiseSigma, 0.0, 100.0);
-  reader.number("exposure_seconds", scene.exposureSeconds, 0.0, 10.0);
-  const auto balls = reader.tables("ball", limits::kMaxTargets);
-  const auto cameras = reader.tables("camera", limits::kMaxCameras);
-  const auto lights = reader.tables("light", limits::kMaxTargets);
+  reader.readText("name", scene.name);
+  reader.readNumber("frames_per_second", scene.framesPerSecond, 1e-3, 1e5);
+  reader.readInteger("frame_count", scene.frameCount, 1, 100'000'000);
+  reader.readInteger("seed", scene.seed, std::numeric_limits<std::int64_t>::min(),
+                     std::numeric_limits<std::int64_t>::max());
+  reader.readInteger("look_alikes", scene.distractors, 0, kMaxDistractors);
+  reader.readBoolean("occluder", scene.occluder);
+  reader.readBoolean("clutter", scene.clutter);
+  reader.readNumber("noise_sigma", scene.noiseSigma, 0.0, 100.0);
+  reader.readNumber("exposure_seconds", scene.exposureSeconds, 0.0, 10.0);
+  const auto balls = reader.findTables("ball", limits::kMaxTargets);
+  const auto cameras = reader.findTables("camera", limits::kMaxCameras);
+  const auto lights = reader.findTables("light", limits::kMaxTargets);
   if (auto error = reader.finish()) {
     return tl::make_unexpected(std::move(*error));
   }

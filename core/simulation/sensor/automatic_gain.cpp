@@ -18,13 +18,13 @@ std::vector<double> balanced(const AutomaticGain& control,
   for (const Eigen::Vector3d& stops : lightStops) {
     tint.push_back(stops[channel] - stops[1] - lasting);
   }
-  return corrections(control.whiteBalance, tint, tint.empty() ? lasting : -tint.front());
+  return loopCorrections(control.whiteBalance, tint, tint.empty() ? lasting : -tint.front());
 }
 
 } // namespace
 
-std::vector<double> corrections(const ControlLoop& loop, std::span<const double> disturbance,
-                                double start) {
+std::vector<double> loopCorrections(const ControlLoop& loop, std::span<const double> disturbance,
+                                    double start) {
   std::vector<double> result;
   result.reserve(disturbance.size());
   double now = start;
@@ -41,12 +41,12 @@ std::vector<double> corrections(const ControlLoop& loop, std::span<const double>
 }
 
 CameraGain GainCurve::at(double time) const {
-  if (frames.empty()) {
+  if (gainPerFrame.empty()) {
     return {};
   }
-  const double last = static_cast<double>(frames.size() - 1);
+  const double last = static_cast<double>(gainPerFrame.size() - 1);
   const double frame = std::clamp(std::round(time * framesPerSecond), 0.0, last);
-  return frames[static_cast<std::size_t>(frame)];
+  return gainPerFrame[static_cast<std::size_t>(frame)];
 }
 
 GainCurve automaticGains(const AutomaticGain& control, std::span<const Eigen::Vector3d> lightStops,
@@ -56,18 +56,19 @@ GainCurve automaticGains(const AutomaticGain& control, std::span<const Eigen::Ve
   metered.reserve(lightStops.size());
   for (std::size_t frame = 0; frame < lightStops.size(); ++frame) {
     const double angle = turn * static_cast<double>(frame) + control.huntingPhase;
-    metered.push_back(lightStops[frame][1] - control.levelStops +
+    metered.push_back(lightStops[frame][1] - control.exposureOffsetStops +
                       control.huntingStops * std::sin(angle));
   }
-  const double settled = lightStops.empty() ? 0.0 : control.levelStops - lightStops[0][1];
-  const auto exposure = corrections(control.exposure, metered, settled + control.firstStops);
+  const double settled = lightStops.empty() ? 0.0 : control.exposureOffsetStops - lightStops[0][1];
+  const auto exposure =
+      loopCorrections(control.exposure, metered, settled + control.initialErrorStops);
   const auto blue = balanced(control, lightStops, 0, control.whiteBalanceStops[0]);
   const auto red = balanced(control, lightStops, 2, control.whiteBalanceStops[1]);
   GainCurve curve;
   curve.framesPerSecond = framesPerSecond;
-  curve.frames.reserve(lightStops.size());
+  curve.gainPerFrame.reserve(lightStops.size());
   for (std::size_t frame = 0; frame < lightStops.size(); ++frame) {
-    curve.frames.push_back(
+    curve.gainPerFrame.push_back(
         {std::exp2(exposure[frame]), {std::exp2(blue[frame]), 1.0, std::exp2(red[frame])}});
   }
   return curve;

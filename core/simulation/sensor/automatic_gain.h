@@ -24,8 +24,8 @@ struct ControlLoop {
 /// the light. Disturbance and corrections are in stops, with one entry per frame; 0 means no
 /// disturbance. The first correction is `start`. Fast loops with a long lag overshoot. The loop is
 /// stable if speed < 2 sin(pi / (4 lagFrames + 2)).
-std::vector<double> corrections(const ControlLoop& loop, std::span<const double> disturbance,
-                                double start);
+std::vector<double> loopCorrections(const ControlLoop& loop, std::span<const double> disturbance,
+                                    double start);
 
 /// Gain factors for linear light that a camera's automatic control sets for one frame.
 struct CameraGain {
@@ -37,7 +37,7 @@ struct CameraGain {
 /// Gains of a camera over a run. The gains of the last frame also apply to later times.
 struct GainCurve {
   double framesPerSecond = kDefaultFrameRate;
-  std::vector<CameraGain> frames; ///< empty: all gains are 1
+  std::vector<CameraGain> gainPerFrame; ///< empty: all gains are 1
   /// Returns the gains at a time in seconds.
   CameraGain at(double time) const;
 };
@@ -47,8 +47,8 @@ struct GainCurve {
 struct AutomaticGain {
   ControlLoop exposure;
   ControlLoop whiteBalance;
-  double firstStops = 0.0; ///< error of the exposure at frame 0, stops
-  double levelStops = 0.0; ///< settled exposure relative to the nominal exposure, stops
+  double initialErrorStops = 0.0;   ///< error of the exposure at frame 0, stops
+  double exposureOffsetStops = 0.0; ///< settled exposure relative to the nominal exposure, stops
   /// Amplitude of a periodic error in the measured brightness, stops. The error imitates objects
   /// that enter and leave the image.
   double huntingStops = 0.0;

@@ -38,7 +38,7 @@ cv::Mat processed(const cv::Mat& light, const SensorModel& model, double time,
 
 bool SensorModel::changesLight() const {
   return psfSigmaPx > 0.0 || noise.fullWell > 0.0 || flicker.depth > 0.0 || contrast != 1.0 ||
-         !gains.frames.empty();
+         !gains.gainPerFrame.empty();
 }
 
 cv::Mat sensorImage(const cv::Mat& light, const SensorModel& model, double time, double noiseSigma,

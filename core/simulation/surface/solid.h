@@ -44,7 +44,7 @@ Solid makeSolid(Shape shape, const Vector3f& center, const Vector3f& halfSize,
                 const Material& material, float yaw);
 
 /// Converts a vector from the world frame to the solid's own axes.
-inline Vector3f toSolid(const Solid& solid, const Vector3f& v) {
+inline Vector3f toSolidFrame(const Solid& solid, const Vector3f& v) {
   return {solid.cosine * v.x() + solid.sine * v.y(), -solid.sine * v.x() + solid.cosine * v.y(),
           v.z()};
 }

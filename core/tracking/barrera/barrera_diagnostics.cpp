@@ -52,8 +52,8 @@ LikelihoodMap windowLikelihoodMap(const cv::Mat& image, const ColorClassifier& c
   map.area = cv::Rect(cvRound(center->x()) - reach, cvRound(center->y()) - reach, 2 * reach + 1,
                       2 * reach + 1) &
              whole;
-  map.least = std::log(1.0 / WindowCounts::kPixels);
-  map.most = 0.0;
+  map.minLogLikelihood = std::log(1.0 / WindowCounts::kPixels);
+  map.maxLogLikelihood = 0.0;
   cv::Mat counts; // windows cut by the border count the pixels they have
   cv::boxFilter(matchImage(image, color) / 255, counts, CV_32F,
                 {2 * WindowCounts::kRadius + 1, 2 * WindowCounts::kRadius + 1}, {-1, -1}, false,

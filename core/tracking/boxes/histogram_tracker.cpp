@@ -185,7 +185,7 @@ void HistogramTracker::jump(Eigen::Index row, const std::vector<Eigen::Vector2d>
 }
 
 /// Nearly constant velocity.
-void HistogramTracker::continueMotion(Eigen::Index row, const MotionDraws& draws) {
+void HistogramTracker::predictWithConstantVelocity(Eigen::Index row, const MotionDraws& draws) {
   const double sigma = positionSigma_ * size();
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     const double noise = sigma * draws.normal[static_cast<std::size_t>(axis)];
@@ -209,7 +209,7 @@ void HistogramTracker::move(const std::vector<Eigen::Vector2d>& peaks, Eigen::Ar
       if (!peaks.empty() && draws.uniform[0] < share) {
         jump(i, peaks, draws, logWeight);
       } else {
-        continueMotion(i, draws);
+        predictWithConstantVelocity(i, draws);
       }
       states_(i, kScale) = std::clamp(states_(i, kScale) + scaleSigma_ * draws.normal[2],
                                       -kLargestScale, kLargestScale);

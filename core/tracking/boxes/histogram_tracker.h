@@ -42,7 +42,7 @@ private:
   double score(const ImageBox& box) const;
   void jump(Eigen::Index row, const std::vector<Eigen::Vector2d>& peaks, const MotionDraws& draws,
             double& logWeight);
-  void continueMotion(Eigen::Index row, const MotionDraws& draws);
+  void predictWithConstantVelocity(Eigen::Index row, const MotionDraws& draws);
   void move(const std::vector<Eigen::Vector2d>& peaks, Eigen::ArrayXd& logWeights,
             ThreadTeam& team);
   BoxEstimate estimateMode(const cv::Mat& bgr);

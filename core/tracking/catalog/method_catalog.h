@@ -106,7 +106,7 @@ struct Method {
   /// likely to be the target.
   bool writesAmbiguity = false;
   /// True if trajectories have columns for the extent of targets that are not balls.
-  bool learnsShapes = false;
+  bool tracksAnyShape = false;
 };
 
 /// Returns all methods that a project can use. The first method is the default, and the first

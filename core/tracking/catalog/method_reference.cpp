@@ -6,10 +6,11 @@
 namespace dewpoint::tracking {
 
 std::string parameterText(const ParameterDeclaration& declaration) {
-  return fmt::format(
-      "{}{}{} ({} to {}){} {}", declaration.defaultValue, declaration.unit.empty() ? "" : " ",
-      declaration.unit, declaration.minimum, declaration.maximum,
-      declaration.fromCameras ? ", unless given as the cameras show." : ".", declaration.sentence);
+  return fmt::format("{}{}{} ({} to {}){} {}", declaration.defaultValue,
+                     declaration.unit.empty() ? "" : " ", declaration.unit, declaration.minimum,
+                     declaration.maximum,
+                     declaration.derivedFromCameras ? ", unless given as the cameras show." : ".",
+                     declaration.sentence);
 }
 
 std::string methodReference(const Method& method) {

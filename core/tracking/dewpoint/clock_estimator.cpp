@@ -130,11 +130,11 @@ void ClockEstimator::learn(const std::vector<Sighting>& sightings, double interv
 }
 
 void ClockEstimator::add(const Sighting& sighting) {
-  const std::vector<CameraPull>& pulls = *sighting.pulls;
+  const std::vector<CameraInformation>& pulls = *sighting.pulls;
   Eigen::Matrix3d total = Eigen::Matrix3d::Zero();
   Eigen::Vector3d pull = Eigen::Vector3d::Zero();
   int seeing = 0;
-  for (const CameraPull& one : pulls) {
+  for (const CameraInformation& one : pulls) {
     total += one.information;
     pull += one.vector;
     seeing += one.information.isZero(0.0) ? 0 : 1;

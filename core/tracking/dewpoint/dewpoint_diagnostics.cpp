@@ -191,8 +191,8 @@ std::vector<LikelihoodMap> likelihoodMapsOf(const TrackedObjects& objects,
                         static_cast<int>(std::lround(outline->center.y())) - reach, 2 * reach + 1,
                         2 * reach + 1) &
                whole;
-    map.most = SphereEvidence::maxLogLikelihoodRatio();
-    map.least = -map.most;
+    map.maxLogLikelihood = SphereEvidence::maxLogLikelihoodRatio();
+    map.minLogLikelihood = -map.maxLogLikelihood;
     map.logLikelihood.create(map.area.size(), CV_32F);
     SphereImage moved = *outline;
     labels.ensureLabels(areaOf(moved, SphereEvidence::kReach, reach + 2.0));

@@ -273,7 +273,7 @@ void DewpointTracker::learnBackgrounds() {
   const bool noTargetElsewhere = noTargetIsElsewhere(objects_, images_.cameraCount(), estimates_);
   for (std::size_t camera = 0; camera < images_.cameraCount(); ++camera) {
     if (images_.frame(camera)) {
-      budget_.runIfAffordable(TimeBudget::Part::Learning, [&] {
+      budget_.runIfAffordable(TimeBudget::Stage::Learning, [&] {
         images_.learnBackground(camera, excludedCircles(objects_, camera), noTargetElsewhere);
       });
     }

@@ -278,8 +278,8 @@ std::vector<LikelihoodMap> PeopleTrackLifecycle::motionLikelihoods() const {
     motionLikelihood(mask, smoothing.sigma, smoothing.floor, likelihood);
     cv::log(likelihood, maps[k].logLikelihood);
     maps[k].area = {{0, 0}, mask.size()};
-    maps[k].least = std::log(smoothing.floor);
-    maps[k].most = 0.0; // D = 1: motion all around
+    maps[k].minLogLikelihood = std::log(smoothing.floor);
+    maps[k].maxLogLikelihood = 0.0; // D = 1: motion all around
   }
   return maps;
 }

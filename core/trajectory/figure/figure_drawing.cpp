@@ -58,7 +58,7 @@ public:
       items_.emplace_back(FigureDrawing::Label{boxAt(foot.x() - 56.0, foot.y() - 8.0, 50.0, 16.0),
                                                Align::Right, true, figureNumber(y)});
     }
-    items_.emplace_back(FigureDrawing::Frame{frame_});
+    items_.emplace_back(FigureDrawing::PlotFrame{frame_});
     const double width = frame_.sizes().x();
     if (hasNumbersBelow) {
       label(boxAt(frame_.min().x(), frame_.max().y() + 18.0, width, 18.0), Align::Center,
@@ -213,7 +213,7 @@ std::string figureSvg(const FigureDrawing& drawing, const std::string& title) {
                                         "y2=\"{:.2f}\" stroke=\"#dedede\" stroke-width=\"0.8\"/>\n",
                                         line.from.x(), line.from.y(), line.to.x(), line.to.y());
                    },
-                   [](const FigureDrawing::Frame& frame) {
+                   [](const FigureDrawing::PlotFrame& frame) {
                      return fmt::format("<rect {} fill=\"none\" stroke=\"#282828\"/>\n",
                                         boxText(frame.box));
                    },

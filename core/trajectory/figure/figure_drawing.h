@@ -40,7 +40,7 @@ struct FigureDrawing {
     Eigen::Vector2d to;
   };
   /// Outline of a plot.
-  struct Frame {
+  struct PlotFrame {
     Eigen::AlignedBox2d box;
   };
   /// Text, aligned in a box.
@@ -63,7 +63,7 @@ struct FigureDrawing {
     std::size_t target = 0;
     Eigen::AlignedBox2d box;
   };
-  using Item = std::variant<GridLine, Frame, Label, Curve, LegendKey>;
+  using Item = std::variant<GridLine, PlotFrame, Label, Curve, LegendKey>;
 
   std::vector<Item> items; ///< elements of the figure, in drawing order
 };

@@ -29,18 +29,18 @@ Evaluation evaluationOf(const nlohmann::ordered_json& json, JsonFields& file,
                         const std::string& name) {
   Evaluation one;
   JsonFields fields(json, name, "targets.");
-  fields.text("target", one.target);
-  fields.number("rmse", one.rmse);
-  fields.number("median", one.median);
-  fields.number("p95", one.p95);
-  fields.number("max", one.max);
-  fields.number("rmse_all", one.rmseAll);
-  fields.number("inside_95", one.inside95);
+  fields.readText("target", one.target);
+  fields.readNumber("rmse", one.rmse);
+  fields.readNumber("median", one.median);
+  fields.readNumber("p95", one.p95);
+  fields.readNumber("max", one.max);
+  fields.readNumber("rmse_all", one.rmseAll);
+  fields.readNumber("inside_95", one.inside95);
   constexpr std::int64_t kNone = 0;
-  fields.integer("frames_compared", one.framesCompared, kNone, limits::kMaxFrames);
-  fields.integer("lost_frames", one.lostFrames, kNone, limits::kMaxFrames);
-  fields.integer("missing", one.missing, kNone, limits::kMaxFrames);
-  fields.integer("frames_to_converge", one.framesToConverge, kNone, limits::kMaxFrames);
+  fields.readInteger("frames_compared", one.framesCompared, kNone, limits::kMaxFrames);
+  fields.readInteger("lost_frames", one.lostFrames, kNone, limits::kMaxFrames);
+  fields.readInteger("missing", one.missing, kNone, limits::kMaxFrames);
+  fields.readInteger("frames_to_converge", one.framesToConverge, kNone, limits::kMaxFrames);
   file.recordErrorOf(fields);
   return one;
 }
@@ -58,9 +58,9 @@ Result<std::vector<Evaluation>> evaluationsIn(const fs::path& folder, const JobR
   }
   JsonFields fields(*json, file.string(), "");
   std::string checksum;
-  fields.text(kTrajectoryChecksumKey, checksum);
+  fields.readText(kTrajectoryChecksumKey, checksum);
   std::vector<Evaluation> evaluations;
-  if (const auto* targets = fields.objects("targets")) {
+  if (const auto* targets = fields.findObjects("targets")) {
     for (const auto& one : *targets) {
       evaluations.push_back(evaluationOf(one, fields, file.string()));
     }

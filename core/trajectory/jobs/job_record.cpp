@@ -74,33 +74,33 @@ Result<JobRecord> recordOf(const Json& json, const std::string& file) {
   JobRecord record;
   JsonFields fields(json, file, "");
   JobIdentity& identity = record.identity;
-  fields.text("recording", identity.recording);
-  fields.text("command", identity.command);
-  fields.text("method", identity.method);
-  fields.integer("seed", identity.seed, std::uint64_t{0}, std::uint64_t{UINT64_MAX});
-  fields.text("settings", identity.settings);
-  fields.text("frame_range", identity.frames);
-  fields.text("version", identity.version);
-  fields.text("key", record.key);
-  fields.integer("frames", record.frames, std::int64_t{0}, limits::kMaxFrames);
-  fields.number("seconds", record.seconds);
-  fields.integer("threads", record.threads, 0, kMostThreads);
-  if (const Json* targets = fields.objects("targets")) {
+  fields.readText("recording", identity.recording);
+  fields.readText("command", identity.command);
+  fields.readText("method", identity.method);
+  fields.readInteger("seed", identity.seed, std::uint64_t{0}, std::uint64_t{UINT64_MAX});
+  fields.readText("settings", identity.settings);
+  fields.readText("frame_range", identity.frames);
+  fields.readText("version", identity.version);
+  fields.readText("key", record.key);
+  fields.readInteger("frames", record.frames, std::int64_t{0}, limits::kMaxFrames);
+  fields.readNumber("seconds", record.seconds);
+  fields.readInteger("threads", record.threads, 0, kMostThreads);
+  if (const Json* targets = fields.findObjects("targets")) {
     for (const Json& one : *targets) {
       JsonFields entry(one, file, "targets.");
       JobTarget& target = record.targets.emplace_back();
-      entry.text("name", target.name);
-      entry.integer("valid_frames", target.validFrames, std::int64_t{0}, limits::kMaxFrames);
+      entry.readText("name", target.name);
+      entry.readInteger("valid_frames", target.validFrames, std::int64_t{0}, limits::kMaxFrames);
       fields.recordErrorOf(entry);
     }
   }
-  if (const Json* files = fields.objects("files")) {
+  if (const Json* files = fields.findObjects("files")) {
     for (const Json& one : *files) {
       JsonFields entry(one, file, "files.");
       JobFile& written = record.files.emplace_back();
-      entry.text("name", written.name);
-      entry.integer("bytes", written.bytes, std::uintmax_t{0}, std::uintmax_t{UINTMAX_MAX});
-      entry.text("sha256", written.sha256);
+      entry.readText("name", written.name);
+      entry.readInteger("bytes", written.bytes, std::uintmax_t{0}, std::uintmax_t{UINTMAX_MAX});
+      entry.readText("sha256", written.sha256);
       fields.recordErrorOf(entry);
     }
   }

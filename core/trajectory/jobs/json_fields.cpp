@@ -36,7 +36,7 @@ Result<ordered_json> readJsonObject(const std::string& file) {
 JsonFields::JsonFields(const ordered_json& object, std::string file, std::string prefix)
     : object_(object), file_(std::move(file)), prefix_(std::move(prefix)) {}
 
-void JsonFields::text(const char* key, std::string& value) {
+void JsonFields::readText(const char* key, std::string& value) {
   if (const ordered_json* found = find(key)) {
     if (found->is_string()) {
       value = found->get<std::string>();
@@ -46,7 +46,7 @@ void JsonFields::text(const char* key, std::string& value) {
   }
 }
 
-void JsonFields::number(const char* key, double& value) {
+void JsonFields::readNumber(const char* key, double& value) {
   if (const ordered_json* found = find(key)) {
     if (found->is_number()) {
       value = found->get<double>();
@@ -56,7 +56,7 @@ void JsonFields::number(const char* key, double& value) {
   }
 }
 
-const ordered_json* JsonFields::objects(const char* key) {
+const ordered_json* JsonFields::findObjects(const char* key) {
   const ordered_json* found = find(key);
   if (found == nullptr) {
     return nullptr;

@@ -29,14 +29,14 @@ public:
   JsonFields(const nlohmann::ordered_json& object, std::string file, std::string prefix);
 
   /// Reads a text into `value`. Leaves `value` unchanged after an error.
-  void text(const char* key, std::string& value);
+  void readText(const char* key, std::string& value);
   /// Reads a number into `value`. It is always finite, because JSON has no other numbers. Leaves
   /// `value` unchanged after an error.
-  void number(const char* key, double& value);
+  void readNumber(const char* key, double& value);
   /// Reads a whole number from `low` to `high`, both included, into `value`. Leaves `value`
   /// unchanged after an error.
   template <std::integral Integer>
-  void integer(const char* key, Integer& value, Integer low, Integer high) {
+  void readInteger(const char* key, Integer& value, Integer low, Integer high) {
     const nlohmann::ordered_json* found = find(key);
     if (found == nullptr) {
       return;
@@ -59,16 +59,16 @@ public:
   /// Reads a whole number from `low` to `high`, both included, or null. For null, `value` is not
   /// changed.
   template <std::integral Integer>
-  void integer(const char* key, std::optional<Integer>& value, Integer low, Integer high) {
+  void readInteger(const char* key, std::optional<Integer>& value, Integer low, Integer high) {
     if (const nlohmann::ordered_json* found = find(key); found != nullptr && !found->is_null()) {
       Integer read = low;
-      integer(key, read, low, high);
+      readInteger(key, read, low, high);
       value = read;
     }
   }
   /// Returns the array of objects under a key, or null after an error. It is an error if an entry
   /// is not an object, or if there are more than kMaxRecordEntries entries.
-  const nlohmann::ordered_json* objects(const char* key);
+  const nlohmann::ordered_json* findObjects(const char* key);
 
   /// Stores an error for a key, unless an error is already stored.
   void fail(ErrorCode code, const char* key, std::string detail);

@@ -34,7 +34,7 @@ TEST(StreamFormats, EachHasItsOwnIdAndSaysWhatItContains) {
 }
 
 TEST(StreamFormats, JsonIsOneLineForAFrame) {
-  EXPECT_EQ(broadcast::jsonLines().opening(exampleRig()),
+  EXPECT_EQ(broadcast::jsonLines().preamble(exampleRig()),
             R"({"type":"rig","axes":"z-up","unit":"m","volume":[[0,-2,0],[2,2,1]],"cameras":[)"
             R"({"name":"left","position":[1,2,3],"direction":[0,0,-1]},)"
             R"({"name":"the \"right\", one","position":[-1.5,0,2],"direction":[1,0,0]}]})"
@@ -60,7 +60,7 @@ TEST(StreamFormats, JsonStaysValidWhateverTheNamesAndNumbers) {
 }
 
 TEST(StreamFormats, CsvIsOneRowForATarget) {
-  EXPECT_EQ(broadcast::csvRows().opening(exampleRig()),
+  EXPECT_EQ(broadcast::csvRows().preamble(exampleRig()),
             "time_s,frame,id,target,state,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,cov_xx_m2,cov_xy_m2,"
             "cov_xz_m2,cov_yy_m2,cov_yz_m2,cov_zz_m2,existence,cameras\n");
   EXPECT_EQ(broadcast::csvRows().encode(exampleFrame()),

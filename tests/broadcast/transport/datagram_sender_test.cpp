@@ -22,7 +22,8 @@ TEST(DatagramSender, SendsEachPieceAsOneDatagram) {
   (*sender)->send({"two", "three"});
   EXPECT_EQ(receiver.readUntil("three"), "twothree");
   EXPECT_EQ((*sender)->report().sent, 3);
-  EXPECT_TRUE(broadcast::placeText((*sender)->report()).starts_with("OSC messages to 127.0.0.1:"));
+  EXPECT_TRUE(
+      broadcast::outletAddressText((*sender)->report()).starts_with("OSC messages to 127.0.0.1:"));
 }
 
 TEST(DatagramSender, NobodyNeedsToListen) {

@@ -34,7 +34,7 @@ TEST(LineFile, WritesAFileFromItsBeginning) {
   ASSERT_TRUE(writeTextFile(path, "of an earlier run\n"));
   auto file = LineFile::open(path);
   ASSERT_TRUE(file);
-  (*file)->setOpening("header\n");
+  (*file)->setPreamble("header\n");
   (*file)->send({"a\n", "b\n"});
   (*file)->send({"c\n"});
   EXPECT_EQ(readTextFile(path).value_or(""), "header\na\nb\nc\n");
@@ -52,7 +52,7 @@ TEST(LineFile, APipeWaitsForNobodyAndGreetsEachReader) {
   ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
   auto file = LineFile::open(path);
   ASSERT_TRUE(file);
-  (*file)->setOpening("header\n");
+  (*file)->setPreamble("header\n");
   (*file)->send({"lost\n"}); // nobody reads it
   EXPECT_EQ((*file)->report().clients, 0);
   EXPECT_TRUE((*file)->report().lacksReader);

@@ -32,17 +32,18 @@ bool hasClients(const LineServer& server, int count) {
 
 TEST(LineServer, SendsTheOpeningAndThenEveryLineToEveryClient) {
   const auto server = serverWithoutCommands();
-  server->setOpening("first\n");
+  server->setPreamble("first\n");
   TestSocket one = TestSocket::connectedTo(server->port());
   TestSocket other = TestSocket::connectedTo(server->port());
   ASSERT_TRUE(hasClients(*server, 2));
   server->send({"a\n", "b\n"});
   EXPECT_EQ(one.readUntil("b\n"), "first\na\nb\n");
   EXPECT_EQ(other.readUntil("b\n"), "first\na\nb\n");
-  server->setOpening("first\n");
-  server->setOpening("changed\n");
+  server->setPreamble("first\n");
+  server->setPreamble("changed\n");
   EXPECT_EQ(one.readUntil("changed\n"), "changed\n");
-  EXPECT_TRUE(broadcast::placeText(server->report()).starts_with("JSON lines at 127.0.0.1:"));
+  EXPECT_TRUE(
+      broadcast::outletAddressText(server->report()).starts_with("JSON lines at 127.0.0.1:"));
 }
 
 TEST(LineServer, APortThatIsTakenIsReported) {

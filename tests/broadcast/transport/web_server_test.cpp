@@ -112,7 +112,7 @@ TEST(WebServer, ThePageNeedsNothingElse) {
 
 TEST(WebServer, SendsTextMessages) {
   const auto server = webServer();
-  server->setOpening("first\n");
+  server->setPreamble("first\n");
   TestSocket client = webSocketOf(*server);
   server->send({"a\n"});
   EXPECT_EQ(client.readUntil("a\n"), "\x81\x06"
@@ -121,7 +121,7 @@ TEST(WebServer, SendsTextMessages) {
                                      "a\n");
   server->send({std::string(100'000, 'x') + "end"}); // in one piece, after a length of 8 bytes
   EXPECT_EQ(client.readUntil("end").size(), 2U + 8U + 100'003U);
-  EXPECT_TRUE(broadcast::placeText(server->report())
+  EXPECT_TRUE(broadcast::outletAddressText(server->report())
                   .starts_with("page and WebSocket at http://127.0.0.1:"));
 }
 

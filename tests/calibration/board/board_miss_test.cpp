@@ -16,7 +16,7 @@ cv::Mat boardFacing(const BoardDescription& board, double depth) {
 TEST(BoardMiss, AnImageWithoutABoardHasNoReason) {
   const BoardDetector detector(boardOf("chessboard:9x6:0.025"));
   const cv::Mat plain(480, 640, CV_8UC3, cv::Scalar(90, 90, 90));
-  const BoardMiss miss = whyBoardMissed(detector, plain);
+  const BoardMiss miss = diagnoseMissedBoard(detector, plain);
   EXPECT_EQ(miss, BoardMiss());
   EXPECT_EQ(missReasonText(miss), "");
 }
@@ -25,7 +25,7 @@ TEST(BoardMiss, ABlurredImageIsNamed) {
   const BoardDescription board = boardOf("chessboard:9x6:0.025");
   cv::Mat image = boardFacing(board, 0.35);
   cv::GaussianBlur(image, image, {0, 0}, 10.0);
-  const BoardMiss miss = whyBoardMissed(BoardDetector(board), image);
+  const BoardMiss miss = diagnoseMissedBoard(BoardDetector(board), image);
   ASSERT_EQ(miss.reason, BoardMiss::Reason::Blurred) << missReasonText(miss);
   EXPECT_GT(miss.edgeWidthPx, 10.0); // a Gaussian step of 10 px: 25 px of contrast by slope
   EXPECT_LT(miss.edgeWidthPx, 60.0);
@@ -34,7 +34,7 @@ TEST(BoardMiss, ABlurredImageIsNamed) {
 
 TEST(BoardMiss, ABoardFarAwayIsTooSmall) {
   const BoardDescription board = boardOf("chessboard:9x6:0.025");
-  const BoardMiss miss = whyBoardMissed(BoardDetector(board), boardFacing(board, 2.0));
+  const BoardMiss miss = diagnoseMissedBoard(BoardDetector(board), boardFacing(board, 2.0));
   ASSERT_EQ(miss.reason, BoardMiss::Reason::TooSmall) << missReasonText(miss);
   EXPECT_NEAR(miss.squarePx, 0.85 * 640 * 0.025 / 2.0, 1.5);
 }
@@ -55,7 +55,7 @@ TEST(BoardMiss, AHiddenCharucoBoardShowsTooFewCorners) {
   image.colRange(right, image.cols).setTo(128);
   image.rowRange(std::min(low, image.rows), image.rows).setTo(128);
   ASSERT_FALSE(BoardDetector(board).detect(image, DetectionEffort::Exact));
-  const BoardMiss miss = whyBoardMissed(BoardDetector(board), image);
+  const BoardMiss miss = diagnoseMissedBoard(BoardDetector(board), image);
   ASSERT_EQ(miss.reason, BoardMiss::Reason::TooFewCorners) << missReasonText(miss);
   EXPECT_GE(miss.corners, 1);
   EXPECT_LE(miss.corners, 3);

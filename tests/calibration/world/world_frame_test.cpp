@@ -77,14 +77,14 @@ TEST(WorldFrame, PointsOnALineAreNoFloor) {
 TEST(WorldFrame, ALevelLineTakesOutTheTiltAlongIt) {
   const Eigen::Vector3d from(1.0, 2.0, 0.5);
   const Eigen::Vector3d to(2.0, 2.0, 0.6);
-  const auto level = calibration::levelAlong(from, to);
+  const auto level = calibration::levelingRotation(from, to);
   ASSERT_TRUE(level);
   EXPECT_LT((*level * from - from).norm(), 1e-12);
   EXPECT_NEAR((*level * to).z(), 0.5, 1e-12);
   EXPECT_NEAR((*level * to).y(), 2.0, 1e-12);
   EXPECT_NEAR(geometry::vectorFromRotation(level->rotation).norm(), std::atan(0.1), 1e-12);
-  EXPECT_FALSE(calibration::levelAlong(from, from));
-  EXPECT_FALSE(calibration::levelAlong(from, {1.1, 2.0, 2.0}));
+  EXPECT_FALSE(calibration::levelingRotation(from, from));
+  EXPECT_FALSE(calibration::levelingRotation(from, {1.1, 2.0, 2.0}));
 }
 
 TEST(WorldFrame, OriginAndXAxisGoWhereTheyAreWanted) {

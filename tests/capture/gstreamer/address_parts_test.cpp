@@ -6,8 +6,8 @@
 namespace dewpoint::tests {
 namespace {
 
-TEST(AddressParts, SplitsAnAddress) {
-  const auto parts = addressParts("HTTP://anna:p%40ss@camera.local:8080/video?size=2&x=a%20b#end");
+TEST(ParsedAddress, SplitsAnAddress) {
+  const auto parts = parseAddress("HTTP://anna:p%40ss@camera.local:8080/video?size=2&x=a%20b#end");
   ASSERT_TRUE(parts);
   EXPECT_EQ(parts->scheme, "http");
   EXPECT_EQ(parts->user, "anna");
@@ -21,26 +21,26 @@ TEST(AddressParts, SplitsAnAddress) {
   EXPECT_EQ(parts->withoutUser(), "http://camera.local:8080/video?size=2&x=a%20b#end");
 }
 
-TEST(AddressParts, TakesWhatIsThere) {
-  const auto bare = addressParts("udp://:5600");
+TEST(ParsedAddress, TakesWhatIsThere) {
+  const auto bare = parseAddress("udp://:5600");
   ASSERT_TRUE(bare);
   EXPECT_EQ(bare->host, "");
   EXPECT_EQ(bare->port, 5600);
-  const auto v6 = addressParts("rtsp://[::1]:554/a");
+  const auto v6 = parseAddress("rtsp://[::1]:554/a");
   ASSERT_TRUE(v6);
   EXPECT_EQ(v6->host, "::1");
   EXPECT_EQ(v6->withoutUser(), "rtsp://[::1]:554/a");
-  const auto sign = addressParts("rtsp://u:a@b:c@host/x"); // an @ in the password
+  const auto sign = parseAddress("rtsp://u:a@b:c@host/x"); // an @ in the password
   ASSERT_TRUE(sign);
   EXPECT_EQ(sign->host, "host");
   EXPECT_EQ(sign->password, "a@b:c");
-  EXPECT_EQ(addressParts("http://host")->port, std::nullopt);
+  EXPECT_EQ(parseAddress("http://host")->port, std::nullopt);
 }
 
-TEST(AddressParts, RefusesWhatIsNone) {
+TEST(ParsedAddress, RefusesWhatIsNone) {
   for (const char* text : {"", "video.mp4", "://host", "udp://host:0", "udp://host:99999",
                            "udp://host:a", "rtsp://[::1/a"}) {
-    EXPECT_FALSE(addressParts(text)) << text;
+    EXPECT_FALSE(parseAddress(text)) << text;
   }
 }
 

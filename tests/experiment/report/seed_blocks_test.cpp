@@ -12,8 +12,8 @@ TEST(SeedBlocks, EachSeedIsInOneBlock) {
   for (const SeedBlock& block : kSeedBlocks) {
     EXPECT_EQ(block.first, next) << block.name;
     EXPECT_GE(block.last, block.first) << block.name;
-    EXPECT_EQ(seedBlockOf(block.first).use, block.use);
-    EXPECT_EQ(seedBlockOf(block.last).use, block.use);
+    EXPECT_EQ(seedBlockOf(block.first).purpose, block.purpose);
+    EXPECT_EQ(seedBlockOf(block.last).purpose, block.purpose);
     next = block.last + 1; // 0 again behind the last one
   }
   EXPECT_EQ(next, 0U);
@@ -22,14 +22,14 @@ TEST(SeedBlocks, EachSeedIsInOneBlock) {
 // What people, boxes and the suite were changed on or after.
 TEST(SeedBlocks, SeedsThatWereLookedAtAreNotReported) {
   for (const std::uint64_t seed : {1U, 30U, 5001U, 5020U}) {
-    EXPECT_EQ(seedBlockOf(seed).use, SeedPurpose::Tuning) << seed;
+    EXPECT_EQ(seedBlockOf(seed).purpose, SeedPurpose::Tuning) << seed;
   }
   for (const std::uint64_t seed :
        {1000001U, 1002456U, 1003152U, 1004001U, 1004500U, 1005001U, 1005020U}) {
-    EXPECT_EQ(seedBlockOf(seed).use, SeedPurpose::Validation) << seed;
+    EXPECT_EQ(seedBlockOf(seed).purpose, SeedPurpose::Validation) << seed;
   }
-  EXPECT_EQ(seedBlockOf(ExperimentOptions().firstSeed).use, SeedPurpose::Reporting);
-  EXPECT_EQ(seedBlockOf(kFirstTuningSeed).use, SeedPurpose::Tuning);
+  EXPECT_EQ(seedBlockOf(ExperimentOptions().firstSeed).purpose, SeedPurpose::Reporting);
+  EXPECT_EQ(seedBlockOf(kFirstTuningSeed).purpose, SeedPurpose::Tuning);
 }
 
 TEST(SeedBlocks, ASentenceNamesTheBlockAndWarns) {

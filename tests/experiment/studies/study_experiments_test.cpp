@@ -59,7 +59,7 @@ TEST(ListedExperiments, HaveEverySceneOfPeopleUnderItsHeading) {
     ASSERT_NE(found, listed.end()) << scene;
     EXPECT_EQ((*found)->group,
               isPeopleScenarioOfPaper(scene) ? ExperimentGroup::Mohedano : ExperimentGroup::People);
-    EXPECT_TRUE((*found)->takesClothes);
+    EXPECT_TRUE((*found)->hasClothesOption);
   }
 }
 

@@ -37,7 +37,7 @@ TEST(EllipsoidFit, FindsCenterAndExtentFromThreeCameras) {
     const EllipsoidFit fit =
         fitEllipsoid(scene.observation(), ellipsoidStart(truth, 0.03 * drawn::directionOf(k)));
     ASSERT_TRUE(fit.found) << k;
-    EXPECT_EQ(fit.seeing, 3);
+    EXPECT_EQ(fit.seeingCameraCount, 3);
     EXPECT_LT((fit.ellipsoid.center - truth.center).norm(), 1e-3) << k;
     EXPECT_NEAR(fit.ellipsoid.radius(), truth.radius(), 0.1 * truth.radius()) << k;
     EXPECT_NEAR(semiAxesOf(fit.ellipsoid.extent).z(), 0.1, 0.006) << k;

@@ -54,10 +54,10 @@ TEST(WindowCounts, AreThoseOfEveryPixelsWindow) {
       for (int i = 0; i <= size.area(); ++i) { // the last one is outside
         pixels.push_back(i);
       }
-      for (std::size_t begin = 0; begin < pixels.size(); begin += kMostWindows) {
+      for (std::size_t begin = 0; begin < pixels.size(); begin += kMaxWindows) {
         const int length =
-            static_cast<int>(std::min<std::size_t>(kMostWindows, pixels.size() - begin));
-        std::array<std::uint8_t, kMostWindows> sparse{};
+            static_cast<int>(std::min<std::size_t>(kMaxWindows, pixels.size() - begin));
+        std::array<std::uint8_t, kMaxWindows> sparse{};
         countWindows(image, classifier, length, pixels.data() + begin, sparse.data());
         for (int i = 0; i < length; ++i) {
           const int pixel = pixels[begin + std::size_t(i)];

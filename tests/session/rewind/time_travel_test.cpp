@@ -310,7 +310,7 @@ TEST(TimeTravel, MasksAndLikelihoodMapsOfAPastMoment) {
     // Samples of a disc of about ten pixels are all within it for some pixels around its middle.
     EXPECT_NEAR(place.x + map.area.x, ball.x(), 3.0);
     EXPECT_NEAR(place.y + map.area.y, ball.y(), 3.0);
-    EXPECT_NEAR(most, map.most, 1e-4);
+    EXPECT_NEAR(most, map.maxLogLikelihood, 1e-4);
     EXPECT_LT(map.logLikelihood.at<float>(0, 0), 0.0F); // the wall
   }
 }

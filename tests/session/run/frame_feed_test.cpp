@@ -36,7 +36,7 @@ std::vector<TrajectorySample> trackedSets(const Project& project) {
   for (std::int64_t k = 0; k < kFedFrames; ++k) {
     run.beginFrame(test::DrawnRecording::frame(k));
     for (int i = 0; i < run.iterationsPerFrame(); ++i) {
-      run.iterate();
+      run.iterateTimed();
     }
     samples.push_back(run.samples().front());
   }

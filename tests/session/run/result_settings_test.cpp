@@ -59,7 +59,7 @@ TEST(ResultSettings, FramesOfEarlierSettings) {
   const auto before = particles(300);
   const auto after = particles(400);
   for (std::int64_t frame = 0; frame < 10; ++frame) {
-    settings.track(frame, frame < 6 ? before : after);
+    settings.recordTracked(frame, frame < 6 ? before : after);
   }
   EXPECT_EQ(settings.newestFrame(), 9);
   EXPECT_EQ(settings.differentFrom(*after), (Ranges{{0, 5}}));
@@ -72,14 +72,14 @@ TEST(ResultSettings, TrackedAgain) {
   const auto before = particles(300);
   const auto after = particles(400);
   for (std::int64_t frame = 0; frame < 10; ++frame) {
-    settings.track(frame, before);
+    settings.recordTracked(frame, before);
   }
   settings.goBack(4);
   EXPECT_EQ(settings.newestFrame(), 3);
   for (std::int64_t frame = 4; frame < 8; ++frame) {
-    settings.track(frame, after);
+    settings.recordTracked(frame, after);
   }
-  settings.track(7, after); // another iteration on it
+  settings.recordTracked(7, after); // another iteration on it
   EXPECT_EQ(settings.differentFrom(*after), (Ranges{{0, 3}}));
   settings.goBack(0);
   EXPECT_EQ(settings.newestFrame(), -1);
@@ -89,9 +89,9 @@ TEST(ResultSettings, TrackedAgain) {
 TEST(ResultSettings, FramesThatWereNeverTracked) {
   ResultSettings settings;
   const auto before = particles(300);
-  settings.track(0, before);
-  settings.track(50, before); // the run went on from there
-  settings.track(51, before);
+  settings.recordTracked(0, before);
+  settings.recordTracked(50, before); // the run went on from there
+  settings.recordTracked(51, before);
   EXPECT_EQ(settings.differentFrom(*particles(400)), (Ranges{{0, 0}, {50, 51}}));
   settings.clear();
   EXPECT_EQ(settings.newestFrame(), -1);

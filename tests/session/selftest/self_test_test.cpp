@@ -10,7 +10,7 @@ namespace {
 
 SelfTestInputs partsWithoutAScene() {
   SelfTestInputs parts;
-  parts.scratch = std::filesystem::path(testing::TempDir()) / "self-test-scratch";
+  parts.scratchFolder = std::filesystem::path(testing::TempDir()) / "self-test-scratch";
   return parts;
 }
 
@@ -26,12 +26,12 @@ TEST(SelfTest, NamesVersionsAndLeavesNothingBehind) {
   EXPECT_NE(lineOf(lines, "versions").text.find(DEWPOINT_VERSION), std::string::npos);
   EXPECT_EQ(lineOf(lines, "codec FFV1").level, FindingLevel::Ok);
   EXPECT_EQ(lineOf(lines, "cameras").level, FindingLevel::Note);
-  EXPECT_FALSE(std::filesystem::exists(parts.scratch));
+  EXPECT_FALSE(std::filesystem::exists(parts.scratchFolder));
 }
 
 TEST(SelfTest, ADiskThatCannotBeWrittenToIsAProblem) {
   SelfTestInputs parts = partsWithoutAScene();
-  parts.scratch = "/proc/nowhere";
+  parts.scratchFolder = "/proc/nowhere";
   const auto lines = runSelfTest(parts);
   EXPECT_EQ(lineOf(lines, "disk").level, FindingLevel::Problem);
   EXPECT_EQ(worstOf(lines), FindingLevel::Problem);

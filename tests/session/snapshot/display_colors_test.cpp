@@ -127,12 +127,12 @@ TEST(DisplayColors, MoreTargetsThanThePaletteHasStillHaveOneEach) {
 }
 
 TEST(DisplayColors, OfManyTargetsTheFirstOnesKeepTheirColors) {
-  std::vector<DisplayColorSource> sources(kMostOwnColors + 2);
+  std::vector<DisplayColorSource> sources(kMaxOwnColors + 2);
   sources.front().learned = rangeAbout(120.0);
   sources.back().learned = rangeAbout(120.0); // too many to compare
   const auto colors = displayColors(sources, DisplayGround::Light);
   EXPECT_EQ(colors.front(), legibleOn(*centralColor(rangeAbout(120.0)), DisplayGround::Light));
-  EXPECT_EQ(colors.back(), palette()[(kMostOwnColors + 1) % palette().size()]);
+  EXPECT_EQ(colors.back(), palette()[(kMaxOwnColors + 1) % palette().size()]);
 }
 
 } // namespace

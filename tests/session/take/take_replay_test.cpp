@@ -75,7 +75,7 @@ protected:
     EXPECT_TRUE(test::reaches(*session_, PlayState::Paused));
     LiveRun live;
     RunRecord record = session_->record();
-    live.report = runReport(record.project, record.figures);
+    live.report = runReport(record.project, record.statistics);
     live.project = record.project;
     live.trajectory = record.people.trajectory;
     live.sets = session_->liveSets();

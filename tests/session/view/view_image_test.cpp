@@ -63,8 +63,8 @@ TEST(ViewImage, FitsAnImageIntoAView) {
 TEST(ViewImage, LikelihoodRisesFromDarkToBright) {
   LikelihoodMap map;
   map.area = cv::Rect(7, 9, 5, 1);
-  map.least = -8.0;
-  map.most = 4.0;
+  map.minLogLikelihood = -8.0;
+  map.maxLogLikelihood = 4.0;
   map.logLikelihood = (cv::Mat_<float>(1, 5) << -100.0F, -8.0F, -2.0F, 4.0F, 100.0F);
   const cv::Mat shown = likelihoodImage(map);
   ASSERT_EQ(shown.size(), cv::Size(5, 1));
@@ -75,7 +75,7 @@ TEST(ViewImage, LikelihoodRisesFromDarkToBright) {
   EXPECT_EQ(shown.at<cv::Vec4b>(2), cv::Vec4b(110, 60, 200, 255));
   EXPECT_EQ(shown.at<cv::Vec4b>(3), bright);
   EXPECT_EQ(shown.at<cv::Vec4b>(4), bright);
-  map.least = map.most; // nothing to tell apart: no division by zero
+  map.minLogLikelihood = map.maxLogLikelihood; // nothing to tell apart: no division by zero
   map.logLikelihood = cv::Mat(1, 5, CV_32F, cv::Scalar(4.0));
   EXPECT_EQ(likelihoodImage(map).at<cv::Vec4b>(0), dark);
 }

@@ -23,10 +23,10 @@ TEST(CameraAgreementWatch, ARigInMillimetersIsKnownBeforeTheFirstFrame) {
     camera.cameraFromWorld.translation() *= 1000.0;
   }
   CameraAgreementWatch watch(rig, motion);
-  ASSERT_EQ(watch.found(methodFamily("dewpoint")).size(), 1U);
-  EXPECT_TRUE(watch.found(methodFamily("histogram")).empty()); // boxes need no calibration
+  ASSERT_EQ(watch.disagreements(methodFamily("dewpoint")).size(), 1U);
+  EXPECT_TRUE(watch.disagreements(methodFamily("histogram")).empty()); // boxes need no calibration
   watch.setCameras(watchedCameras());
-  EXPECT_TRUE(watch.found(methodFamily("dewpoint")).empty());
+  EXPECT_TRUE(watch.disagreements(methodFamily("dewpoint")).empty());
 }
 
 } // namespace

@@ -23,7 +23,7 @@ CameraMotionReport solved(std::size_t camera = 1) {
 
 CameraMotionReport back() {
   CameraMotionReport report = solved();
-  report.back = true;
+  report.isBack = true;
   return report;
 }
 
@@ -31,7 +31,7 @@ CameraMotionReport back() {
 std::vector<CameraMotionStage> told(CameraMotionMessages& news,
                                     const std::vector<CameraMotionReport>& reports, double now) {
   std::vector<CameraMotionStage> stages;
-  for (const auto& item : news.take(reports, now).items) {
+  for (const auto& item : news.update(reports, now).items) {
     stages.push_back(item.stage);
   }
   return stages;
@@ -69,18 +69,18 @@ TEST(CameraMotionMessages, WhenOneIsDealtWithTheOthersAreToldAgain) {
   CameraMotionMessages news;
   EXPECT_EQ(told(news, {solved(0), solved(1)}, 11.0),
             (Stages{CameraMotionStage::Solved, CameraMotionStage::Solved}));
-  const auto after = news.take({solved(1)}, 12.0);
+  const auto after = news.update({solved(1)}, 12.0);
   EXPECT_TRUE(after.withdrawn);
   ASSERT_EQ(after.items.size(), 1U);
   EXPECT_EQ(after.items[0].report.event.camera, 1U);
-  EXPECT_FALSE(news.take({solved(1)}, 13.0).withdrawn);
+  EXPECT_FALSE(news.update({solved(1)}, 13.0).withdrawn);
 }
 
 TEST(CameraMotionMessages, AnotherRunBeginsAnew) {
   CameraMotionMessages news;
-  (void)news.take({solved()}, 11.0);
+  (void)news.update({solved()}, 11.0);
   news.clear();
-  const auto again = news.take({solved()}, 11.0);
+  const auto again = news.update({solved()}, 11.0);
   EXPECT_FALSE(again.withdrawn);
   EXPECT_EQ(again.items.size(), 1U);
 }

@@ -213,7 +213,7 @@ TEST(CameraMotionWatch, WhatWasReportedBeforeStaysWhileItRests) {
   watch.setPaused(false);
   show(watch, bumped, 12.0, 15.0, picture);
   ASSERT_EQ(watch.reports().size(), 1U);
-  EXPECT_FALSE(watch.reports()[0].back);
+  EXPECT_FALSE(watch.reports()[0].isBack);
 }
 
 } // namespace

@@ -190,7 +190,7 @@ TEST(BoardCalibration, ACameraThatNeverSawTheBoardKeepsWhatItHas) {
   EXPECT_EQ(outcome->project.cameras[0], blind.recorded.project.cameras[0]);
   EXPECT_NE(outcome->project.cameras[1].camera.intrinsics,
             blind.recorded.project.cameras[1].camera.intrinsics);
-  const auto remarks = remarksOn(*outcome);
+  const auto remarks = outcomeRemarks(*outcome);
   ASSERT_EQ(remarks.size(), 3U);
   EXPECT_EQ(remarks[0], "door keeps its intrinsics: it never saw the board in 14 images.");
   EXPECT_EQ(remarks[1], "'door' never saw the board: it keeps its pose.");
@@ -215,7 +215,7 @@ TEST(BoardCalibration, LensesRemainWherePlacesCannotBeFound) {
   ASSERT_TRUE(outcome->extrinsicsError);
   EXPECT_NE(outcome->extrinsicsError->detail.find("'right'"), std::string::npos);
   EXPECT_TRUE(outcome->lenses->cameras[1]);
-  EXPECT_EQ(remarksOn(*outcome).size(), 3U);
+  EXPECT_EQ(outcomeRemarks(*outcome).size(), 3U);
   EXPECT_FALSE(calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(),
                                    {false, true}));
 }

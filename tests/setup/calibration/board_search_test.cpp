@@ -84,8 +84,8 @@ TEST(BoardSearch, ALongRecordingIsNotSearchedForTheWrongBoard) {
   ASSERT_TRUE(first) << sentence(first.error());
   EXPECT_TRUE(first->hasOnlyOtherBoard());
   EXPECT_FALSE(first->searchedAll);
-  EXPECT_EQ(first->cameras[0].searched, kFramesToLookAt);
-  request.lookFirst = false;
+  EXPECT_EQ(first->cameras[0].searched, kBoardProposalFrames);
+  request.suggestBoardFirst = false;
   const auto all = findBoards(recording.project, *source, request);
   ASSERT_TRUE(all) << sentence(all.error());
   EXPECT_TRUE(all->hasOnlyOtherBoard());
@@ -107,7 +107,7 @@ TEST(BoardSearch, TheRightBoardIsSearchedForInAllFrames) {
   ASSERT_TRUE(seen);
   EXPECT_FALSE(seen->otherBoard);
   EXPECT_EQ(seen->cameras[1].searched, 40);
-  request.lookFirst = false;
+  request.suggestBoardFirst = false;
   const auto again = findBoards(recording.project, *source, request);
   ASSERT_TRUE(again);
   ASSERT_EQ(again->cameras[0].views.size(), seen->cameras[0].views.size());

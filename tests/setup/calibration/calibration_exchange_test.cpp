@@ -64,7 +64,7 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   const auto open = importCalibration(project_, wish); // anipose does not say its unit
   ASSERT_FALSE(open);
   EXPECT_EQ(open.error().field, "unit");
-  const AskedQuestion asked = askedQuestion(open.error());
+  const ImportProblem asked = importProblem(open.error());
   EXPECT_EQ(asked.question, ImportQuestion::Unit);
   EXPECT_EQ(asked.error.detail.find("--"), std::string::npos) << asked.error.detail;
   EXPECT_NE(asked.error.detail.find("probably mm"), std::string::npos) << asked.error.detail;
@@ -97,7 +97,7 @@ TEST_F(CalibrationExchange, NamesThatDoNotFitAreAskedForAndMapped) {
   EXPECT_EQ(cameraNamesIn(wish), (std::vector<std::string>{"right", "third", "fourth"}));
   const auto refused = importCalibration(project_, wish);
   ASSERT_FALSE(refused);
-  const AskedQuestion asked = askedQuestion(refused.error());
+  const ImportProblem asked = importProblem(refused.error());
   EXPECT_EQ(asked.question, ImportQuestion::Names);
   EXPECT_EQ(
       asked.error.detail,
@@ -113,7 +113,7 @@ TEST_F(CalibrationExchange, NamesThatDoNotFitAreAskedForAndMapped) {
 }
 
 TEST_F(CalibrationExchange, TheSizeOfTheImagesIsAQuestion) {
-  const AskedQuestion asked = askedQuestion(
+  const ImportProblem asked = importProblem(
       {ErrorCode::Mismatch, "rig.toml", "left", "64 x 48, and 64 x 40: adapt it with --fit crop"});
   EXPECT_EQ(asked.question, ImportQuestion::Fit);
   EXPECT_EQ(asked.error.detail, "64 x 48, and 64 x 40");

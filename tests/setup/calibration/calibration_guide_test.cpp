@@ -19,9 +19,9 @@ Project guessedProject() {
 }
 
 TEST(CalibrationGuide, EachWayEndsWithAMeasuredLength) {
-  for (const CalibrationWay way :
-       {CalibrationWay::Grid, CalibrationWay::Points, CalibrationWay::Board, CalibrationWay::Wand,
-        CalibrationWay::File}) {
+  for (const CalibrationProcedure way :
+       {CalibrationProcedure::Grid, CalibrationProcedure::Points, CalibrationProcedure::Board,
+        CalibrationProcedure::Wand, CalibrationProcedure::File}) {
     ASSERT_FALSE(stepsOf(way).empty());
     EXPECT_EQ(stepsOf(way).back(), GuideStep::MeasuredLength);
   }
@@ -30,7 +30,7 @@ TEST(CalibrationGuide, EachWayEndsWithAMeasuredLength) {
 TEST(CalibrationGuide, LeadsFromNothingToDone) {
   Project project = guessedProject();
   const auto next = [&] {
-    return nextStep(CalibrationWay::Board, project, calibrationStatus(project));
+    return nextStep(CalibrationProcedure::Board, project, calibrationStatus(project));
   };
   EXPECT_EQ(next(), GuideStep::PrintBoard);
   for (ProjectCamera& camera : project.cameras) {
@@ -53,7 +53,7 @@ TEST(CalibrationGuide, LeadsFromNothingToDone) {
       progressOf(GuideStep::MeasuredLength, project, calibrationStatus(project));
   EXPECT_TRUE(length.isDone());
   EXPECT_NEAR(*length.error, 0.005, 1e-12);
-  EXPECT_EQ(wayTaken(calibrationStatus(project)), CalibrationWay::Board);
+  EXPECT_EQ(procedureInUse(calibrationStatus(project)), CalibrationProcedure::Board);
 }
 
 TEST(CalibrationGuide, ClicksCountPerCamera) {
@@ -72,7 +72,7 @@ TEST(CalibrationGuide, ClicksCountPerCamera) {
 }
 
 TEST(CalibrationGuide, NoWayIsTakenWithoutARecord) {
-  EXPECT_FALSE(wayTaken(calibrationStatus(test::twoCameraProject())));
+  EXPECT_FALSE(procedureInUse(calibrationStatus(test::twoCameraProject())));
 }
 
 } // namespace

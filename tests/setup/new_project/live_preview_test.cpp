@@ -11,7 +11,7 @@ bool always() {
 }
 
 TEST(LivePreview, ATestPatternSaysItsSizeAndRate) {
-  const auto tried = tryLive("test:ball?width=640&height=360&rate=20", &always);
+  const auto tried = captureLivePreview("test:ball?width=640&height=360&rate=20", &always);
   ASSERT_TRUE(tried) << sentence(tried.error());
   EXPECT_EQ(tried->size, cv::Size(640, 360));
   EXPECT_EQ(tried->image.size(), cv::Size(192, 108));
@@ -20,24 +20,24 @@ TEST(LivePreview, ATestPatternSaysItsSizeAndRate) {
 }
 
 TEST(LivePreview, WhatCannotBeOpenedSaysWhy) {
-  const auto missing = tryLive("/dev/video97", &always);
+  const auto missing = captureLivePreview("/dev/video97", &always);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::DeviceUnavailable);
   EXPECT_EQ(missing.error().file, "/dev/video97");
   EXPECT_FALSE(missing.error().detail.empty());
-  const auto unknown = tryLive("test:no-such-pattern", &always);
+  const auto unknown = captureLivePreview("test:no-such-pattern", &always);
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().code, ErrorCode::BadValue);
 }
 
 TEST(LivePreview, PasswordsAreNotShown) {
-  const auto tried = tryLive("rtsp://me:secret@127.0.0.1:1/door", &always);
+  const auto tried = captureLivePreview("rtsp://me:secret@127.0.0.1:1/door", &always);
   ASSERT_FALSE(tried);
   EXPECT_EQ(sentence(tried.error()).find("secret"), std::string::npos);
 }
 
 TEST(LivePreview, NobodyNeedsToWaitForTheEnd) {
-  const auto tried = tryLive("test:ball", [] { return false; });
+  const auto tried = captureLivePreview("test:ball", [] { return false; });
   ASSERT_FALSE(tried);
   EXPECT_EQ(tried.error().code, ErrorCode::Canceled);
 }
@@ -46,7 +46,7 @@ TEST(LivePreview, ImagesComeAtTheWantedPaceUntilNobodyWantsThem) {
   LiveCamera camera;
   camera.location = "test:ball?rate=30&width=320&height=240";
   int images = 0;
-  const auto watched = watchLive(camera, 0.2, [&](const LivePreview& preview) {
+  const auto watched = previewLive(camera, 0.2, [&](const LivePreview& preview) {
     EXPECT_EQ(preview.size, cv::Size(320, 240));
     return ++images < 4;
   });
@@ -54,7 +54,7 @@ TEST(LivePreview, ImagesComeAtTheWantedPaceUntilNobodyWantsThem) {
   EXPECT_EQ(images, 4);
   camera.location += "&frames=10"; // it ends by itself
   images = 0;
-  EXPECT_TRUE(watchLive(camera, 0.0, [&](const LivePreview&) { return ++images > 0; }));
+  EXPECT_TRUE(previewLive(camera, 0.0, [&](const LivePreview&) { return ++images > 0; }));
   EXPECT_LE(images, 10);
 }
 

@@ -56,9 +56,9 @@ TEST(Solid, ItsAxesAreRotatedAboutTheVertical) {
   const Solid box = makeSolid(Shape::Box, {1.0F, 2.0F, 3.0F}, {0.3F, 0.2F, 0.1F}, {},
                               0.5F * std::numbers::pi_v<float>);
   EXPECT_LT((toWorld(box, Vector3f::UnitX()) - Vector3f::UnitY()).norm(), 1e-6F);
-  EXPECT_LT((toSolid(box, Vector3f::UnitY()) - Vector3f::UnitX()).norm(), 1e-6F);
+  EXPECT_LT((toSolidFrame(box, Vector3f::UnitY()) - Vector3f::UnitX()).norm(), 1e-6F);
   const Vector3f any{0.3F, -0.7F, 0.2F};
-  EXPECT_LT((toSolid(box, toWorld(box, any)) - any).norm(), 1e-6F);
+  EXPECT_LT((toSolidFrame(box, toWorld(box, any)) - any).norm(), 1e-6F);
   EXPECT_GE(box.bound, box.halfSize.norm() - 1e-6F) << "the corners lie in the sphere around it";
 }
 

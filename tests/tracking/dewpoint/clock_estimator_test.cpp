@@ -121,11 +121,11 @@ TEST(ClockEstimator, AnotherCalibrationStartsAgain) {
 
 /// What each camera of a rig says about a target at `position` that moves with `velocity`, if its
 /// images are late by `delays` and it sees the target displaced by a hundredth of the distance.
-std::vector<CameraPull> pullsOf(const CameraRig& rig, const Eigen::Vector3d& position,
-                                const Eigen::Vector3d& velocity,
-                                const std::vector<double>& delays) {
+std::vector<CameraInformation> pullsOf(const CameraRig& rig, const Eigen::Vector3d& position,
+                                       const Eigen::Vector3d& velocity,
+                                       const std::vector<double>& delays) {
   constexpr double kInformation = 1e6; // 1 mm
-  std::vector<CameraPull> pulls(rig.size());
+  std::vector<CameraInformation> pulls(rig.size());
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const Eigen::Vector3d ray = position - rig[k].center();
     const Eigen::Vector3d along = ray.normalized();

@@ -175,7 +175,7 @@ TEST_P(PeopleMethods, MapTheLikelihoodOfMotion) {
   ASSERT_TRUE(at);
   const LikelihoodMap& map = maps[0];
   EXPECT_EQ(map.area, cv::Rect(0, 0, 320, 240));
-  EXPECT_NEAR(map.least, std::log(0.2), 1e-12); // p_B
+  EXPECT_NEAR(map.minLogLikelihood, std::log(0.2), 1e-12); // p_B
   // D is near 1 in the middle of what moves (a body is 10 px wide, sigma at most 4 px), and p_B in
   // a corner where nothing does.
   EXPECT_GT(map.logLikelihood.at<float>(cvRound(at->y()), cvRound(at->x())), std::log(0.5));

@@ -36,7 +36,7 @@ template <class T> std::vector<T> itemsOf(const FigureDrawing& drawing) {
 TEST(FigureDrawing, HasFourPanelsAndALegendOnThePage) {
   const FigureDrawing drawing =
       figureDrawing(tableOfOneTarget(), {"title", "time (s)", "from above"});
-  EXPECT_EQ(itemsOf<FigureDrawing::Frame>(drawing).size(), 4U);
+  EXPECT_EQ(itemsOf<FigureDrawing::PlotFrame>(drawing).size(), 4U);
   EXPECT_EQ(itemsOf<FigureDrawing::LegendKey>(drawing).size(), 1U);
   const Eigen::AlignedBox2d page(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(1000.0, 707.0));
   std::set<std::string> texts;

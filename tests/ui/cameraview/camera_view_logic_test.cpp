@@ -52,7 +52,7 @@ TEST(CameraPicture, AHiddenTargetIsNotDrawn) {
   TrackSnapshot hidden = with;
   hidden.targets[0].target.isShown = false;
   const auto picture = [](const TrackSnapshot& snapshot) {
-    return cameraPicture(std::make_shared<const TrackSnapshot>(snapshot), 0, CameraLook(),
+    return cameraPicture(std::make_shared<const TrackSnapshot>(snapshot), 0, CameraViewOptions(),
                          {160, 120});
   };
   EXPECT_NE(picture(with), picture(bare));
@@ -180,7 +180,7 @@ TEST_F(ShownCameraView, TheLikelihoodOfMotionIsDrawnOverTheWholeImage) {
   LikelihoodMap map;
   map.area = {0, 0, 80, 60};
   map.logLikelihood = cv::Mat(60, 80, CV_32FC1, cv::Scalar(0.0)); // D = 1 everywhere
-  map.least = std::log(0.2);
+  map.minLogLikelihood = std::log(0.2);
   mapped->motionMaps = {map};
   view_.setSnapshot(mapped);
   ASSERT_TRUE(isDrawn(view_));
@@ -190,7 +190,7 @@ TEST_F(ShownCameraView, TheLikelihoodOfMotionIsDrawnOverTheWholeImage) {
   const QColor likely = middleOf(view_); // light yellow over the gray
   EXPECT_GT(likely.red(), likely.blue() + 20);
   auto still = std::make_shared<TrackSnapshot>(*mapped);
-  still->motionMaps[0].logLikelihood = cv::Mat(60, 80, CV_32FC1, cv::Scalar(map.least));
+  still->motionMaps[0].logLikelihood = cv::Mat(60, 80, CV_32FC1, cv::Scalar(map.minLogLikelihood));
   view_.setSnapshot(still);
   ASSERT_TRUE(isDrawn(view_));
   EXPECT_LT(middleOf(view_).lightness(), likely.lightness()); // dark blue

@@ -164,7 +164,7 @@ void VideoExportTest::writesWhatIsSeen() {
     const auto picture = (*reader)->read(frame);
     QVERIFY(picture);
     QImage expected =
-        cameraPicture(session->newest(), 0, view->look(), {picture->cols, picture->rows});
+        cameraPicture(session->newest(), 0, view->options(), {picture->cols, picture->rows});
     int worst = 0;
     for (int y = 0; y < picture->rows; ++y) {
       for (int x = 0; x < picture->cols; ++x) {

@@ -14,7 +14,7 @@ std::vector<VideoView> camerasWith(std::initializer_list<double> aspects) {
   for (const double aspect : aspects) {
     views.push_back({.camera = static_cast<int>(views.size()),
                      .title = QStringLiteral("camera"),
-                     .look = {},
+                     .options = {},
                      .aspect = aspect});
   }
   return views;
@@ -35,8 +35,8 @@ TrackSnapshotPtr plainFrame(int cameras) {
   return snapshot;
 }
 
-VideoLook plainLook(int cameras, const QSize& size) {
-  VideoLook look;
+VideoLayout plainLook(int cameras, const QSize& size) {
+  VideoLayout look;
   look.views = cameras == 1 ? camerasWith({4.0 / 3.0}) : camerasWith({4.0 / 3.0, 4.0 / 3.0});
   look.size = size;
   look.titlesShown = false;
@@ -46,7 +46,7 @@ VideoLook plainLook(int cameras, const QSize& size) {
 
 TEST(VideoPicture, AreasCoverTheImageWithoutOverlap) {
   for (std::size_t count = 1; count <= 7; ++count) {
-    VideoLook look;
+    VideoLayout look;
     look.size = {1280, 720};
     for (std::size_t k = 0; k < count; ++k) {
       look.views.push_back(camerasWith({4.0 / 3.0}).front());
@@ -84,7 +84,7 @@ TEST(VideoPicture, TheSizeOfTheCameraImagesIsEvenAndLimited) {
 }
 
 TEST(VideoPicture, ShowsEachCameraInItsArea) {
-  const VideoLook look = plainLook(2, {256, 96});
+  const VideoLayout look = plainLook(2, {256, 96});
   const QImage picture = videoPicture(look, plainFrame(2), {});
   ASSERT_EQ(picture.size(), look.size);
   const auto areas = videoAreas(look);
@@ -93,7 +93,7 @@ TEST(VideoPicture, ShowsEachCameraInItsArea) {
 }
 
 TEST(VideoPicture, EnlargesASceneThatWasDrawnSmaller) {
-  VideoLook look = plainLook(1, {128, 96});
+  VideoLayout look = plainLook(1, {128, 96});
   look.views.front().camera.reset();
   QImage scene(16, 12, QImage::Format_RGB32);
   scene.fill(QColor(10, 200, 30));
@@ -103,7 +103,7 @@ TEST(VideoPicture, EnlargesASceneThatWasDrawnSmaller) {
 }
 
 TEST(VideoPicture, LabelsAreOptional) {
-  VideoLook look = plainLook(1, {640, 480});
+  VideoLayout look = plainLook(1, {640, 480});
   const QImage plain = videoPicture(look, plainFrame(1), {});
   look.stampShown = true;
   const QImage stamped = videoPicture(look, plainFrame(1), {});
@@ -115,7 +115,7 @@ TEST(VideoPicture, LabelsAreOptional) {
 }
 
 TEST(VideoPicture, TheStampNamesRecordingFrameAndTime) {
-  VideoLook look;
+  VideoLayout look;
   look.recording = QStringLiteral("take-003");
   // Frame 12 counted from 0; the window counts from 1.
   EXPECT_EQ(videoStamp(look, plainFrame(1)), QStringLiteral("take-003 · Frame 13 · 0.400 s"));
@@ -124,7 +124,7 @@ TEST(VideoPicture, TheStampNamesRecordingFrameAndTime) {
 }
 
 TEST(VideoPicture, SaysThatAnImageIsMissing) {
-  const VideoLook look = plainLook(2, {640, 240});
+  const VideoLayout look = plainLook(2, {640, 240});
   const QImage picture = videoPicture(look, plainFrame(1), {}); // of two cameras
   const QRect area = videoAreas(look)[1];
   const QImage blank = [&] {

@@ -145,15 +145,15 @@ void FindingFaultsTest::otherQuestionsAreAskedAgainAfterwards() {
   std::filesystem::create_directories(folder);
   QVERIFY(writeTextFile(folder / "crash-1.txt", "SIGSEGV"));
   MessageBar& messages = window_->workbench().messages;
-  messages.askUntilAnswered(QStringLiteral("Recover?"), {{QStringLiteral("Yes"), [] {}}});
+  messages.showLastingQuestion(QStringLiteral("Recover?"), {{QStringLiteral("Yes"), [] {}}});
   CrashReports reports(window_->workbench(), folder);
   QSignalSpy searched(&reports, &CrashReports::searched);
   QVERIFY(searched.wait(kTimeoutMs));
   QVERIFY(messageText().contains(QStringLiteral("unexpectedly")));
-  messages.askUntilAnswered(QStringLiteral("Calibrate?"), {{QStringLiteral("Yes"), [] {}}});
+  messages.showLastingQuestion(QStringLiteral("Calibrate?"), {{QStringLiteral("Yes"), [] {}}});
   messages.dismiss();
   QVERIFY(messageText().contains(QStringLiteral("unexpectedly"))); // the newest first
-  messages.withdraw(QStringLiteral("Recover?"));
+  messages.withdrawQuestion(QStringLiteral("Recover?"));
   messages.dismiss();
   QVERIFY(!messages.isVisible());
 }

@@ -275,7 +275,7 @@ void SlowWorldTest::recentProjectsAreOfferedUntilTheDiskAnswers() {
   const QString one = QString::fromStdString(demoFile("one").string());
   Preferences().addRecentProject(QString::fromStdString(path("gone.toml").string()));
   Preferences().addRecentProject(one);
-  window_->findChild<RecentProjects*>()->setExists([disk = disk_](const QString& file) {
+  window_->findChild<RecentProjects*>()->setExistsCheck([disk = disk_](const QString& file) {
     disk->pass();
     return QFile::exists(file);
   });

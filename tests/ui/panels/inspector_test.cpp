@@ -216,7 +216,7 @@ void InspectorTest::rowsOfTargetsSayStateAndSize() {
   action("actionNextFrame")->trigger();
   QVERIFY(waitFor([&] { return rows()[0].speed.endsWith(QStringLiteral(" m/s")); }));
   QVERIFY(!rows()[0].size.contains(QStringLiteral("found"))); // the demo gives it
-  QVERIFY(rows()[0].learned && *rows()[0].learned != rows()[0].identity);
+  QVERIFY(rows()[0].learnedColor && *rows()[0].learnedColor != rows()[0].identityColor);
   QVERIFY(window_->document().edit(QStringLiteral("no radius"),
                                    [](Project& project) { project.targets[0].radius = 0.0; }));
   action("actionNextFrame")->trigger();

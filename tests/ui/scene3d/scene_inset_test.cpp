@@ -28,7 +28,7 @@ private Q_SLOTS:
     scatter(snapshot->targets[0], 0.0004);
     view_->setSnapshot(snapshot);
     for (const auto look : {Scene3d::View::Free, Scene3d::View::Above, Scene3d::View::Front}) {
-      view_->look(look);
+      view_->setView(look);
       view_->currentImage();
       const QRectF inset = view_->cloudInset().shownArea(*view_, -1);
       QVERIFY(QRectF(view_->rect()).contains(inset));

@@ -235,7 +235,7 @@ private Q_SLOTS:
   void namesStandBesideTheCameras() {
     view_->setSnapshot(ballSnapshot());
     for (const auto look : {Scene3d::View::Free, Scene3d::View::Above, Scene3d::View::Front}) {
-      view_->look(look);
+      view_->setView(look);
       view_->currentImage();
       const auto labels = view_->cameraLabels().labels(*view_);
       QCOMPARE(labels.size(), std::size_t{3});

@@ -96,7 +96,7 @@ void StartPageTest::enterAndSpacePressTheCardWithTheFocus() {
   QTest::keyClick(card, Qt::Key_Return);
   QVERIFY(isOpen(1));
   auto& messages = window_->workbench().messages;
-  messages.ask(QStringLiteral("Restart?"), {{QStringLiteral("Restart"), [] {}}});
+  messages.showQuestion(QStringLiteral("Restart?"), {{QStringLiteral("Restart"), [] {}}});
   action("actionCloseProject")->trigger();
   QVERIFY(waitFor([card] { return card->isVisible(); }));
   QVERIFY(!card->isBusy());

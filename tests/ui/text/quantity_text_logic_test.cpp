@@ -77,8 +77,8 @@ TEST(QuantityText, AnglesAreInDegrees) {
 }
 
 TEST(QuantityText, WhatWasDeclaredIsAsShortAsItCanBe) {
-  EXPECT_EQ(declaredText(0.05), QStringLiteral("0.05"));
-  EXPECT_EQ(declaredText(20000.0), QStringLiteral("20,000"));
+  EXPECT_EQ(parameterValueText(0.05), QStringLiteral("0.05"));
+  EXPECT_EQ(parameterValueText(20000.0), QStringLiteral("20,000"));
   EXPECT_EQ(rateText(30.0), QStringLiteral("30"));
   EXPECT_EQ(rateText(29.97003), QStringLiteral("29.97"));
 }

@@ -341,7 +341,7 @@ private Q_SLOTS:
       map->counts.push_back(north ? 1 : 3);
     }
     view_->setSnapshot(ballSnapshot());
-    MapLook look;
+    MapOptions look;
     view_->showMap(map, look);
     const QImage picture = view_->currentImage();
     keep(picture, "map");

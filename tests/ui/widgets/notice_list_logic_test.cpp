@@ -20,8 +20,8 @@ protected:
 
 TEST_F(NoticeListTest, EveryNoticeIsShownAsLongAsItsCauseLasts) {
   EXPECT_TRUE(text().isEmpty());
-  QSignalSpy began(&list_, &NoticeList::began);
-  QSignalSpy ended(&list_, &NoticeList::ended);
+  QSignalSpy began(&list_, &NoticeList::noticeBegan);
+  QSignalSpy ended(&list_, &NoticeList::noticeEnded);
   list_.setNotices({QStringLiteral("left: unplugged"), QStringLiteral("right: unplugged")});
   EXPECT_EQ(text(), QStringLiteral("left: unplugged\nright: unplugged"));
   EXPECT_EQ(began.size(), 2);
@@ -55,11 +55,11 @@ TEST_F(NoticeListTest, HiddenNoticesAreCountedAndAReturningOneIsShown) {
 
 TEST_F(NoticeListTest, MoreThanFitAreCountedInTheLastLine) {
   QStringList many;
-  for (int k = 0; k < NoticeList::kMostLines + 3; ++k) {
+  for (int k = 0; k < NoticeList::kMaxLines + 3; ++k) {
     many += QStringLiteral("notice %1").arg(k);
   }
   list_.setNotices(many);
-  EXPECT_EQ(text().split(QLatin1Char('\n')).size(), NoticeList::kMostLines + 1);
+  EXPECT_EQ(text().split(QLatin1Char('\n')).size(), NoticeList::kMaxLines + 1);
   EXPECT_TRUE(text().contains(QLatin1Char('3')));
   EXPECT_EQ(list_.findChild<QLabel*>(QStringLiteral("noticesText"))->toolTip(),
             many.join(QLatin1Char('\n')));

@@ -198,11 +198,11 @@ void WindowAssemblyTest::theRequestComesBackWithWhatItOpened() {
           [&](const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs) {
             notes.push_back(request.note + QString::fromStdString(inputs->project.scene));
           });
-  loader.open({.what = std::filesystem::path("still"), .note = QStringLiteral("first ")});
-  loader.open({.what = std::filesystem::path("fast"), .note = QStringLiteral("second ")});
-  loader.open({.what = std::filesystem::path("jump"), .keepHistory = true});
+  loader.open({.source = std::filesystem::path("still"), .note = QStringLiteral("first ")});
+  loader.open({.source = std::filesystem::path("fast"), .note = QStringLiteral("second ")});
+  loader.open({.source = std::filesystem::path("jump"), .keepHistory = true});
   QVERIFY(loader.isReopening());
-  loader.open({.what = std::filesystem::path("smooth"), .note = QStringLiteral("last ")});
+  loader.open({.source = std::filesystem::path("smooth"), .note = QStringLiteral("last ")});
   QVERIFY(!loader.isReopening());
   QTRY_VERIFY_WITH_TIMEOUT(!loader.isOpening(), kTimeoutMs);
   // Of those asked for meanwhile, the last: with its own meaning.
@@ -229,7 +229,7 @@ void WindowAssemblyTest::viewsAreToldInOrder() {
   connect(&session, &SessionController::opened, this, tell("opened"));
   connect(&session, &SessionController::runEnded, this, tell("ended"));
   connect(&session, &SessionController::closed, this, tell("closed"));
-  session.open({.what = std::filesystem::path("still")});
+  session.open({.source = std::filesystem::path("still")});
   QTRY_VERIFY_WITH_TIMEOUT(told.contains(QStringLiteral("opened")), kTimeoutMs);
   QCOMPARE(told.mid(0, 9), QStringList({"ended", "nothing", "replacing", "replaced", "started",
                                         "frames", "snapshot", "iterations", "opened"}));
@@ -252,7 +252,7 @@ void WindowAssemblyTest::closingBeforeTheRunBeginsKeepsItFromBeginning() {
   connect(&session, &SessionController::replaced, &session, [&session] {
     QMetaObject::invokeMethod(&session, &SessionController::close, Qt::QueuedConnection);
   });
-  session.open({.what = std::filesystem::path("still")});
+  session.open({.source = std::filesystem::path("still")});
   QVERIFY(closed.wait(kTimeoutMs));
   QVERIFY(!QTest::qWaitFor([&] { return started.count() > 0; }, 100));
   QVERIFY(!session.isRunning());

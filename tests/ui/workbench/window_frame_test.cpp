@@ -327,7 +327,8 @@ void WindowFrameTest::aMessageTakesNoKeys() {
   MessageBar& messages = window_->workbench().messages;
   int answered = 0;
   const auto ask = [&] {
-    messages.ask(QStringLiteral("Really?"), {{QStringLiteral("Yes"), [&] { ++answered; }}});
+    messages.showQuestion(QStringLiteral("Really?"),
+                          {{QStringLiteral("Yes"), [&] { ++answered; }}});
     QVERIFY(waitFor([this] { return window_->findChild<QPushButton*>("messageAnswer0"); }));
   };
   const auto gone = [this] {

@@ -146,13 +146,13 @@ void BoardCalibrator::searchAllFrames() {
   calibrateRecording(false);
 }
 
-void BoardCalibrator::calibrateRecording(bool lookFirst) {
+void BoardCalibrator::calibrateRecording(bool suggestBoardFirst) {
   if (isComputing() || live_) {
     return;
   }
   *searching_ = true;
   BoardGuideRequest request = request_;
-  request.board.lookFirst = lookFirst;
+  request.board.suggestBoardFirst = suggestBoardFirst;
   compute(
       [open = open_, project = project(), request](const CalibrationProgress& progress) {
         Computed computed;
@@ -202,10 +202,10 @@ BoardCalibrator::Proposed BoardCalibrator::proposedIn(FrameSetSource& source,
                                                       const BoardDescription& board,
                                                       const CalibrationProgress& progress) {
   Proposed proposed;
-  proposed.guesses = proposeBoards(source, board, kFramesToLookAt, progress);
+  proposed.guesses = proposeBoards(source, board, kBoardProposalFrames, progress);
   if (proposed.guesses) {
     proposed.mirrored =
-        findMirroredVideos(source, proposed.guesses->front().board, kFramesToLookAt, progress)
+        findMirroredVideos(source, proposed.guesses->front().board, kBoardProposalFrames, progress)
             .value_or(MirroredVideos());
   }
   return proposed;

@@ -132,7 +132,7 @@ private:
   static Proposed proposedIn(FrameSetSource& source, const BoardDescription& board,
                              const CalibrationProgress& progress);
   using Computation = std::function<Computed(const CalibrationProgress& progress)>;
-  void calibrateRecording(bool lookFirst);
+  void calibrateRecording(bool suggestBoardFirst);
   void setWatching(bool watching);
   /// Calibrates once the guidance has all the views that it asked for.
   void finishWhenGuided();

@@ -45,11 +45,11 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
           answers.emplace_back(BoardCalibrationPage::tr("Search all frames"),
                                [board] { board->searchAllFrames(); });
         }
-        messages->ask(proposalQuestion(*board->proposal()), answers);
+        messages->showQuestion(proposalQuestion(*board->proposal()), answers);
       });
   QObject::connect(board, &BoardCalibrator::mirroredVideosFound, messages, [board, messages] {
-    messages->ask(mirroredQuestion(*board), {{BoardCalibrationPage::tr("Mirror images"),
-                                              [board] { board->mirrorImages(); }}});
+    messages->showQuestion(mirroredQuestion(*board), {{BoardCalibrationPage::tr("Mirror images"),
+                                                       [board] { board->mirrorImages(); }}});
   });
   QObject::connect(
       board, &BoardCalibrator::boardConfirmed, messages, [messages](int images, int searched) {

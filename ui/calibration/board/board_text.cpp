@@ -58,7 +58,7 @@ QString missedLine(const QString& name, const std::vector<MissedRun>& runs) {
   int others = 0;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const MissedRun& run = runs[k];
-    if (k >= kMostListedRuns) {
+    if (k >= kMaxListedRuns) {
       others += run.images;
       continue;
     }

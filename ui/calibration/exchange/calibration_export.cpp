@@ -195,7 +195,7 @@ void CalibrationExportDialog::applyResult(const Result<CalibrationConversion>& o
   if (outcome) {
     showPreview(textOf(*outcome, replaced), true);
   } else {
-    const QString sentence = errorText(askedQuestion(outcome.error()).error);
+    const QString sentence = errorText(importProblem(outcome.error()).error);
     showPreview(QStringLiteral("⚠ ") + sentence, false);
     if (!isTyping()) {
       Q_EMIT failed(sentence);
@@ -216,7 +216,7 @@ void CalibrationExportDialog::accepted() {
 
 void CalibrationExportDialog::finish(const Result<CalibrationConversion>& written) {
   if (!written) {
-    Q_EMIT failed(errorText(askedQuestion(written.error()).error));
+    Q_EMIT failed(errorText(importProblem(written.error()).error));
     refresh();
     return;
   }

@@ -219,7 +219,7 @@ void CalibrationImportDialog::highlightQuestion(ImportQuestion question) {
 }
 
 void CalibrationImportDialog::applyError(const Error& error) {
-  const AskedQuestion asked = askedQuestion(error);
+  const ImportProblem asked = importProblem(error);
   const QString sentence = errorText(asked.error);
   highlightQuestion(asked.question);
   QString text = QStringLiteral("⚠ ") + sentence;

@@ -16,11 +16,11 @@ CalibrationGuide::CalibrationGuide(Document& document, QObject* parent)
 
 void CalibrationGuide::restart() {
   status_ = calibrationStatus(document_.project());
-  way_ = wayTaken(status_);
+  procedure_ = procedureInUse(status_);
   isFollowed_ = false;
   current_ = 0;
-  if (way_) {
-    takeWay(*way_);
+  if (procedure_) {
+    adoptProcedure(*procedure_);
   } else {
     Q_EMIT changed();
   }
@@ -28,35 +28,35 @@ void CalibrationGuide::restart() {
 
 void CalibrationGuide::refresh() {
   status_ = calibrationStatus(document_.project());
-  if (const auto taken = wayTaken(status_); taken && !way_) {
-    takeWay(*taken); // somebody who knows the pages has begun without the guide
+  if (const auto taken = procedureInUse(status_); taken && !procedure_) {
+    adoptProcedure(*taken); // somebody who knows the pages has begun without the guide
   } else {
     Q_EMIT changed();
   }
 }
 
-void CalibrationGuide::setWay(CalibrationWay way) {
+void CalibrationGuide::setProcedure(CalibrationProcedure procedure) {
   isFollowed_ = true;
-  takeWay(way);
+  adoptProcedure(procedure);
 }
 
 void CalibrationGuide::follow() {
-  if (way_ && !isFollowed_) {
+  if (procedure_ && !isFollowed_) {
     isFollowed_ = true;
     Q_EMIT changed();
   }
 }
 
-void CalibrationGuide::takeWay(CalibrationWay way) {
-  way_ = way;
-  const auto& all = stepsOf(way);
-  const GuideStep next = nextStep(way, document_.project(), status_);
+void CalibrationGuide::adoptProcedure(CalibrationProcedure procedure) {
+  procedure_ = procedure;
+  const auto& all = stepsOf(procedure);
+  const GuideStep next = nextStep(procedure, document_.project(), status_);
   current_ = static_cast<int>(std::ranges::find(all, next) - all.begin());
   Q_EMIT changed();
 }
 
 std::vector<GuideStep> CalibrationGuide::steps() const {
-  return way_ ? stepsOf(*way_) : std::vector<GuideStep>();
+  return procedure_ ? stepsOf(*procedure_) : std::vector<GuideStep>();
 }
 
 StepProgress CalibrationGuide::progress(GuideStep step) const {

@@ -22,10 +22,10 @@ public:
 
   const CalibrationStatus& status() const { return status_; }
   /// Returns the chosen way to calibrate. Returns nothing if the user has not chosen a way and the
-  /// project does not record how its cameras were calibrated (setup::wayTaken()).
-  std::optional<CalibrationWay> way() const { return way_; }
+  /// project does not record how its cameras were calibrated (setup::procedureInUse()).
+  std::optional<CalibrationProcedure> procedure() const { return procedure_; }
   /// Sets the way that the user has chosen, and makes its first unfinished step the current one.
-  void setWay(CalibrationWay way);
+  void setProcedure(CalibrationProcedure procedure);
   /// Returns whether the user follows the guide. This is true after the user has chosen a way, or
   /// has seen the guide (follow()) while a way was known.
   bool isFollowed() const { return isFollowed_; }
@@ -48,11 +48,11 @@ Q_SIGNALS:
 private:
   void refresh();
   void restart();
-  void takeWay(CalibrationWay way);
+  void adoptProcedure(CalibrationProcedure procedure);
 
   Document& document_;
   CalibrationStatus status_;
-  std::optional<CalibrationWay> way_;
+  std::optional<CalibrationProcedure> procedure_;
   bool isFollowed_ = false;
   int current_ = 0;
 };

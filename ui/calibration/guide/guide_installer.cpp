@@ -61,8 +61,8 @@ QString question() {
 /// The question stays until it is answered: it is the next step.
 void askForCalibration(const Workbench& bench) {
   QAction* guide = bench.action("actionCalibrate");
-  bench.messages.askUntilAnswered(question(),
-                                  {{GuidePage::tr("Calibrate…"), [guide] { guide->trigger(); }}});
+  bench.messages.showLastingQuestion(
+      question(), {{GuidePage::tr("Calibrate…"), [guide] { guide->trigger(); }}});
 }
 
 /// Asks while the calibration is lacking. The user may close the question: then it is asked again
@@ -73,7 +73,7 @@ void followCalibration(const Workbench& bench, QObject* context) {
     const bool lacks = lacksCalibration(bench.document);
     const bool isNew = !std::exchange(*lacked, lacks);
     if (!lacks) {
-      bench.messages.withdraw(question());
+      bench.messages.withdrawQuestion(question());
     } else if (isNew || asksAgain) {
       askForCalibration(bench);
     }
@@ -84,7 +84,7 @@ void followCalibration(const Workbench& bench, QObject* context) {
                    [follow] { follow(false); });
   QObject::connect(&bench.document, &Document::replaced, context, [bench, lacked] {
     *lacked = lacksCalibration(bench.document); // asked when its run begins
-    bench.messages.withdraw(question());
+    bench.messages.withdrawQuestion(question());
   });
 }
 

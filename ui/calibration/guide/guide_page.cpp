@@ -34,7 +34,7 @@ QLabel* makeText(const char* name, QWidget* parent) {
   return label;
 }
 
-QString marked(const PartStatus& part, const QString& text) {
+QString marked(const ItemStatus& part, const QString& text) {
   return knowledgeMark(part) + QLatin1Char(' ') + text;
 }
 
@@ -116,7 +116,7 @@ void GuidePage::connectFields() {
   connect(&guide_, &CalibrationGuide::changed, this, &GuidePage::refresh);
   connect(group_, &QButtonGroup::idClicked, this, [this](int way) {
     choosing_ = false;
-    guide_.setWay(static_cast<CalibrationWay>(way));
+    guide_.setProcedure(static_cast<CalibrationProcedure>(way));
   });
   connect(other_, &QPushButton::clicked, this, [this] {
     choosing_ = true;
@@ -137,7 +137,7 @@ void GuidePage::retranslateUi() {
       tr("✓ measured with this program; ± is the standard deviation. ○ entered, set by hand or "
          "read from a file, and not checked. ⚠ only a guess, or too inaccurate."));
   for (int way = 0; way < kWays; ++way) {
-    const WayText text = wayText(static_cast<CalibrationWay>(way));
+    const ProcedureText text = procedureText(static_cast<CalibrationProcedure>(way));
     QRadioButton* choice = ways_[static_cast<std::size_t>(way)];
     choice->setText(text.title);
     choice->setToolTip(text.needs);
@@ -205,11 +205,12 @@ void GuidePage::refreshStep() {
   needs_->setVisible(isChosen);
   other_->setVisible(isChosen);
   choices_->setVisible(!isChosen);
-  waysTitle_->setText(isChosen ? wayText(*guide_.way()).title : tr("Choose a way to calibrate"));
+  waysTitle_->setText(isChosen ? procedureText(*guide_.procedure()).title
+                               : tr("Choose a way to calibrate"));
   if (!isChosen) {
     return;
   }
-  needs_->setText(wayText(*guide_.way()).needs);
+  needs_->setText(procedureText(*guide_.procedure()).needs);
   const auto current = static_cast<std::size_t>(guide_.current());
   const StepText text = stepText(steps[current]);
   const StepProgress progress = guide_.progress(steps[current]);
@@ -225,7 +226,7 @@ void GuidePage::refreshStep() {
 
 void GuidePage::refresh() {
   refreshTable();
-  if (const auto way = guide_.way()) {
+  if (const auto way = guide_.procedure()) {
     ways_.at(static_cast<std::size_t>(*way))->setChecked(true);
   } else if (QAbstractButton* checked = group_->checkedButton()) {
     group_->setExclusive(false); // a group does not let go of its last choice otherwise

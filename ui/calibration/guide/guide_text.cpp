@@ -26,12 +26,12 @@ class GuideText {
     QT_TRANSLATE_NOOP("GuideText", "points marked in the images")};
 
 /// Where numbers come from, or how they are otherwise known.
-QString originName(const PartStatus& part) {
+QString statusOriginName(const ItemStatus& part) {
   return GuideText::tr(originText(part));
 }
 
-QString withError(const PartStatus& part, const QString& error) {
-  const QString origin = originName(part);
+QString withError(const ItemStatus& part, const QString& error) {
+  const QString origin = statusOriginName(part);
   return error.isEmpty() ? origin
          : part.isPoor   ? GuideText::tr("%1, ±%2: too inaccurate").arg(origin, error)
                          : GuideText::tr("%1, ±%2").arg(origin, error);
@@ -61,26 +61,26 @@ bool countsCameras(GuideStep step) {
 
 } // namespace
 
-WayText wayText(CalibrationWay way) {
-  switch (way) {
-  case CalibrationWay::Grid:
+ProcedureText procedureText(CalibrationProcedure procedure) {
+  switch (procedure) {
+  case CalibrationProcedure::Grid:
     return {GuideText::tr("By hand, with a grid"),
             GuideText::tr("You need one known length, such as the length of a table or of a floor "
                           "tile. You get a first result within minutes.")};
-  case CalibrationWay::Points:
+  case CalibrationProcedure::Points:
     return {GuideText::tr("Measured points"),
             GuideText::tr(
                 "You need a tape measure and points that the cameras see: at least four for each "
                 "camera, better six. Choose this for cameras that are mounted in a room.")};
-  case CalibrationWay::Board:
+  case CalibrationProcedure::Board:
     return {GuideText::tr("Printed board"),
             GuideText::tr("You need a printed board that you can carry through the room. This is "
                           "the most accurate way to calibrate the lenses.")};
-  case CalibrationWay::Wand:
+  case CalibrationProcedure::Wand:
     return {GuideText::tr("Wand: a ball, or a stick with two balls"),
             GuideText::tr("You need rough camera positions and a ball to wave. This is the most "
                           "accurate way to find the camera positions in a large room.")};
-  case CalibrationWay::File:
+  case CalibrationProcedure::File:
     break;
   }
   return {
@@ -205,23 +205,24 @@ QString progressNumber(GuideStep step, const StepProgress& progress) {
                              : QString();
 }
 
-QString lensText(const PartStatus& lens) {
+QString lensText(const ItemStatus& lens) {
   return withError(lens, deviationText(StepErrorUnit::Pixels, lens.error));
 }
 
-QString poseText(const PartStatus& pose) {
+QString poseText(const ItemStatus& pose) {
   return withError(pose, deviationText(StepErrorUnit::Meters, pose.error));
 }
 
-QString scaleText(const PartStatus& scale) {
+QString scaleText(const ItemStatus& scale) {
   return withError(scale, deviationText(StepErrorUnit::Fraction, scale.error));
 }
 
-QString floorText(const PartStatus& floor, bool isUpright) {
-  return isUpright ? originName(floor) : GuideText::tr("the z axis does not seem to point up");
+QString floorText(const ItemStatus& floor, bool isUpright) {
+  return isUpright ? statusOriginName(floor)
+                   : GuideText::tr("the z axis does not seem to point up");
 }
 
-QString knowledgeMark(const PartStatus& part) {
+QString knowledgeMark(const ItemStatus& part) {
   switch (part.isPoor ? Knowledge::Missing : part.knowledge) {
   case Knowledge::Measured:
     return QStringLiteral("✓");

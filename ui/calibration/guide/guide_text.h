@@ -8,11 +8,11 @@
 namespace dewpoint::ui {
 
 /// Texts about a way (procedure) to calibrate.
-struct WayText {
+struct ProcedureText {
   QString title;
   QString needs; ///< what this way requires, and when to use it
 };
-WayText wayText(CalibrationWay way);
+ProcedureText procedureText(CalibrationProcedure procedure);
 
 /// Texts about a step of the calibration guide.
 struct StepText {
@@ -31,14 +31,14 @@ QString progressNumber(GuideStep step, const StepProgress& progress);
 
 /// Return what is known about the intrinsics and about the position of a camera, for example
 /// "board, ±0.4 px".
-QString lensText(const PartStatus& lens);
-QString poseText(const PartStatus& pose);
+QString lensText(const ItemStatus& lens);
+QString poseText(const ItemStatus& pose);
 /// Return what is known about the scale and about the floor of the room.
-QString scaleText(const PartStatus& scale);
-QString floorText(const PartStatus& floor, bool isUpright);
+QString scaleText(const ItemStatus& scale);
+QString floorText(const ItemStatus& floor, bool isUpright);
 
 /// Returns a symbol for how a part of the calibration is known: "✓" measured, "○" given, "⚠"
 /// missing or poor.
-QString knowledgeMark(const PartStatus& part);
+QString knowledgeMark(const ItemStatus& part);
 
 } // namespace dewpoint::ui

@@ -56,7 +56,7 @@ void CameraForm::createWidgets() {
   grid->addWidget(unit_, 1, 1, 1, 2);
   for (std::size_t k = 0; k < 3; ++k) {
     position_[k] =
-        makeNumberField(QStringLiteral("handPosition") + QLatin1String(kAxes[k]), {}, this);
+        makeNumberField(QStringLiteral("handPosition") + QLatin1String(kAxisLetters[k]), {}, this);
     grid->addWidget(position_[k], 2, static_cast<int>(k));
   }
   grid->addWidget(aimLabel_, 3, 0);
@@ -183,7 +183,7 @@ void CameraForm::showUnits() {
   const QString heading[] = {tr("Yaw"), tr("Pitch"), QString()};
   const QString prefix[] = {tr("yaw"), tr("pitch"), QString()};
   for (std::size_t k = 0; k < 3; ++k) {
-    const QString axis = QLatin1String(kAxes[k]);
+    const QString axis = QLatin1String(kAxisLetters[k]);
     setRange(*position_[k], length, unit);
     position_[k]->setPrefix(axis.toLower() + QLatin1Char(' '));
     position_[k]->setAccessibleName(tr("Position %1").arg(axis));
@@ -234,9 +234,9 @@ void CameraForm::refresh() {
 
 void CameraForm::change(const QString& what, const QString& value, const Camera& camera,
                         const char* key) {
-  manual_.change(manual_.camera(),
-                 tr("%1: %2 %3").arg(manual_.nameOf(manual_.camera()), what, value).simplified(),
-                 camera, key);
+  manual_.changeCamera(
+      manual_.camera(),
+      tr("%1: %2 %3").arg(manual_.nameOf(manual_.camera()), what, value).simplified(), camera, key);
   refresh(); // also when it was refused
 }
 
@@ -245,7 +245,7 @@ void CameraForm::editPosition(int axis, double value) {
   Eigen::Vector3d position = camera.center();
   position[axis] = value * metersPerUnit();
   const auto* field = position_[static_cast<std::size_t>(axis)];
-  change(tr("position"), field->text(), withPosition(camera, position), kAxes[axis]);
+  change(tr("position"), field->text(), withPosition(camera, position), kAxisLetters[axis]);
 }
 
 void CameraForm::editAim(int index, double value) {

@@ -59,7 +59,7 @@ void GridForm::createWidgets() {
   grid->addWidget(sizeLabel_, 1, 0, 1, 3);
   grid->addWidget(originLabel_, 3, 0, 1, 3);
   for (std::size_t k = 0; k < 3; ++k) {
-    const QString axis = QLatin1String(kAxes[k]);
+    const QString axis = QLatin1String(kAxisLetters[k]);
     size_[k] = makeNumberField(QStringLiteral("gridSize") + axis, {0.001, 1e3, 0.1, 3}, this);
     origin_[k] = makeNumberField(QStringLiteral("gridOrigin") + axis, {-1e3, 1e3, 0.1, 3}, this);
     grid->addWidget(size_[k], 2, static_cast<int>(k));
@@ -143,7 +143,7 @@ void GridForm::retranslateUi() {
   sizeLabel_->setText(tr("Size along x, y, z"));
   originLabel_->setText(tr("Origin x, y, z"));
   for (std::size_t k = 0; k < 3; ++k) {
-    const QString axis = QLatin1String(kAxes[k]);
+    const QString axis = QLatin1String(kAxisLetters[k]);
     name(size_[k], tr("Size along %1").arg(axis), tr("Size of the grid, in meters"));
     name(origin_[k], tr("Origin %1").arg(axis),
          tr("Position of the corner at which the axes of the grid start, in meters"));

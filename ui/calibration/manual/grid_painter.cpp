@@ -66,7 +66,7 @@ void paintText(QPainter& painter, const QRectF& label, const QString& text, cons
 /// away from the middle of the grid: its corners are what is aimed at.
 void paintLabels(QPainter& painter, const ProjectedGrid& grid, const ImagePlacement& placement,
                  const std::vector<QPolygonF>& lines) {
-  LabelPlaces places(areaToPaint(painter));
+  LabelPlacer places(areaToPaint(painter));
   QPointF sum;
   double count = 0.0;
   for (const QPolygonF& line : lines) {
@@ -85,8 +85,8 @@ void paintLabels(QPainter& painter, const ProjectedGrid& grid, const ImagePlacem
     const QPointF at = widgetPosition(label->at, placement);
     const QSizeF size = gridLabelSize(painter, text);
     const bool isName = std::exchange(named, label->role) != label->role;
-    if (const auto place = isName ? places.takeNeeded(at, size, at - middle)
-                                  : places.take(at, size, at - middle)) {
+    if (const auto place = isName ? places.reserveNeeded(at, size, at - middle)
+                                  : places.reserve(at, size, at - middle)) {
       paintText(painter, *place, text, strokeOf(label->role).color);
     }
   }
@@ -117,7 +117,7 @@ void paintPointMark(QPainter& painter, const PaintedPoint& point) {
 
 void paintPointNames(QPainter& painter, const std::vector<PaintedPoint>& points) {
   const QPointF upRight(1.0, -1.0);
-  LabelPlaces places(areaToPaint(painter));
+  LabelPlacer places(areaToPaint(painter));
   for (const PaintedPoint& point : points) {
     for (const auto& at : {point.click, point.seen}) {
       if (at && !point.isElsewhere) {
@@ -129,8 +129,8 @@ void paintPointNames(QPainter& painter, const std::vector<PaintedPoint>& points)
     const auto& at = point.click ? point.click : point.seen;
     const QSizeF size = gridLabelSize(painter, point.name);
     const auto place = !at                 ? std::nullopt
-                       : point.isElsewhere ? places.takeIfFree(*at, size, upRight)
-                                           : places.takeNeeded(*at, size, upRight);
+                       : point.isElsewhere ? places.reserveInDirection(*at, size, upRight)
+                                           : places.reserveNeeded(*at, size, upRight);
     if (place) {
       painter.setOpacity(point.isElsewhere ? kElsewhereOpacity : 1.0);
       paintText(painter, *place, point.name, pointColor(point));

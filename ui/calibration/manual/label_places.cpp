@@ -38,14 +38,14 @@ bool crossesBox(const QRectF& box, const QLineF& line) {
 
 } // namespace
 
-bool LabelPlaces::isFree(const QRectF& box, bool mayCoverLines) const {
+bool LabelPlacer::isFree(const QRectF& box, bool mayCoverLines) const {
   return area_.contains(box) &&
          std::ranges::none_of(taken_, [&](const QRectF& other) { return other.intersects(box); }) &&
          (mayCoverLines ||
           std::ranges::none_of(lines_, [&](const QLineF& line) { return crossesBox(box, line); }));
 }
 
-QRectF LabelPlaces::boxBeside(QPointF point, QSizeF size, double angle) {
+QRectF LabelPlacer::boxBeside(QPointF point, QSizeF size, double angle) {
   const QPointF unit(std::cos(angle), std::sin(angle));
   // So far that all of the box lies beyond the gap.
   const double reach = kPointLabelGap + 0.5 * (std::abs(unit.x()) * size.width() +
@@ -55,7 +55,7 @@ QRectF LabelPlaces::boxBeside(QPointF point, QSizeF size, double angle) {
   return box;
 }
 
-std::optional<QRectF> LabelPlaces::find(QPointF point, QSizeF size, QPointF outward,
+std::optional<QRectF> LabelPlacer::find(QPointF point, QSizeF size, QPointF outward,
                                         bool mayCoverLines) const {
   if (!area_.contains(point)) {
     return std::nullopt;
@@ -70,25 +70,25 @@ std::optional<QRectF> LabelPlaces::find(QPointF point, QSizeF size, QPointF outw
   return std::nullopt;
 }
 
-std::optional<QRectF> LabelPlaces::taken(const std::optional<QRectF>& box) {
+std::optional<QRectF> LabelPlacer::reserved(const std::optional<QRectF>& box) {
   if (box) {
     taken_.push_back(*box);
   }
   return box;
 }
 
-std::optional<QRectF> LabelPlaces::take(QPointF point, QSizeF size, QPointF outward) {
-  return taken(find(point, size, outward, false));
+std::optional<QRectF> LabelPlacer::reserve(QPointF point, QSizeF size, QPointF outward) {
+  return reserved(find(point, size, outward, false));
 }
 
-std::optional<QRectF> LabelPlaces::takeNeeded(QPointF point, QSizeF size, QPointF outward) {
+std::optional<QRectF> LabelPlacer::reserveNeeded(QPointF point, QSizeF size, QPointF outward) {
   const auto free = find(point, size, outward, false);
-  return taken(free ? free : find(point, size, outward, true));
+  return reserved(free ? free : find(point, size, outward, true));
 }
 
-std::optional<QRectF> LabelPlaces::takeIfFree(QPointF point, QSizeF size, QPointF outward) {
+std::optional<QRectF> LabelPlacer::reserveInDirection(QPointF point, QSizeF size, QPointF outward) {
   const QRectF box = boxBeside(point, size, std::atan2(outward.y(), outward.x()));
-  return taken(area_.contains(point) && isFree(box, false) ? std::optional(box) : std::nullopt);
+  return reserved(area_.contains(point) && isFree(box, false) ? std::optional(box) : std::nullopt);
 }
 
 } // namespace dewpoint::ui

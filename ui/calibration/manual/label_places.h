@@ -13,29 +13,29 @@ namespace dewpoint::ui {
 
 /// Finds places for labels beside points of an image, so that no label covers its point, a line or
 /// another label. All coordinates are widget coordinates.
-class LabelPlaces {
+class LabelPlacer {
 public:
   /// Creates an object for labels inside `area`.
-  explicit LabelPlaces(const QRectF& area) : area_(area) {}
+  explicit LabelPlacer(const QRectF& area) : area_(area) {}
 
   /// Adds a line that labels must not cover.
   void avoid(const QLineF& line) { lines_.push_back(line); }
   /// Finds a place beside `point` for a label of this size, reserves the place, and returns it. Of
   /// the eight directions around the point, takes the one closest to `outward` that has room.
   /// Returns nothing if no direction has room, or if the point is outside the area.
-  std::optional<QRectF> take(QPointF point, QSizeF size, QPointF outward);
-  /// Finds a place like take(), for a label that must not be left out: if there is no other room,
-  /// the label may cover a line.
-  std::optional<QRectF> takeNeeded(QPointF point, QSizeF size, QPointF outward);
-  /// Finds a place like take(), for a label that may be left out: tries only the direction
+  std::optional<QRectF> reserve(QPointF point, QSizeF size, QPointF outward);
+  /// Finds a place like reserve(), for a label that must not be left out: if there is no other
+  /// room, the label may cover a line.
+  std::optional<QRectF> reserveNeeded(QPointF point, QSizeF size, QPointF outward);
+  /// Finds a place like reserve(), for a label that may be left out: tries only the direction
   /// `outward`.
-  std::optional<QRectF> takeIfFree(QPointF point, QSizeF size, QPointF outward);
+  std::optional<QRectF> reserveInDirection(QPointF point, QSizeF size, QPointF outward);
 
 private:
   /// Returns the rectangle of a label in the direction `angle`, radians.
   static QRectF boxBeside(QPointF point, QSizeF size, double angle);
   std::optional<QRectF> find(QPointF point, QSizeF size, QPointF outward, bool mayCoverLines) const;
-  std::optional<QRectF> taken(const std::optional<QRectF>& box);
+  std::optional<QRectF> reserved(const std::optional<QRectF>& box);
   bool isFree(const QRectF& box, bool mayCoverLines) const;
 
   QRectF area_;

@@ -37,7 +37,7 @@ ManualCalibrationPage::ManualCalibrationPage(ManualCalibration& manual, PointCal
   column->addWidget(new PointsTable(points, manual, this));
   column->addStretch(1);
   remark_->hide();
-  connect(&manual, &ManualCalibration::remark, this, [this](const QString& sentence) {
+  connect(&manual, &ManualCalibration::messageRequested, this, [this](const QString& sentence) {
     remark_->setText(QStringLiteral("⚠ ") + sentence);
     remark_->setVisible(!sentence.isEmpty());
   });

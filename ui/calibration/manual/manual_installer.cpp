@@ -22,7 +22,7 @@ void installManualCalibration(const Workbench& bench, CalibrationMode& mode,
   QObject::connect(&mode, &CalibrationMode::pageChanged, points, [points] {
     points->setClicking(false); // its magnifier belongs to the page that was left
   });
-  QObject::connect(&mode, &CalibrationMode::imagesLent, points,
+  QObject::connect(&mode, &CalibrationMode::imageClicksTakenOver, points,
                    [points] { points->setClicking(false); });
   QObject::connect(points, &PointCalibrator::changed, &mode, [bench, points] {
     if (points->isClicking()) {

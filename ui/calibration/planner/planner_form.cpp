@@ -76,7 +76,7 @@ void PlannerForm::createWidgets() {
   grid->addWidget(positionLabel_, 2, 0, 1, 3);
   grid->addWidget(targetLabel_, 4, 0, 1, 3);
   for (std::size_t k = 0; k < 3; ++k) {
-    const QString axis = QLatin1String(kAxes[k]);
+    const QString axis = QLatin1String(kAxisLetters[k]);
     position_[k] = field(QStringLiteral("planPlace") + axis, {-1e3, 1e3, 0.05, 3});
     target_[k] = field(QStringLiteral("planTarget") + axis, {-1e3, 1e3, 0.05, 3});
     grid->addWidget(position_[k], 3, static_cast<int>(k));
@@ -154,7 +154,7 @@ void PlannerForm::retranslateUi() {
   targetLabel_->setText(tr("Looks at x, y, z"));
   lensLabel_->setText(tr("Field of view, image width and height"));
   for (std::size_t k = 0; k < 3; ++k) {
-    const QString axis = QLatin1String(kAxes[k]);
+    const QString axis = QLatin1String(kAxisLetters[k]);
     name(position_[k], tr("Planned position %1").arg(axis),
          tr("Position of the camera, in meters"));
     name(target_[k], tr("Planned camera looks at %1").arg(axis),

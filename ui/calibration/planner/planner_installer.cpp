@@ -26,10 +26,10 @@ PlannerInstaller::PlannerInstaller(const Workbench& bench, CalibrationMode& mode
   mode_.addPage(new PlanPage(*plan_), [] { return PlanPage::tr("Plan"); });
   connect(plan_, &RigPlanner::mapChanged, this, [this] {
     const bool shown = plan_->isMapShown() && manual_.isActive();
-    birdsEye_.showMap(shown ? plan_->map() : nullptr, plan_->look());
+    birdsEye_.showMap(shown ? plan_->map() : nullptr, plan_->mapOptions());
   });
   connect(plan_, &RigPlanner::changed, this, [this] {
-    birdsEye_.showPlanned(manual_.isActive() ? plan_->planned() : CameraRig());
+    birdsEye_.showPlannedCameras(manual_.isActive() ? plan_->planned() : CameraRig());
     bench_.action("actionShowMap")->setChecked(plan_->isMapShown());
     showHandles();
   });
@@ -52,16 +52,18 @@ void PlannerInstaller::connectBirdsEye() {
             if (const int k = plannedIndex(camera); k >= 0) {
               plan_->change(k, withPosition(plan_->planned()[std::size_t(k)], center));
             }
-            manual_.change(camera, tr("Move %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
-                           withPosition(manual_.cameraAt(camera), center), "drag center");
+            manual_.changeCamera(camera,
+                                 tr("Move %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
+                                 withPosition(manual_.cameraAt(camera), center), "drag center");
           });
   connect(&birdsEye_, &BirdsEyeView::cameraAimed, this,
           [this](int camera, const Eigen::Vector3d& target) {
             if (const int k = plannedIndex(camera); k >= 0) {
               plan_->change(k, lookingAt(plan_->planned()[std::size_t(k)], target));
             }
-            manual_.change(camera, tr("Turn %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
-                           lookingAt(manual_.cameraAt(camera), target), "drag target");
+            manual_.changeCamera(camera,
+                                 tr("Turn %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
+                                 lookingAt(manual_.cameraAt(camera), target), "drag target");
           });
   connect(&birdsEye_, &BirdsEyeView::cameraDropped, &manual_, &ManualCalibration::endMerging);
 }

@@ -92,7 +92,7 @@ void RigPlanner::limitHeight() {
   look_.height = std::clamp(look_.height, volume_.min().z(), volume_.max().z());
 }
 
-void RigPlanner::setLook(const MapLook& look) {
+void RigPlanner::setMapOptions(const MapOptions& look) {
   if (look != look_) {
     look_ = look;
     limitHeight();

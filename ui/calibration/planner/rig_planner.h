@@ -43,9 +43,9 @@ public:
   void setMapShown(bool shown);
   /// Returns the newest map, or null before the first one.
   const std::shared_ptr<const RigMap>& map() const { return map_; }
-  const MapLook& look() const { return look_; }
+  const MapOptions& mapOptions() const { return look_; }
   /// Sets the appearance of the map. The height of the map's layer is limited to the volume.
-  void setLook(const MapLook& look);
+  void setMapOptions(const MapOptions& look);
   double pixelSigma() const { return pixelSigma_; }
   void setPixelSigma(double pixels);
   /// Returns the mapped volume in world coordinates (meters): the project's room, or the box set by
@@ -112,7 +112,7 @@ private:
   LatestJob mapping_{LatestJob::Superseded::Kept};
   BackgroundJob search_;
   std::shared_ptr<const RigMap> map_;
-  MapLook look_;
+  MapOptions look_;
   bool mapShown_ = false;
   double pixelSigma_ = 0.5;
   double wallDistance_ = 0.0;

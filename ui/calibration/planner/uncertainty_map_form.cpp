@@ -84,7 +84,7 @@ void UncertaintyMapForm::createWidgets() {
   grid->addWidget(lowLabel_, 7, 0, 1, 3);
   grid->addWidget(highLabel_, 9, 0, 1, 3);
   for (std::size_t k = 0; k < 3; ++k) {
-    const QString axis = QLatin1String(kAxes[k]);
+    const QString axis = QLatin1String(kAxisLetters[k]);
     low_[k] = makeNumberField(QStringLiteral("mapLow") + axis, {-1e3, 1e3, 0.1, 3}, this);
     high_[k] = makeNumberField(QStringLiteral("mapHigh") + axis, {-1e3, 1e3, 0.1, 3}, this);
     grid->addWidget(low_[k], 8, static_cast<int>(k));
@@ -104,23 +104,23 @@ void UncertaintyMapForm::connectFields() {
   connect(shown_, &QCheckBox::toggled, &plan_, &RigPlanner::setMapShown);
   const auto edit = [this](auto change) {
     return [this, change](auto value) {
-      MapLook look = plan_.look();
+      MapOptions look = plan_.mapOptions();
       change(look, value);
-      plan_.setLook(look);
+      plan_.setMapOptions(look);
     };
   };
-  connect(quantity_, &QComboBox::activated, this, edit([](MapLook& look, int index) {
+  connect(quantity_, &QComboBox::activated, this, edit([](MapOptions& look, int index) {
             look.quantity = index == 1 ? MapQuantity::CameraCount : MapQuantity::Sigma;
           }));
   connect(good_, &QDoubleSpinBox::valueChanged, this,
-          edit([](MapLook& look, double value) { look.goodSigma = fromMillimeters(value); }));
+          edit([](MapOptions& look, double value) { look.goodSigma = fromMillimeters(value); }));
   connect(slice_, &QCheckBox::toggled, this,
-          edit([](MapLook& look, bool shown) { look.slice = shown; }));
+          edit([](MapOptions& look, bool shown) { look.slice = shown; }));
   connect(volume_, &QCheckBox::toggled, this,
-          edit([](MapLook& look, bool shown) { look.volume = shown; }));
+          edit([](MapOptions& look, bool shown) { look.volume = shown; }));
   connect(height_, &QDoubleSpinBox::valueChanged, this,
-          edit([](MapLook& look, double value) { look.height = value; }));
-  connect(heightSlider_, &QSlider::valueChanged, this, edit([this](MapLook& look, int step) {
+          edit([](MapOptions& look, double value) { look.height = value; }));
+  connect(heightSlider_, &QSlider::valueChanged, this, edit([this](MapOptions& look, int step) {
             const double low = plan_.volume().min().z();
             look.height = low + (plan_.volume().max().z() - low) * step / kHeightSteps;
           }));
@@ -183,7 +183,7 @@ void UncertaintyMapForm::retranslateUi() {
   lowLabel_->setText(tr("Volume: minimum x, y, z"));
   highLabel_->setText(tr("Volume: maximum x, y, z"));
   for (std::size_t k = 0; k < 3; ++k) {
-    const QString axis = QLatin1String(kAxes[k]);
+    const QString axis = QLatin1String(kAxisLetters[k]);
     name(low_[k], tr("Minimum %1 of the map's volume").arg(axis),
          tr("Smallest x, y and z of the volume, in meters"));
     name(high_[k], tr("Maximum %1 of the map's volume").arg(axis),
@@ -202,7 +202,7 @@ void UncertaintyMapForm::refresh() {
     const QSignalBlocker quiet(box);
     box.setChecked(on);
   };
-  const MapLook& look = plan_.look();
+  const MapOptions& look = plan_.mapOptions();
   const Eigen::AlignedBox3d& box = plan_.volume();
   tick(*shown_, plan_.isMapShown());
   tick(*slice_, look.slice);
@@ -227,12 +227,12 @@ void UncertaintyMapForm::refresh() {
 void UncertaintyMapForm::summarize() {
   QString text;
   if (plan_.isMapShown() && plan_.map()) {
-    const RigMapSummary summary = summaryOf(*plan_.map(), plan_.look().goodSigma);
-    text =
-        tr("The error is at most %2 in %1 of the volume. Fewer than two cameras see %3 of the "
-           "volume")
-            .arg(shareText(summary.within), lengthText(plan_.look().goodSigma, LengthForm::Short),
-                 shareText(summary.tooFew));
+    const RigMapSummary summary = summaryOf(*plan_.map(), plan_.mapOptions().goodSigma);
+    text = tr("The error is at most %2 in %1 of the volume. Fewer than two cameras see %3 of the "
+              "volume")
+               .arg(shareText(summary.within),
+                    lengthText(plan_.mapOptions().goodSigma, LengthForm::Short),
+                    shareText(summary.tooFew));
   }
   summary_->setText(text);
   summary_->setVisible(!text.isEmpty());

@@ -98,7 +98,7 @@ void PointsTable::createWidgets() {
   resultText_->setObjectName(QStringLiteral("pointAssessment"));
   resultText_->setWordWrap(true);
   resultText_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  resultText_->setProperty(kRevealed, true);
+  resultText_->setProperty(kRevealedProperty, true);
   QSizePolicy policy = resultText_->sizePolicy();
   policy.setRetainSizeWhenHidden(true); // nothing moves when a result comes or goes
   resultText_->setSizePolicy(policy);

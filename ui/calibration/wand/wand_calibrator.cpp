@@ -222,7 +222,7 @@ void WandCalibrator::apply() {
   if (!refinement_ || applied_ || refinement_->before.size() != project().cameras.size()) {
     return;
   }
-  dependencies_.manual.storeAs(EarlierCameras::WandRefinement);
+  dependencies_.manual.storeEarlierCameras(EarlierCameras::WandRefinement);
   const auto edited = dependencies_.document.edit(
       settings_.stick ? tr("Refine cameras with a wand") : tr("Refine cameras with a ball"),
       [this](Project& project) { project = withRefinement(std::move(project), *refinement_); });

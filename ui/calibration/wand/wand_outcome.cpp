@@ -55,7 +55,7 @@ void WandOutcome::createWidgets() {
   QFont bold = accuracy_->font();
   bold.setBold(true);
   accuracy_->setFont(bold);
-  accuracy_->setProperty(kRevealed, true);
+  accuracy_->setProperty(kRevealedProperty, true);
   notes_ = makeOutcomeText("wandNotes", this);
   table_ = new QTableWidget(0, ColumnCount, this);
   table_->setObjectName(QStringLiteral("wandCameras"));

@@ -30,7 +30,7 @@ void installWorldPage(const Workbench& bench, CalibrationMode& mode, const Camer
   // The images are free for the grid while another page is in front.
   QObject::connect(&mode, &CalibrationMode::shown, marks,
                    [marks](const QString& page) { marks->setClicking(page == kWorldPage); });
-  QObject::connect(&mode, &CalibrationMode::imagesLent, marks,
+  QObject::connect(&mode, &CalibrationMode::imageClicksTakenOver, marks,
                    [marks] { marks->setClicking(false); });
   QObject::connect(marks, &WorldMarks::changed, &mode, [bench, marks] {
     if (marks->isClicking()) {

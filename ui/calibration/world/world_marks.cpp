@@ -176,7 +176,7 @@ void WorldMarks::apply(WorldStep step, double meters) {
   Q_EMIT changed();
 }
 
-void WorldMarks::check(double meters) {
+void WorldMarks::storeLengthCheck(double meters) {
   const auto result = withLengthCheck(document_.project(), marks_[0], marks_[1], meters);
   if (result) {
     const LengthCheck found = result->calibrated.check.value();
@@ -192,13 +192,13 @@ void WorldMarks::check(double meters) {
   Q_EMIT changed();
 }
 
-void WorldMarks::turn(WorldAxis axis) {
+void WorldMarks::rotateWorld(WorldAxis axis) {
   resultText_.clear();
   replaceProject(tr("Rotate all cameras"),
                  withMovedWorld(document_.project(), calibration::quarterTurns(axis, 1)));
 }
 
-void WorldMarks::move(const Eigen::Vector3d& shift, double turn) {
+void WorldMarks::moveWorld(const Eigen::Vector3d& shift, double turn) {
   resultText_.clear();
   replaceProject(tr("Move all cameras"),
                  withMovedWorld(document_.project(), calibration::movedBy(shift, turn)));

@@ -54,12 +54,12 @@ public:
   void apply(WorldStep step, double meters = 0.0);
   /// Compares the computed distance between the marks A and B with the one that the user measured
   /// (`meters`), and stores both in the project.
-  void check(double meters);
+  void storeLengthCheck(double meters);
   /// Change the poses of all cameras together. turn() rotates the cameras by 90 degrees about a
   /// world axis. move() shifts them by `shift` (meters) and rotates them by `turn` (radians) about
   /// the z axis.
-  void turn(WorldAxis axis);
-  void move(const Eigen::Vector3d& shift, double turn);
+  void rotateWorld(WorldAxis axis);
+  void moveWorld(const Eigen::Vector3d& shift, double turn);
   /// Returns whether the images are not upright, and quarter turns of the world frame would make
   /// them upright.
   bool canTurnUpright() const;

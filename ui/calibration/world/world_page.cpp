@@ -71,7 +71,7 @@ void WorldPage::build() {
   resultText_ = new QLabel(this);
   resultText_->setObjectName(QStringLiteral("worldResult"));
   resultText_->setWordWrap(true);
-  resultText_->setProperty(kRevealed, true);
+  resultText_->setProperty(kRevealedProperty, true);
   resultText_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   board_ = makeButton("worldBoard", this);
   boardText_ = new QLabel(this);
@@ -128,8 +128,8 @@ QWidget* WorldPage::makeMove() {
   grid->setSpacing(6);
   grid->addWidget(moveTitle_, 0, 0, 1, 4);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    shift_[axis] =
-        makeNumberField(QStringLiteral("worldShift") + QLatin1String(kAxes[axis]), kShift, part);
+    shift_[axis] = makeNumberField(QStringLiteral("worldShift") + QLatin1String(kAxisLetters[axis]),
+                                   kShift, part);
     grid->addWidget(shift_[axis], 1, static_cast<int>(axis));
   }
   turn_ = makeNumberField(QStringLiteral("worldTurn"), kTurn, part);
@@ -140,7 +140,8 @@ QWidget* WorldPage::makeMove() {
   grid->addWidget(quarterLabel_, 3, 0);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     quarters_[axis] = new QPushButton(part);
-    quarters_[axis]->setObjectName(QStringLiteral("worldQuarter") + QLatin1String(kAxes[axis]));
+    quarters_[axis]->setObjectName(QStringLiteral("worldQuarter") +
+                                   QLatin1String(kAxisLetters[axis]));
     quarters_[axis]->setMinimumWidth(0);
     grid->addWidget(quarters_[axis], 3, static_cast<int>(axis) + 1);
   }
@@ -162,18 +163,19 @@ void WorldPage::connectFields() {
   connect(board_, &QPushButton::clicked, &boardFloor_, &BoardFloor::apply);
   connect(&boardFloor_, &BoardFloor::changed, this, &WorldPage::refresh);
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this] { distanceEntered_ = true; });
-  connect(check_, &QPushButton::clicked, this, [this] { marks_.check(distance_->value()); });
+  connect(check_, &QPushButton::clicked, this,
+          [this] { marks_.storeLengthCheck(distance_->value()); });
   for (const auto& [step, button] : steps_) {
     connect(button, &QPushButton::clicked, this,
             [this, step = step] { marks_.apply(step, distance_->value()); });
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     connect(quarters_[axis], &QPushButton::clicked, this,
-            [this, axis] { marks_.turn(static_cast<WorldAxis>(axis)); });
+            [this, axis] { marks_.rotateWorld(static_cast<WorldAxis>(axis)); });
   }
   connect(move_, &QPushButton::clicked, this, [this] {
-    marks_.move({shift_[0]->value(), shift_[1]->value(), shift_[2]->value()},
-                turn_->value() * base::kDegree);
+    marks_.moveWorld({shift_[0]->value(), shift_[1]->value(), shift_[2]->value()},
+                     turn_->value() * base::kDegree);
     for (QDoubleSpinBox* field : {shift_[0], shift_[1], shift_[2], turn_}) {
       showValue(*field, 0.0); // a second press does not move them again
     }
@@ -243,7 +245,7 @@ void WorldPage::retranslateUi() {
   }
   moveTitle_->setText(tr("Move all cameras together"));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const QString letter = QString(QLatin1String(kAxes[axis])).toLower();
+    const QString letter = QString(QLatin1String(kAxisLetters[axis])).toLower();
     setRange(*shift_[axis], kShift, tr(" m"));
     name(shift_[axis], tr("Shift of all cameras along %1").arg(letter),
          tr("How far all cameras move along %1, in meters").arg(letter));

@@ -192,7 +192,7 @@ bool bothColorsClicked(ScenarioDraft& draft) {
   }
   const Spin spin = randomSpin(draft.draws, kSlowestSpin, kFastestSpin);
   paintBall(draft.stage.bodies.back(), BallPattern::TwoColors, spin, draft.draws);
-  draft.teach = teachBothColors;
+  draft.learnTargets = teachBothColors;
   return true;
 }
 
@@ -202,7 +202,7 @@ bool clicked(ScenarioDraft& draft, const Eigen::Vector3d& color) {
   }
   draft.stage.bodies.back().color = color;
   const Click click = drawClick(draft.draws, draft.rig.size());
-  draft.teach = [click](const ScenarioDraft& finished, ScenarioRun& run) {
+  draft.learnTargets = [click](const ScenarioDraft& finished, ScenarioRun& run) {
     teach(finished, click, run);
   };
   return true;

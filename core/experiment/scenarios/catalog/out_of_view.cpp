@@ -47,8 +47,8 @@ bool leaves(const ScenarioDraft& draft, const Detour& path, const std::vector<bo
     }
     for (std::size_t camera = 0; camera < leaving.size(); ++camera) {
       const Visibility showing = visibilityOf(*draft.stage.views[camera], ball, kBallRadius);
-      const bool right = leaving[camera] ? !isHeld(path, time) || showing == Visibility::Nothing
-                                         : showing == Visibility::Whole;
+      const bool right = leaving[camera] ? !isHeld(path, time) || showing == Visibility::None
+                                         : showing == Visibility::Full;
       if (!right) {
         return false;
       }
@@ -74,7 +74,7 @@ void addLeavingTarget(ScenarioDraft& draft, const Detour& path) {
   startNearTruth(draft);
   addUnseenEvents(draft, [&](std::size_t camera, std::int64_t frame) {
     return visibilityOf(*draft.stage.views[camera], path(draft.timeOf(frame)),
-                        draft.ballRadius()) != Visibility::Nothing;
+                        draft.ballRadius()) != Visibility::None;
   });
 }
 
@@ -191,9 +191,9 @@ bool hoverOnBorder(ScenarioDraft& draft) {
       right = isFree(draft, ball);
       for (std::size_t other = 0; right && other < draft.rig.size(); ++other) {
         const Visibility showing = visibilityOf(*draft.stage.views[other], ball, radius);
-        right = other == camera ? showing != Visibility::Nothing &&
-                                      (time > path.begin || showing == Visibility::Whole)
-                                : showing == Visibility::Whole;
+        right = other == camera ? showing != Visibility::None &&
+                                      (time > path.begin || showing == Visibility::Full)
+                                : showing == Visibility::Full;
       }
     }
     if (right) {

@@ -59,8 +59,8 @@ bool withDroppedAndDoubled(ScenarioDraft& draft) {
   draft.exactWhenIdeal = false;
   draft.adjustFaults = [](SensingFaults& faults) {
     for (CameraFaults& camera : faults.cameras) {
-      camera.timing.dropShare = kShare;
-      camera.timing.doubleShare = kShare;
+      camera.timing.droppedShare = kShare;
+      camera.timing.repeatedShare = kShare;
     }
   };
   return true;

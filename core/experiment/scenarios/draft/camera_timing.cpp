@@ -11,12 +11,12 @@ std::optional<FrameDelivery> deliveryOf(const CameraTiming& timing, std::int64_t
   if (frame <= 0) {
     return delivery;
   }
-  if (chances.uniform(0) < timing.dropShare) {
+  if (chances.uniform(0) < timing.droppedShare) {
     return std::nullopt;
   }
   if (frame >= timing.freezeBegin && frame < timing.freezeEnd) {
     delivery.shown = std::max<std::int64_t>(0, timing.freezeBegin - 1);
-  } else if (chances.uniform(1) < timing.doubleShare) {
+  } else if (chances.uniform(1) < timing.repeatedShare) {
     delivery.shown = frame - 1;
   }
   return delivery;

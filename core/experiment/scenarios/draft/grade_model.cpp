@@ -29,9 +29,9 @@ constexpr GradeModel kRoom{
     // The cosine to the fourth takes 43 % at 30 degrees, the corners here; cameras give some back.
     .vignette = {0.1, 0.35},
     .sideFalloff = 0.12,
-    .exposureSeconds = {0.010, 0.033}, // indoors, up to the whole period of 30 frames per second
-    .levelStops = {-0.3, 0.3},         // a step of a camera's exposure compensation
-    .firstStops = {-0.3, 0.3},
+    .exposureSeconds = {0.010, 0.033},  // indoors, up to the whole period of 30 frames per second
+    .exposureOffsetStops = {-0.3, 0.3}, // a step of a camera's exposure compensation
+    .initialErrorStops = {-0.3, 0.3},
     .whiteBalanceStops = {-0.12, 0.12}, // 8 % of blue or red against green
     .huntingStops = {0.0, 0.2},
     .huntingPeriod = {2.0, 6.0},
@@ -53,8 +53,8 @@ constexpr GradeModel kRoom{
     .readoutSeconds = {0.015, 0.030}, // webcams read out a frame in 15 to 30 ms
     .delayFrames = {0.0, 0.5}, // cameras that free-run; half a frame is the most between neighbors
     .jitterSeconds = {0.0, 0.003}, // of a host that is busy with other things
-    .dropShare = {0.0, 0.02},
-    .doubleShare = {0.0, 0.02},
+    .droppedShare = {0.0, 0.02},
+    .repeatedShare = {0.0, 0.02},
     // Points measured with a ruler and clicked by hand: 1 to 2 pixels at the desk, with one error
     // after the other.
     .calibration = {0.005, 0.002, 0.2 * kDegree, 0.01},
@@ -75,8 +75,8 @@ constexpr GradeModel kWild{
     .vignette = {0.1, 0.5},
     .sideFalloff = 0.25,
     .exposureSeconds = {0.010, 0.033},
-    .levelStops = {-0.7, 0.7},
-    .firstStops = {-1.0, 1.0},
+    .exposureOffsetStops = {-0.7, 0.7},
+    .initialErrorStops = {-1.0, 1.0},
     .whiteBalanceStops = {-0.25, 0.25},
     .huntingStops = {0.0, 0.5},
     .huntingPeriod = {1.0, 5.0},
@@ -92,8 +92,8 @@ constexpr GradeModel kWild{
     .readoutSeconds = {0.015, 0.033},
     .delayFrames = {0.0, 0.5},
     .jitterSeconds = {0.0, 0.006},
-    .dropShare = {0.0, 0.08},
-    .doubleShare = {0.0, 0.08},
+    .droppedShare = {0.0, 0.08},
+    .repeatedShare = {0.0, 0.08},
     .calibration = {0.01, 0.004, 0.4 * kDegree, 0.02},
     .driftRadians = {0.0, 0.003},
     .driftSettleSeconds = {1.0, 10.0},
@@ -116,8 +116,8 @@ simulation::AutomaticGain drawAutomatic(const GradeModel& model, RandomDraws& dr
   constexpr double kWhiteBalanceSpeed = 0.5;
   automatic.whiteBalance.speed = kWhiteBalanceSpeed * draw(model.loopSpeed, draws);
   automatic.whiteBalance.lagFrames = automatic.exposure.lagFrames;
-  automatic.levelStops = draw(model.levelStops, draws);
-  automatic.firstStops = draw(model.firstStops, draws);
+  automatic.exposureOffsetStops = draw(model.exposureOffsetStops, draws);
+  automatic.initialErrorStops = draw(model.initialErrorStops, draws);
   automatic.huntingStops = draw(model.huntingStops, draws);
   automatic.huntingPeriod = draw(model.huntingPeriod, draws);
   automatic.huntingPhase = draws.uniform(0.0, kFullTurn);
@@ -130,8 +130,8 @@ CameraTiming drawTiming(const GradeModel& model, const FaultContext& context, Ra
   CameraTiming timing;
   timing.delay = draw(model.delayFrames, draws) / context.framesPerSecond;
   timing.jitter = draw(model.jitterSeconds, draws);
-  timing.dropShare = draw(model.dropShare, draws);
-  timing.doubleShare = draw(model.doubleShare, draws);
+  timing.droppedShare = draw(model.droppedShare, draws);
+  timing.repeatedShare = draw(model.repeatedShare, draws);
   return timing;
 }
 

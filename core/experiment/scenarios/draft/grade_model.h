@@ -34,9 +34,10 @@ struct GradeModel {
   double sideFalloff = 0.0; ///< largest fraction of light gained or lost toward a border
 
   // Exposure and white balance.
-  Range exposureSeconds;   ///< exposure of each row, seconds
-  Range levelStops;        ///< settled exposure relative to the nominal one, stops (factors of two)
-  Range firstStops;        ///< error of the exposure at frame 0, stops
+  Range exposureSeconds; ///< exposure of each row, seconds
+  Range
+      exposureOffsetStops; ///< settled exposure relative to the nominal one, stops (factors of two)
+  Range initialErrorStops; ///< error of the exposure at frame 0, stops
   Range whiteBalanceStops; ///< constant error of blue and red, stops
   Range huntingStops;      ///< amplitude of a periodic error in the measured brightness, stops
   Range huntingPeriod;     ///< period of this error, seconds
@@ -59,8 +60,8 @@ struct GradeModel {
   Range readoutSeconds; ///< time from the first to the last row of a rolling shutter
   Range delayFrames;    ///< unknown part of the delay, frames
   Range jitterSeconds;  ///< standard deviation of the errors of the time stamps, seconds
-  Range dropShare;      ///< fraction of frames that do not arrive
-  Range doubleShare;    ///< fraction of frames that repeat the previous image
+  Range droppedShare;   ///< fraction of frames that do not arrive
+  Range repeatedShare;  ///< fraction of frames that repeat the previous image
 
   // Calibration.
   CalibrationError calibration; ///< standard deviations of the errors

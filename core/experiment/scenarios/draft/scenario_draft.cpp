@@ -98,8 +98,8 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.exactSensing = draft.grade == Grade::Ideal && draft.exactWhenIdeal;
   const auto shared = std::make_shared<const ScenarioDraft>(std::move(draft));
   run.frames = [shared](std::int64_t frame) { return frameSetOf(*shared, frame); };
-  if (shared->teach) {
-    shared->teach(*shared, run);
+  if (shared->learnTargets) {
+    shared->learnTargets(*shared, run);
   }
   return run;
 }

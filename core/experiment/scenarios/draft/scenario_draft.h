@@ -63,7 +63,7 @@ struct ScenarioDraft {
   bool exactWhenIdeal = true;
   /// Function that sets what methods know about the targets (ScenarioRun::targets), using the
   /// images of the finished run. If null, methods know the color range of the pink ball.
-  std::function<void(const ScenarioDraft&, ScenarioRun&)> teach = nullptr;
+  std::function<void(const ScenarioDraft&, ScenarioRun&)> learnTargets = nullptr;
 
   /// Returns the radius of a ball of default size in the complete scenario, meters.
   double ballRadius() const { return radiusScale * kBallRadius; }

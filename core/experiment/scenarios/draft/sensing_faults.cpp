@@ -84,7 +84,7 @@ CameraRig applyFaults(const SensingFaults& faults, ScenarioDraft& draft, RandomD
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
     const CameraFaults& own = faults.cameras.at(camera);
     simulation::SensorModel sensor = own.sensor;
-    if (own.automatic && sensor.gains.frames.empty()) {
+    if (own.automatic && sensor.gains.gainPerFrame.empty()) {
       sensor.gains = gainsOf(draft, camera, *own.automatic);
     }
     draft.stage.sensors.push_back(std::move(sensor));

@@ -91,7 +91,7 @@ void stay(Walker& walker, double seconds) {
 /// Whether nobody comes nearer to somebody else than `least`.
 bool keepApart(const PeopleScenario& scenario, double least) {
   const auto& people = scenario.scene.people;
-  for (double time = kAppearTime; time < scenario.after; time += kCheckStep) {
+  for (double time = kAppearTime; time < scenario.timeAfterMeeting; time += kCheckStep) {
     for (std::size_t a = 0; a < people.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
         if ((people[a].position(time) - people[b].position(time)).norm() < least) {
@@ -121,12 +121,12 @@ void addStrolls(PeopleScenario& scenario, int count, RandomDraws& draws) {
     walker.way.push_back({kAppearTime, drawPoint(draws)});
     for (int leg = 0; leg < kLegs; ++leg) {
       const Vector2d next = drawReachable(walker.way.back().position, draws);
-      scenario.after = std::max(scenario.after, walkTo(walker, next, pace));
+      scenario.timeAfterMeeting = std::max(scenario.timeAfterMeeting, walkTo(walker, next, pace));
     }
     scenario.scene.people.push_back(std::move(walker));
   }
-  scenario.before = kAppearTime + 1.0;
-  scenario.after = std::max(scenario.after, scenario.before + 2.0);
+  scenario.timeBeforeMeeting = kAppearTime + 1.0;
+  scenario.timeAfterMeeting = std::max(scenario.timeAfterMeeting, scenario.timeBeforeMeeting + 2.0);
 }
 
 /// Walks to a point, takes a posture there, rises and walks on.
@@ -194,9 +194,9 @@ void addSittingPeople(PeopleScenario& scenario, RandomDraws& draws) {
   walkTo(passer, drawReachable(passer.way.back().position, draws), pace);
   people.push_back(std::move(passer));
   for (const Walker& walker : people) {
-    scenario.after = std::max(scenario.after, walker.way.back().time);
+    scenario.timeAfterMeeting = std::max(scenario.timeAfterMeeting, walker.way.back().time);
   }
-  scenario.before = kAppearTime + 1.0; // all stand or walk until then
+  scenario.timeBeforeMeeting = kAppearTime + 1.0; // all stand or walk until then
 }
 
 bool isSittingPossible(const PeopleScenario& scenario) {
@@ -204,8 +204,8 @@ bool isSittingPossible(const PeopleScenario& scenario) {
   const auto& people = scenario.scene.people;
   const Vector2d stool = people.front().way.at(1).position;
   return std::ranges::all_of(people, isWalkableWay) && keepApart(scenario, kAside) &&
-         keepsOff(people.at(1), stool, kLegroom, scenario.after) &&
-         keepsOff(people.at(2), stool, kLegroom, scenario.after);
+         keepsOff(people.at(1), stool, kLegroom, scenario.timeAfterMeeting) &&
+         keepsOff(people.at(2), stool, kLegroom, scenario.timeAfterMeeting);
 }
 
 void addStool(PeopleScenario& scenario, PeopleClothes /*clothes*/, RandomDraws& /*draws*/) {
@@ -248,8 +248,8 @@ void addCrowd(PeopleScenario& scenario, RandomDraws& draws) {
     }
     scenario.scene.people.push_back(std::move(walker));
   }
-  scenario.before = kAppearTime + 1.0;
-  scenario.after = kAppearTime + kMillSeconds;
+  scenario.timeBeforeMeeting = kAppearTime + 1.0;
+  scenario.timeAfterMeeting = kAppearTime + kMillSeconds;
 }
 
 bool isCrowdPossible(const PeopleScenario& scenario) {
@@ -286,13 +286,13 @@ void addPeopleAndMovedFurniture(PeopleScenario& scenario, RandomDraws& draws) {
   addMoved(scenario, simulation::makeStool(simulation::seatHeight(simulation::kReferenceHeight)),
            since, draws);
   // What the furniture leaves behind shows later.
-  scenario.after = std::max(scenario.after, since + kGlide) + 1.0;
+  scenario.timeAfterMeeting = std::max(scenario.timeAfterMeeting, since + kGlide) + 1.0;
 }
 
 bool isMovedFurniturePossible(const PeopleScenario& scenario) {
   const MovableFurniture& first = scenario.scene.furniture.front();
   const MovableFurniture& second = scenario.scene.furniture.back();
-  for (double time = kAppearTime; time < scenario.after; time += kCheckStep) {
+  for (double time = kAppearTime; time < scenario.timeAfterMeeting; time += kCheckStep) {
     if ((first.at(time).position - second.at(time).position).norm() < first.reach + second.reach) {
       return false;
     }
@@ -307,7 +307,7 @@ bool isMovedFurniturePossible(const PeopleScenario& scenario) {
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const Vector2d point = from + share * (to - from);
       for (const Walker& walker : scenario.scene.people) {
-        if (!keepsOff(walker, point, piece.reach + kBodyRadius, scenario.after)) {
+        if (!keepsOff(walker, point, piece.reach + kBodyRadius, scenario.timeAfterMeeting)) {
           return false;
         }
       }

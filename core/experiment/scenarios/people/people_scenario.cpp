@@ -44,7 +44,7 @@ bool waypointsWalkable(const PeopleScenario& scenario) {
 bool visitPossible(const PeopleScenario& scenario) {
   constexpr double kCheckEvery = 0.1; // seconds, in which somebody walks 0.1 m
   const auto& people = scenario.scene.people;
-  for (double time = 0.0; time < scenario.after; time += kCheckEvery) {
+  for (double time = 0.0; time < scenario.timeAfterMeeting; time += kCheckEvery) {
     for (std::size_t a = 0; a < people.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
         if ((people[a].position(time) - people[b].position(time)).norm() < kCrossing.least) {
@@ -148,7 +148,7 @@ Result<PeopleScenario> makePeopleScenario(const std::string& name, PeopleClothes
       }
       scenario.scene.seed = seed;
       scenario.scene.frameCount =
-          static_cast<std::int64_t>(scenario.after * scenario.scene.framesPerSecond) + 1;
+          static_cast<std::int64_t>(scenario.timeAfterMeeting * scenario.scene.framesPerSecond) + 1;
       return scenario;
     }
   }

@@ -17,9 +17,10 @@ enum class PeopleClothes { Different, Similar };
 struct PeopleScenario {
   OfficeScene scene;
   /// Instant before the people meet, in seconds from the start; 0 if identities are not compared in
-  /// this scenario. The identities at the instant `after` must be the same as at this instant.
-  double before = 0.0;
-  double after = 0.0; ///< instant after the people have met, in seconds from the start
+  /// this scenario. The identities at the instant `timeAfterMeeting` must be the same as at this
+  /// instant.
+  double timeBeforeMeeting = 0.0;
+  double timeAfterMeeting = 0.0; ///< instant after the people have met, in seconds from the start
 };
 
 /// Returns the names of all scenarios with people. The scenarios of Mohedano et al. 2009 come

@@ -60,8 +60,8 @@ void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange,
                   {nearest + kHalf, position + kHalf * pace}};
     scenario.scene.people.push_back(walker);
   }
-  scenario.before = nearest - 0.9;
-  scenario.after = nearest + kHalf;
+  scenario.timeBeforeMeeting = nearest - 0.9;
+  scenario.timeAfterMeeting = nearest + kHalf;
 }
 
 void addMeetingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, RandomDraws& draws) {
@@ -83,8 +83,8 @@ void addMeetingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, R
                   {arrive + stay + reach, middle + back}};
     scenario.scene.people.push_back(walker);
   }
-  scenario.before = arrive - 0.7;
-  scenario.after = arrive + stay + reach;
+  scenario.timeBeforeMeeting = arrive - 0.7;
+  scenario.timeAfterMeeting = arrive + stay + reach;
 }
 
 void addAccompanyingPeople(PeopleScenario& scenario, RandomDraws& draws) {
@@ -107,8 +107,8 @@ void addAccompanyingPeople(PeopleScenario& scenario, RandomDraws& draws) {
                   {part + 1.3, middle + (together + 0.5) * along + far}};
     scenario.scene.people.push_back(walker);
   }
-  scenario.before = join - 0.6;
-  scenario.after = part + 1.3;
+  scenario.timeBeforeMeeting = join - 0.6;
+  scenario.timeAfterMeeting = part + 1.3;
 }
 
 void addDistantPeople(PeopleScenario& scenario, RandomDraws& draws) {
@@ -119,8 +119,8 @@ void addDistantPeople(PeopleScenario& scenario, RandomDraws& draws) {
                   {kAppearTime + 4.0, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}}};
     scenario.scene.people.push_back(walker);
   }
-  scenario.before = kAppearTime + 1.0;
-  scenario.after = kAppearTime + 4.0;
+  scenario.timeBeforeMeeting = kAppearTime + 1.0;
+  scenario.timeAfterMeeting = kAppearTime + 4.0;
 }
 
 void addVisitors(PeopleScenario& scenario, RandomDraws& draws) {
@@ -145,12 +145,12 @@ void addVisitors(PeopleScenario& scenario, RandomDraws& draws) {
       time += (position - walker.way.back().position).norm() / pace;
       walker.way.push_back({time, position});
     }
-    scenario.after = std::max(scenario.after, time + 1.5);
+    scenario.timeAfterMeeting = std::max(scenario.timeAfterMeeting, time + 1.5);
     scenario.scene.people.push_back(walker);
     start += draws.uniform(2.0, 3.0);
     door += 1;
   }
-  scenario.before = 0.0;
+  scenario.timeBeforeMeeting = 0.0;
 }
 
 } // namespace dewpoint::experiment

@@ -23,9 +23,9 @@ Eigen::Vector3d Detour::operator()(double time) const {
 Visibility visibilityOf(const simulation::RoomView& view, const Eigen::Vector3d& center,
                         double radius) {
   if (view.boundsOfSphere(center, radius).empty()) {
-    return Visibility::Nothing;
+    return Visibility::None;
   }
-  return isFullyVisible(view, center, radius) ? Visibility::Whole : Visibility::Part;
+  return isFullyVisible(view, center, radius) ? Visibility::Full : Visibility::Partial;
 }
 
 void addUnseenEvents(ScenarioDraft& draft,

@@ -30,7 +30,7 @@ struct Detour {
 
 /// Visible part of a ball in an image. The rest of the ball is outside the image, or hidden by
 /// objects at rest in the room.
-enum class Visibility { Nothing, Part, Whole };
+enum class Visibility { None, Partial, Full };
 /// Returns how much of a ball (world frame, meters) is visible in the image of `view`.
 Visibility visibilityOf(const simulation::RoomView& view, const Eigen::Vector3d& center,
                         double radius);

@@ -42,11 +42,11 @@ bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, st
         empty ||
         (labeled
              ? budget.runIfAffordable(
-                   TimeBudget::Part::Spots,
+                   TimeBudget::Stage::Spots,
                    [&] { spots_[camera_] = search.spotsOf(camera_, observation_.labels(camera_)); },
                    must)
              : budget.runIfAffordable(
-                   TimeBudget::Part::Labels, [&] { labelBand(); }, must));
+                   TimeBudget::Stage::Labels, [&] { labelBand(); }, must));
     if (!done) {
       return false;
     }
@@ -55,7 +55,7 @@ bool SlicedSearch::advance(const CandidateSearch& search, TimeBudget& budget, st
   }
   observation_.setRadius(radius_);
   return budget.runIfAffordable(
-      TimeBudget::Part::Candidates,
+      TimeBudget::Stage::Candidates,
       [&] {
         candidates_ = search.triangulate(spots_, observation_, radius_ > 0.0, limit, bounds_);
       },

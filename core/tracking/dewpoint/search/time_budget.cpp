@@ -46,22 +46,22 @@ double TimeBudget::elapsed() const {
   return passed.count();
 }
 
-bool TimeBudget::canAfford(Part part) {
+bool TimeBudget::canAfford(Stage stage) {
   if (!isLimited()) {
     return true;
   }
-  History& history = histories_[static_cast<std::size_t>(part)];
+  History& history = histories_[static_cast<std::size_t>(stage)];
   const double expected = upperMedian(history.times);
   const bool fits = elapsed() + expected <= kFullShare * limit_;
   history.deferrals = fits ? 0 : history.deferrals + 1;
   return fits || history.deferrals > kMaxDeferrals;
 }
 
-void TimeBudget::record(Part part, double milliseconds) {
+void TimeBudget::record(Stage stage, double milliseconds) {
   if (!isLimited()) {
     return;
   }
-  History& history = histories_[static_cast<std::size_t>(part)];
+  History& history = histories_[static_cast<std::size_t>(stage)];
   history.deferrals = 0;
   optional_ += milliseconds;
   if (history.times.size() < kRemembered) {

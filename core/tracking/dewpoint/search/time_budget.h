@@ -19,8 +19,8 @@ class TimeBudget {
 public:
   /// Kind of deferrable work: labeling pixels, finding spots, triangulating candidates (the three
   /// stages of SlicedSearch), and learning backgrounds.
-  enum class Part { Labels, Spots, Candidates, Learning };
-  static constexpr std::size_t kPartCount = 4;
+  enum class Stage { Labels, Spots, Candidates, Learning };
+  static constexpr std::size_t kStageCount = 4;
   /// Number of deferrals after which work is done even without enough time. Too small a budget
   /// therefore delays work, but never prevents it. The value was chosen by judgment
   /// (docs/method-dewpoint.md, section 10).
@@ -35,13 +35,13 @@ public:
 
   /// Does the work if the remaining time is sufficient, and returns whether the work was done. Work
   /// that was never done before is assumed to fit. `urgent` work is never deferred.
-  template <class Work> bool runIfAffordable(Part part, const Work& work, bool urgent = false) {
-    if (!urgent && !canAfford(part)) {
+  template <class Work> bool runIfAffordable(Stage stage, const Work& work, bool urgent = false) {
+    if (!urgent && !canAfford(stage)) {
       return false;
     }
     const double start = elapsed();
     work();
-    record(part, elapsed() - start);
+    record(stage, elapsed() - start);
     return true;
   }
 
@@ -60,14 +60,14 @@ private:
     int deferrals = 0;
   };
 
-  bool canAfford(Part part);
-  void record(Part part, double milliseconds);
+  bool canAfford(Stage stage);
+  void record(Stage stage, double milliseconds);
   /// Returns the milliseconds since begin(); 0 without a limit.
   double elapsed() const;
 
   double limit_ = 0.0;
   std::chrono::steady_clock::time_point begin_;
-  std::array<History, kPartCount> histories_;
+  std::array<History, kStageCount> histories_;
   double optional_ = 0.0;  ///< milliseconds of this iteration spent on deferrable work
   double particles_ = 0.0; ///< 0: not yet known
 };

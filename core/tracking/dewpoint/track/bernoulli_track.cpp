@@ -266,7 +266,7 @@ void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& obser
   hypothesis.probability = kInitialProbability;
   hypothesis.provenProbability = kInitialProbability;
   hypothesis.rimSeen = true;
-  hypothesis.given = position.covariance;
+  hypothesis.givenCovariance = position.covariance;
   drawPrior(hypothesis, settings_.maxParticles, key, team);
   predicted_.assign(1, hypothesis);
   confidentBefore_ = 0; // it may be anywhere

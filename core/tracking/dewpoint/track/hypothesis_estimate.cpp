@@ -78,7 +78,8 @@ SphereEstimate estimateFrom(const TrackHypothesis& hypothesis, double identityAm
   if (errors.direction > 0.0) {
     systematic += covarianceFromDirectionErrors(result.mean, seeingCenters, errors.direction);
   }
-  result.covariance = withSystematicErrors(result.covariance, systematic, hypothesis.given);
+  result.covariance =
+      withSystematicErrors(result.covariance, systematic, hypothesis.givenCovariance);
   result.valid = hypothesis.probability * near > 0.5 && isUseful(hypothesis);
   return result;
 }

@@ -78,7 +78,7 @@ void RegionTrack::predict(double interval, const RandomKey& key) {
     TrackHypothesis& hypothesis = state_->hypothesis;
     dewpoint::tracking::predict(hypothesis, {interval, settings_.accelerationSigma}, key);
     hypothesis.probability *= std::exp(-interval / settings_.survivalTime);
-    hypothesis.pending.clear(); // particles are drawn anew in each update
+    hypothesis.pendingPredictions.clear(); // particles are drawn anew in each update
   }
   if (state_ && state_->hypothesis.probability > kRegionNoSearchProbability) {
     const TrackHypothesis& sure = state_->hypothesis;
@@ -187,7 +187,7 @@ void RegionTrack::startAt(const Gaussian3& position, const Eigen::Matrix3d& exte
   state.hypothesis.probability = kInitialProbability;
   state.hypothesis.provenProbability = kInitialProbability;
   if (byHand) {
-    state.hypothesis.given = position.covariance;
+    state.hypothesis.givenCovariance = position.covariance;
   }
   predicted_ = state;
   measure(state, observation);

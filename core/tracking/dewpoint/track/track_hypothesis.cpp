@@ -71,7 +71,7 @@ Eigen::ArrayXd logLikelihoods(const TrackHypothesis& hypothesis, SphereObservati
 
 /// Makes the predictions of the particles that were put off until the particles are needed.
 void applyPendingMotion(TrackHypothesis& hypothesis, ThreadTeam& team) {
-  for (const auto& step : hypothesis.pending) {
+  for (const auto& step : hypothesis.pendingPredictions) {
     const ConstantVelocity& motion = step.first;
     const RandomStream& stream = step.second;
     team.forEachRange(hypothesis.states.rows(), [&](std::int64_t begin, std::int64_t end) {
@@ -79,7 +79,7 @@ void applyPendingMotion(TrackHypothesis& hypothesis, ThreadTeam& team) {
                      firstIndex(hypothesis) + static_cast<std::uint32_t>(begin), stream);
     });
   }
-  hypothesis.pending.clear();
+  hypothesis.pendingPredictions.clear();
 }
 
 /// Moments of the particles, no narrower than the likelihood can tell positions apart.
@@ -276,13 +276,13 @@ double evidenceVolume(double radius) {
 void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const RandomKey& key) {
   const ConstantVelocity motion = hypothesis.processNoise.nextMotion(allowed);
   motion.predict(hypothesis.gaussian);
-  hypothesis.given.reset();
+  hypothesis.givenCovariance.reset();
   // One camera alone does not tell a larger target from a nearer one.
   if (hypothesis.logRadiusVariance > 0.0 && !hypothesis.oneCameraOnly &&
       hypothesis.logRadiusVariance < kWidestRadius * kWidestRadius) {
     hypothesis.logRadiusVariance += kRadiusDrift * kRadiusDrift;
   }
-  hypothesis.pending.emplace_back(motion, key.stream(RandomPurpose::Motion));
+  hypothesis.pendingPredictions.emplace_back(motion, key.stream(RandomPurpose::Motion));
 }
 
 namespace {
@@ -307,7 +307,7 @@ Eigen::ArrayXd propose(TrackHypothesis& hypothesis, Eigen::Index count, const Ra
   const double logBroad = std::log(broadShare);
   const double logNarrow = std::log1p(-broadShare);
 
-  hypothesis.pending.clear();
+  hypothesis.pendingPredictions.clear();
   hypothesis.states.resize(count, 6);
   Eigen::ArrayXd logs(count);
   const RandomStream stream = key.stream(RandomPurpose::Proposal);

@@ -50,7 +50,7 @@ struct TrackHypothesis {
   /// `outlineFound` is true.
   Gaussian3 measurement;
   /// Covariance (m²) of a position given by the user in this frame.
-  std::optional<Eigen::Matrix3d> given;
+  std::optional<Eigen::Matrix3d> givenCovariance;
   AdaptiveProcessNoise processNoise;
   /// Running mean of OutlineFit::disagreement per degree of freedom: 1 if the cameras disagree as
   /// much as expected from the assumed edge errors.
@@ -58,10 +58,10 @@ struct TrackHypothesis {
   /// OutlineFit::disagreement per degree of freedom, and OutlineFit::pulls, of the last measurement
   /// update with an outline.
   double lastDisagreement = 1.0;
-  std::vector<CameraPull> pulls;
+  std::vector<CameraInformation> pulls;
   /// Predictions not yet applied to the particles. While the outline is found, new particles are
   /// drawn, and these predictions are never needed.
-  std::vector<std::pair<ConstantVelocity, RandomStream>> pending;
+  std::vector<std::pair<ConstantVelocity, RandomStream>> pendingPredictions;
   std::uint32_t stream = 0; ///< number that gives each hypothesis different random numbers
 
   // Fractions of the fully visible log likelihood ratio. The values were chosen by judgment and not

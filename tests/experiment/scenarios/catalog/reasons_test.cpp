@@ -50,7 +50,7 @@ void track(const ScenarioRun& run, std::int64_t frames,
   std::optional<TrackedFrame> previous;
   for (std::int64_t frame = 0; frame < frames; ++frame) {
     tracking->beginFrame(run.frames(frame));
-    tracking->iterate();
+    tracking->iterateTimed();
     previous = tracking->trackedFrame(10, previous ? &*previous : nullptr);
     look(*previous);
   }

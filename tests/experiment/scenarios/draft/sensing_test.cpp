@@ -31,8 +31,8 @@ TEST(CameraTiming, IsRightUnlessSetOtherwise) {
 
 TEST(CameraTiming, DropsAndDoublesItsShares) {
   CameraTiming timing;
-  timing.dropShare = 0.1;
-  timing.doubleShare = 0.2;
+  timing.droppedShare = 0.1;
+  timing.repeatedShare = 0.2;
   int dropped = 0;
   int doubled = 0;
   for (std::int64_t frame = 0; frame < 2000; ++frame) {

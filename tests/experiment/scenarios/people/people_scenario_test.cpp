@@ -33,7 +33,7 @@ std::vector<PeopleScenario> drawn(const std::string& name,
 double nearestOfTwo(const PeopleScenario& scenario) {
   const auto& people = scenario.scene.people;
   double nearest = 10.0;
-  for (double time = kAppearTime; time < scenario.after; time += 0.02) {
+  for (double time = kAppearTime; time < scenario.timeAfterMeeting; time += 0.02) {
     nearest = std::min(nearest, (people[0].position(time) - people[1].position(time)).norm());
   }
   return nearest;
@@ -77,7 +77,7 @@ TEST(PeopleScenario, EveryNameIsPossibleInBothKindsOfClothes) {
   for (const std::string& name : peopleScenarioNames()) {
     for (const auto clothes : {PeopleClothes::Different, PeopleClothes::Similar}) {
       for (const PeopleScenario& scenario : drawn(name, clothes)) {
-        EXPECT_GT(scenario.after, scenario.before) << name;
+        EXPECT_GT(scenario.timeAfterMeeting, scenario.timeBeforeMeeting) << name;
         EXPECT_LT(scenario.scene.frameCount, 400) << name; // 27 s
       }
     }
@@ -117,8 +117,8 @@ TEST(PeopleScenario, WhoSitsHasAStoolAndRises) {
       // Stays where it is as long as it is not upright.
       EXPECT_LT((walker.position(down) - walker.position(up)).norm(), 1e-9);
       EXPECT_LT(walker.top(down), 0.8 * walker.height); // sitting: 0.77 of the height
-      EXPECT_EQ(walker.top(scenario.after), walker.height);
-      EXPECT_GT(walker.postures[0].time, scenario.before);
+      EXPECT_EQ(walker.top(scenario.timeAfterMeeting), walker.height);
+      EXPECT_GT(walker.postures[0].time, scenario.timeBeforeMeeting);
     }
     ASSERT_EQ(scenario.scene.furniture.size(), 1U);
     const auto& stool = scenario.scene.furniture[0];
@@ -142,7 +142,7 @@ TEST(PeopleScenario, ACrowdIsOfFiveAndMore) {
     EXPECT_LE(scenario.scene.people.size(), 8U);
     for (const Walker& walker : scenario.scene.people) {
       EXPECT_GE(walker.height, 1.5);
-      for (double time = kAppearTime; time < scenario.after; time += 0.1) {
+      for (double time = kAppearTime; time < scenario.timeAfterMeeting; time += 0.1) {
         const Eigen::Vector2d position = walker.position(time);
         EXPECT_LT(position.cwiseAbs().maxCoeff(), 2.6); // off the walls
       }
@@ -170,9 +170,10 @@ TEST(PeopleScenario, FurnitureIsMovedAfterPeopleHaveAppeared) {
     ASSERT_EQ(scenario.scene.furniture.size(), 2U);
     for (const auto& piece : scenario.scene.furniture) {
       EXPECT_EQ(piece.at(0.0).position, piece.at(kAppearTime).position);
-      const Eigen::Vector2d way = piece.at(scenario.after).position - piece.at(0.0).position;
+      const Eigen::Vector2d way =
+          piece.at(scenario.timeAfterMeeting).position - piece.at(0.0).position;
       EXPECT_GT(way.norm(), 0.79); // 0.8 to 1.5 m
-      EXPECT_LT(piece.way.back().time, scenario.after);
+      EXPECT_LT(piece.way.back().time, scenario.timeAfterMeeting);
     }
   }
 }

@@ -6,7 +6,7 @@
 namespace dewpoint::tests {
 namespace {
 
-using Part = TimeBudget::Part;
+using Stage = TimeBudget::Stage;
 constexpr double kFemtosecond = 1e-12; ///< milliseconds; passed before it can be asked for
 constexpr double kDay = 86.4e6;        ///< milliseconds
 
@@ -21,7 +21,7 @@ TEST(TimeBudget, WithoutALimitEverythingIsDone) {
   TimeBudget budget = begun(0.0);
   int done = 0;
   for (int k = 0; k < 100; ++k) {
-    EXPECT_TRUE(budget.runIfAffordable(Part::Labels, [&] { ++done; }));
+    EXPECT_TRUE(budget.runIfAffordable(Stage::Labels, [&] { ++done; }));
   }
   budget.adaptParticleCount(2000.0);
   EXPECT_EQ(done, 100);
@@ -33,7 +33,7 @@ TEST(TimeBudget, WhatFitsIsDone) {
   TimeBudget budget = begun(kDay);
   int done = 0;
   for (int k = 0; k < 100; ++k) {
-    EXPECT_TRUE(budget.runIfAffordable(Part::Labels, [&] { ++done; }));
+    EXPECT_TRUE(budget.runIfAffordable(Stage::Labels, [&] { ++done; }));
   }
   EXPECT_EQ(done, 100);
 }
@@ -42,11 +42,11 @@ TEST(TimeBudget, WhatDoesNotFitIsPutOffButNotForGood) {
   TimeBudget budget = begun(kFemtosecond);
   int done = 0;
   for (int k = 0; k < TimeBudget::kMaxDeferrals; ++k) {
-    EXPECT_FALSE(budget.runIfAffordable(Part::Learning, [&] { ++done; }));
+    EXPECT_FALSE(budget.runIfAffordable(Stage::Learning, [&] { ++done; }));
   }
-  EXPECT_TRUE(budget.runIfAffordable(Part::Learning, [&] { ++done; }));
-  EXPECT_FALSE(budget.runIfAffordable(Part::Learning, [&] { ++done; })); // and waits again
-  EXPECT_FALSE(budget.runIfAffordable(Part::Spots, [&] { ++done; }));    // each part for itself
+  EXPECT_TRUE(budget.runIfAffordable(Stage::Learning, [&] { ++done; }));
+  EXPECT_FALSE(budget.runIfAffordable(Stage::Learning, [&] { ++done; })); // and waits again
+  EXPECT_FALSE(budget.runIfAffordable(Stage::Spots, [&] { ++done; }));    // each part for itself
   EXPECT_EQ(done, 1);
 }
 
@@ -54,7 +54,7 @@ TEST(TimeBudget, UrgentWorkIsDoneAtOnce) {
   TimeBudget budget = begun(kFemtosecond);
   bool done = false;
   EXPECT_TRUE(budget.runIfAffordable(
-      Part::Candidates, [&] { done = true; }, true));
+      Stage::Candidates, [&] { done = true; }, true));
   EXPECT_TRUE(done);
 }
 

@@ -39,7 +39,7 @@ private:
   QString text(const char* label) { return find<QLabel>(label)->text(); }
   void press(const char* button) { QTest::mouseClick(find<QPushButton>(button), Qt::LeftButton); }
   /// Chooses a way by its radio button.
-  void choose(CalibrationWay way) {
+  void choose(CalibrationProcedure way) {
     const QString name = QStringLiteral("guideWay%1").arg(static_cast<int>(way));
     find<QRadioButton>(name)->click();
   }
@@ -59,7 +59,7 @@ void GuidePageTest::showsWhatIsKnown() {
 }
 
 void GuidePageTest::leadsThroughTheStepsOfAWay() {
-  choose(CalibrationWay::Board);
+  choose(CalibrationProcedure::Board);
   QVERIFY(find<QWidget>("guideStrip")->isVisible());
   QVERIFY(find<QPushButton>("guideNext")->isVisible());
   while (find<QPushButton>("guideBack")->isEnabled()) {
@@ -72,7 +72,7 @@ void GuidePageTest::leadsThroughTheStepsOfAWay() {
     QVERIFY(!text("guideHow").isEmpty());
     QVERIFY(!text("guideReached").isEmpty());
   }
-  QCOMPARE(titles.size(), static_cast<qsizetype>(stepsOf(CalibrationWay::Board).size()));
+  QCOMPARE(titles.size(), static_cast<qsizetype>(stepsOf(CalibrationProcedure::Board).size()));
   QCOMPARE(titles.removeDuplicates(), 0);
   find<QToolButton>("guideStep4")->click();
   find<QAction>("actionCalibrate")->trigger();
@@ -81,12 +81,12 @@ void GuidePageTest::leadsThroughTheStepsOfAWay() {
   press("guideOther");
   QVERIFY(find<QRadioButton>("guideWay0")->isVisible());
   QVERIFY(!find<QPushButton>("guideNext")->isVisible());
-  choose(CalibrationWay::File);
+  choose(CalibrationProcedure::File);
   QVERIFY(!find<QRadioButton>("guideWay0")->isVisible());
 }
 
 void GuidePageTest::aStepOpensItsPage() {
-  choose(CalibrationWay::Board);
+  choose(CalibrationProcedure::Board);
   find<QToolButton>("guideStep1")->click();
   QCOMPARE(pages()->shownPage(), QStringLiteral("boardPage"));
   QVERIFY(find<QWidget>("guideStrip")->isVisible()); // it stays
@@ -95,14 +95,14 @@ void GuidePageTest::aStepOpensItsPage() {
   QVERIFY(find<QToolButton>("guideStep3")->isChecked());
   find<QAction>("actionCalibrate")->trigger();
   QCOMPARE(pages()->shownPage(), QStringLiteral("guidePage"));
-  choose(CalibrationWay::Wand);
+  choose(CalibrationProcedure::Wand);
   QVERIFY(find<QToolButton>("guideStep5") != nullptr);
   find<QToolButton>("guideStep3")->click();
   QCOMPARE(pages()->shownPage(), QStringLiteral("wandPage"));
 }
 
 void GuidePageTest::followsTheProject() {
-  choose(CalibrationWay::Grid);
+  choose(CalibrationProcedure::Grid);
   QVERIFY(window_->document().edit(QStringLiteral("move"), [](Project& project) {
     project.cameras[0].camera.cameraFromWorld.translation().x() += 0.01;
     project.cameras[0].markAdjusted();

@@ -79,7 +79,7 @@ QPointF CalibrationClicksTest::besideTheGrid() {
   for (double y = 5.0; y < image.height - 5.0; y += 2.0) {
     for (double x = 5.0; x < image.width - 5.0; x += 2.0) {
       const QPointF at = placed(0, {x, y});
-      if (!geometry::crossingAt(camera(0), grid_, {x, y}, 10.0 / view(0)->placement().scale) &&
+      if (!geometry::gridCrossingAt(camera(0), grid_, {x, y}, 10.0 / view(0)->placement().scale) &&
           layer(0)->rect().contains(at.toPoint())) {
         return at;
       }
@@ -131,9 +131,9 @@ void CalibrationClicksTest::beforeSaysThatItsGridIsOutOfSight() {
   manual->showEarlier(EarlierCameras::LastChange);
   QCOMPARE(layer(0)->shownLabel(), QStringLiteral("before"));
   manual->showEarlier({});
-  manual->change(0, QStringLiteral("away"),
-                 rotated(facing, {0.0, 0.0, 180.0 * base::kDegree}, NudgeFrame::World));
-  manual->change(0, QStringLiteral("back"), facing);
+  manual->changeCamera(0, QStringLiteral("away"),
+                       rotated(facing, {0.0, 0.0, 180.0 * base::kDegree}, NudgeFrame::World));
+  manual->changeCamera(0, QStringLiteral("back"), facing);
   manual->showEarlier(EarlierCameras::LastChange);
   QVERIFY(layer(0)->shownLabel().contains(QStringLiteral("outside")));
 }

@@ -9,11 +9,11 @@ namespace {
 const QRectF kArea(0.0, 0.0, 200.0, 100.0);
 const QSizeF kLabel(40.0, 12.0);
 
-TEST(LabelPlaces, ALabelLiesBesideItsPoint) {
+TEST(LabelPlacer, ALabelLiesBesideItsPoint) {
   for (const QPointF outward : {QPointF(1, 0), QPointF(1, -1), QPointF(-3, 1), QPointF(0, 1)}) {
-    LabelPlaces places(kArea);
+    LabelPlacer places(kArea);
     const QPointF point(100.0, 50.0);
-    const auto box = places.take(point, kLabel, outward);
+    const auto box = places.reserve(point, kLabel, outward);
     ASSERT_TRUE(box);
     EXPECT_EQ(box->size(), kLabel);
     EXPECT_FALSE(box->adjusted(-5.0, -5.0, 5.0, 5.0).contains(point)); // its ring is seen
@@ -21,45 +21,46 @@ TEST(LabelPlaces, ALabelLiesBesideItsPoint) {
   }
 }
 
-TEST(LabelPlaces, ALabelAvoidsLinesAndOtherLabels) {
-  LabelPlaces places(kArea);
+TEST(LabelPlacer, ALabelAvoidsLinesAndOtherLabels) {
+  LabelPlacer places(kArea);
   const QPointF point(100.0, 50.0);
   places.avoid({QPointF(110.0, 0.0), QPointF(110.0, 100.0)}); // at the right of the point
-  const auto first = places.take(point, kLabel, {1.0, 0.0});
+  const auto first = places.reserve(point, kLabel, {1.0, 0.0});
   ASSERT_TRUE(first);
   EXPECT_LT(first->right(), 110.0);
-  const auto second = places.take(point, kLabel, {1.0, 0.0});
+  const auto second = places.reserve(point, kLabel, {1.0, 0.0});
   ASSERT_TRUE(second);
   EXPECT_FALSE(first->intersects(*second));
 }
 
-TEST(LabelPlaces, ANeededLabelCoversALineRatherThanItsPoint) {
-  LabelPlaces places(kArea);
+TEST(LabelPlacer, ANeededLabelCoversALineRatherThanItsPoint) {
+  LabelPlacer places(kArea);
   const QPointF point(100.0, 50.0);
   for (double x = 5.0; x < 200.0; x += 10.0) {
     places.avoid({QPointF(x, 0.0), QPointF(x, 100.0)});
   }
-  EXPECT_FALSE(places.take(point, kLabel, {0.0, -1.0}));
-  const auto box = places.takeNeeded(point, kLabel, {0.0, -1.0});
+  EXPECT_FALSE(places.reserve(point, kLabel, {0.0, -1.0}));
+  const auto box = places.reserveNeeded(point, kLabel, {0.0, -1.0});
   ASSERT_TRUE(box);
   EXPECT_LT(box->bottom(), point.y());
-  EXPECT_FALSE(places.takeIfFree({40.0, 50.0}, kLabel, {0.0, -1.0})); // this one may be left out
+  EXPECT_FALSE(
+      places.reserveInDirection({40.0, 50.0}, kLabel, {0.0, -1.0})); // this one may be left out
 }
 
-TEST(LabelPlaces, NoLabelOfAPointOutOfSight) {
-  LabelPlaces places(kArea);
-  EXPECT_FALSE(places.take({201.0, 50.0}, kLabel, {1.0, 0.0}));
-  const auto atTheEdge = places.take({199.0, 50.0}, kLabel, {1.0, 0.0});
+TEST(LabelPlacer, NoLabelOfAPointOutOfSight) {
+  LabelPlacer places(kArea);
+  EXPECT_FALSE(places.reserve({201.0, 50.0}, kLabel, {1.0, 0.0}));
+  const auto atTheEdge = places.reserve({199.0, 50.0}, kLabel, {1.0, 0.0});
   ASSERT_TRUE(atTheEdge);
   EXPECT_TRUE(kArea.contains(*atTheEdge));
 }
 
-TEST(LabelPlaces, ALabelThatMayBeLeftOutHasOnePlace) {
-  LabelPlaces places(kArea);
+TEST(LabelPlacer, ALabelThatMayBeLeftOutHasOnePlace) {
+  LabelPlacer places(kArea);
   const QPointF point(100.0, 50.0);
-  EXPECT_TRUE(places.takeIfFree(point, kLabel, {1.0, -1.0}));
-  EXPECT_FALSE(places.takeIfFree(point, kLabel, {1.0, -1.0}));
-  EXPECT_TRUE(places.take(point, kLabel, {1.0, -1.0})); // elsewhere
+  EXPECT_TRUE(places.reserveInDirection(point, kLabel, {1.0, -1.0}));
+  EXPECT_FALSE(places.reserveInDirection(point, kLabel, {1.0, -1.0}));
+  EXPECT_TRUE(places.reserve(point, kLabel, {1.0, -1.0})); // elsewhere
 }
 
 } // namespace

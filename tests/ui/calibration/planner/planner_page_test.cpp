@@ -104,7 +104,9 @@ void PlannerPageTest::theMapHasASentenceAndALegend() {
   QVERIFY(summary->isVisible());
   QVERIFY2(summary->text().contains(QLatin1String("at most 5 mm")), qPrintable(summary->text()));
   // A stricter limit: less of the volume is within it.
-  const auto within = [&] { return summaryOf(*plan().map(), plan().look().goodSigma).within; };
+  const auto within = [&] {
+    return summaryOf(*plan().map(), plan().mapOptions().goodSigma).within;
+  };
   const double share = within();
   find<QDoubleSpinBox>("mapGood")->setValue(0.5);
   QVERIFY(within() < share);
@@ -141,17 +143,17 @@ void PlannerPageTest::theMapFollowsEveryMove() {
 void PlannerPageTest::layerAndVolumeAreSet() {
   showMap();
   find<QDoubleSpinBox>("mapHeight")->setValue(0.1);
-  QCOMPARE(view().mapLook().height, 0.1);
+  QCOMPARE(view().mapOptions().height, 0.1);
   find<QSlider>("mapHeightSlider")->setValue(0);
-  QCOMPARE(view().mapLook().height, plan().volume().min().z());
+  QCOMPARE(view().mapOptions().height, plan().volume().min().z());
   find<QDoubleSpinBox>("mapHeight")->setValue(900.0); // kept within the volume
-  QCOMPARE(view().mapLook().height, plan().volume().max().z());
+  QCOMPARE(view().mapOptions().height, plan().volume().max().z());
   auto* volume = find<QCheckBox>("mapVolume");
-  const bool was = view().mapLook().volume;
+  const bool was = view().mapOptions().volume;
   volume->click();
-  QCOMPARE(view().mapLook().volume, !was);
+  QCOMPARE(view().mapOptions().volume, !was);
   Q_EMIT find<QComboBox>("mapQuantity")->activated(1);
-  QVERIFY(view().mapLook().quantity == MapQuantity::CameraCount);
+  QVERIFY(view().mapOptions().quantity == MapQuantity::CameraCount);
   const Eigen::AlignedBox3d room = plan().volume();
   QVERIFY(plan().followsProjectVolume());
   QVERIFY(waitForMap([&] { find<QDoubleSpinBox>("mapLowX")->setValue(room.min().x() - 1.0); }));
@@ -211,11 +213,11 @@ void PlannerPageTest::aPlannedCameraIsDragged() {
 
 void PlannerPageTest::theBestPlaceIsFoundAndShown() {
   showMap();
-  const double before = summaryOf(*plan().map(), plan().look().goodSigma).within;
+  const double before = summaryOf(*plan().map(), plan().mapOptions().goodSigma).within;
   find<QPushButton>("planFind")->click();
   QVERIFY(waitFor([&] { return !plan().planned().empty(); }));
   QVERIFY(waitFor([&] { return plan().map()->cameraCount == project().cameras.size() + 1; }));
-  QVERIFY(summaryOf(*plan().map(), plan().look().goodSigma).within >= before);
+  QVERIFY(summaryOf(*plan().map(), plan().mapOptions().goodSigma).within >= before);
   const Eigen::Vector3d place = plan().planned()[0].center();
   const Eigen::AlignedBox3d& box = plan().volume();
   const double away =
@@ -249,10 +251,10 @@ void PlannerPageTest::draggingStaysFluid() {
   int maps = 0;
   connect(&plan(), &RigPlanner::mapChanged, this, [&] { ++maps; });
   for (const bool volume : {false, true}) {
-    MapLook look = plan().look();
+    MapOptions look = plan().mapOptions();
     look.volume = volume;
-    plan().setLook(look);
-    QVERIFY(waitFor([&] { return view().mapLook().volume == volume && view().isDrawn(); }));
+    plan().setMapOptions(look);
+    QVERIFY(waitFor([&] { return view().mapOptions().volume == volume && view().isDrawn(); }));
     // The least of some: what else the machine does comes and goes.
     double shown = 1e9, drawn = 1e9;
     for (int k = 0; k < 15; ++k) {
@@ -260,7 +262,7 @@ void PlannerPageTest::draggingStaysFluid() {
       own.start();
       (void)view().currentImage();
       drawn = std::min(drawn, 1e-6 * static_cast<double>(own.nsecsElapsed()));
-      view().showMap(plan().map(), plan().look());
+      view().showMap(plan().map(), plan().mapOptions());
       own.restart();
       (void)view().currentImage();
       shown = std::min(shown, 1e-6 * static_cast<double>(own.nsecsElapsed()));
