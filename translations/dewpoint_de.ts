@@ -2118,8 +2118,8 @@
         <translation>Prüfen Sie, ob die Kamera das Ziel sieht, und prüfen Sie Belichtung und Weißabgleich.</translation>
     </message>
     <message>
-        <source>Check that the times in all tables are from the same clock.</source>
-        <translation>Prüfen Sie, ob die Zeiten in allen Tabellen von derselben Uhr stammen.</translation>
+        <source>Check that the time stamps of all cameras (in their tables of times) are from the same clock.</source>
+        <translation>Prüfen Sie, ob die Zeitstempel aller Kameras (in ihren Zeittabellen) von derselben Uhr stammen.</translation>
     </message>
     <message>
         <source>Check that the corrections were made for this recording.</source>

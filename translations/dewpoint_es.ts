@@ -2118,8 +2118,8 @@
         <translation>Compruebe que la cámara vea el objetivo, y también su exposición y su balance de blancos.</translation>
     </message>
     <message>
-        <source>Check that the times in all tables are from the same clock.</source>
-        <translation>Compruebe que los tiempos de todas las tablas procedan del mismo reloj.</translation>
+        <source>Check that the time stamps of all cameras (in their tables of times) are from the same clock.</source>
+        <translation>Compruebe que las marcas de tiempo de todas las cámaras (en sus tablas de tiempos) proceden del mismo reloj.</translation>
     </message>
     <message>
         <source>Check that the corrections were made for this recording.</source>

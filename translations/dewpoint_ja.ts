@@ -2117,8 +2117,8 @@
         <translation>カメラにターゲットが写っているか、露光とホワイトバランスが適切かを確かめてください。</translation>
     </message>
     <message>
-        <source>Check that the times in all tables are from the same clock.</source>
-        <translation>すべての表の時刻が同じ時計によるものか確かめてください。</translation>
+        <source>Check that the time stamps of all cameras (in their tables of times) are from the same clock.</source>
+        <translation>すべてのカメラのタイムスタンプ（時刻表にあるもの）が同じ時計によるものか確認してください。</translation>
     </message>
     <message>
         <source>Check that the corrections were made for this recording.</source>

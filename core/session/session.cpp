@@ -95,7 +95,7 @@ Status RunRecord::save(const std::filesystem::path& folder) const {
   if (const Status saved = saveTables(folder); !saved) {
     return saved;
   }
-  return writeTextFile(folder / "run.json", runReport(project, figures));
+  return writeTextFile(folder / "run.json", runReport(project, statistics));
 }
 
 Status RunRecord::saveTables(const std::filesystem::path& folder) const {

@@ -33,7 +33,8 @@ public:
   explicit ProjectSaver(Document& document, QObject* parent = nullptr, ProjectWriter write = {});
 
   void setWriter(ProjectWriter write) { write_ = std::move(write); }
-  /// Saves the current state of the document. Files are written one after another.
+  /// Starts to save the current state of the document, in another thread. If an earlier save is
+  /// still being written, this one is written after it.
   void save(const std::filesystem::path& file);
   bool isSaving() const { return pendingWrites_ > 0; }
 

@@ -74,8 +74,8 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
       isKnown(accuracy.scale95)
           ? CalibrationText::tr("±%1 %").arg(percentAccuracyText(*accuracy.scale95))
           : unknown;
-  const QString up = isKnown(accuracy.up95)
-                         ? CalibrationText::tr("±%1").arg(angleAccuracyText(*accuracy.up95))
+  const QString up = isKnown(accuracy.upAngle95)
+                         ? CalibrationText::tr("±%1").arg(angleAccuracyText(*accuracy.upAngle95))
                          : CalibrationText::tr("not measured yet (use the page Floor)");
   const QString inside =
       CalibrationText::tr("In the calibrated volume: position %1, scale %2, upward direction %3 "

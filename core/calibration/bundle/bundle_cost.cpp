@@ -141,7 +141,7 @@ PixelCost::PixelCost(PixelCostSetup setup) : setup_(std::move(setup)) {
   auto* sizes = mutable_parameter_block_sizes();
   *sizes = {kPoseSize, kLensSize, 1};
   const std::size_t states = setup_.knots.empty() ? 1 : setup_.knots.size();
-  sizes->insert(sizes->end(), states, setup_.stateSize);
+  sizes->insert(sizes->end(), states, setup_.ballStateSize);
 }
 
 bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
@@ -204,7 +204,7 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
     if (jacobians[3 + j] == nullptr) {
       continue;
     }
-    Block block(jacobians[3 + j], 2, setup_.stateSize);
+    Block block(jacobians[3 + j], 2, setup_.ballStateSize);
     block.setZero();
     if (setup_.boardRotation) {
       block.leftCols<3>() = byWorld * turnDerivative(boardTurn, onBoard);

@@ -9,7 +9,7 @@ namespace {
 
 using Kind = BundleBody::Kind;
 
-int stateSize(Kind kind) {
+int ballStateSize(Kind kind) {
   return kind == Kind::Point ? 3 : 6;
 }
 
@@ -118,7 +118,7 @@ PixelCostSetup BundleModel::setupOf(std::size_t i) const {
   setup.pixel = seen.pixel;
   setup.sigma = seen.sigma;
   setup.outlineShift = seen.outlineShift;
-  setup.stateSize = stateSize(body.kind);
+  setup.ballStateSize = ballStateSize(body.kind);
   setup.time = state.time + seen.lag;
   if (body.kind == Kind::Board) {
     setup.boardRotation = states[seen.state].rotation;

@@ -283,7 +283,7 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
     accuracy.cameras.push_back(accuracyOf(c, result, blocks.rigs, factor));
   }
   if (known.upSigma) {
-    accuracy.up95 = kNinetyFivePlane * *known.upSigma;
+    accuracy.upAngle95 = kNinetyFivePlane * *known.upSigma;
   }
   return accuracy;
 }
@@ -306,8 +306,8 @@ std::string accuracySummary(const CalibrationAccuracy& accuracy) {
       fmt::format("In this volume {} (95 %)", lengthUncertaintyText(accuracy.position95));
   text += ", scale " + (accuracy.scale95 ? uncertaintyText(inPercent(*accuracy.scale95), "%")
                                          : std::string("unknown"));
-  text += ", up " + (accuracy.up95 ? uncertaintyText(inDegrees(*accuracy.up95), "degrees")
-                                   : std::string("not measured"));
+  text += ", up " + (accuracy.upAngle95 ? uncertaintyText(inDegrees(*accuracy.upAngle95), "degrees")
+                                        : std::string("not measured"));
   text += ".";
   if (accuracy.outside95) {
     text += fmt::format(" Outside it, up to {:.1f} m away, {} (extrapolated).",

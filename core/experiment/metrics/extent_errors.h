@@ -34,8 +34,8 @@ struct ExtentErrors {
   double size = 0.0;     ///< median of |estimatedRadius - radius| / radius; NaN without values
 };
 
-/// Computes the errors relative to the target size. A sample whose true size is not positive does
-/// not count as near, and is left out of the two medians.
+/// Computes the errors relative to the target size. A sample whose true size is not positive counts
+/// as not near in ExtentErrors::near, and does not contribute to `centroid` and `size`.
 ExtentErrors extentErrors(std::span<const ExtentSample> samples);
 
 } // namespace dewpoint::experiment

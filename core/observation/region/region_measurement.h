@@ -39,11 +39,11 @@ RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected
                                 const Eigen::Matrix2d& centerCovariance);
 
 /// Returns the log likelihood ratio of one image for a target of any shape: "the target is at the
-/// expected outline" against "the target is not there". The ratio depends on two fractions with the
-/// target color: the fraction of the expected outline, and the fraction of a ring around the
-/// outline. `fill` is the fraction of the outline that a visible target fills. The largest ratio
-/// equals the largest ratio of SphereEvidence, so that an image has the same influence for a target
-/// of any shape as for a ball.
+/// expected outline" against "the target is not there". The ratio depends on which fraction of the
+/// pixels inside the expected outline have the target color, and which fraction of the pixels in a
+/// ring around the outline. `fill` is the fraction to expect inside the outline if the target is
+/// visible. The largest ratio equals the largest ratio of SphereEvidence, so that an image has the
+/// same influence for a target of any shape as for a ball.
 double regionEvidence(const RegionMeasurement& measurement, double fill);
 /// Returns the value of regionEvidence() for an image that shows the whole target.
 double fullRegionEvidence();

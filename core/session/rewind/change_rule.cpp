@@ -10,7 +10,7 @@ double ChangeRule::expectedSeconds(const OldResults& old) {
                                   old.secondsPerFrame;
 }
 
-ChangeRule::Decision ChangeRule::decide(const SessionState& state) {
+ChangeRule::Decision ChangeRule::actionFor(const SessionState& state) {
   const OldResults& old = state.old;
   if (state.isLive || old.frames.empty()) {
     return {};
@@ -19,7 +19,7 @@ ChangeRule::Decision ChangeRule::decide(const SessionState& state) {
   if (state.isPlaying && !state.isRerunning) {
     return {Action::Mark, from};
   }
-  if (state.isEdited) {
+  if (state.settingsChanged) {
     return {expectedSeconds(old) < state.quickLimitSeconds ? Action::TrackAgain : Action::Offer,
             from};
   }

@@ -24,8 +24,8 @@ public:
     bool isLive = false; ///< the cameras are live; their earlier images cannot be tracked again
     /// The session plays: frames are being tracked or shown one after another.
     bool isPlaying = false;
-    bool isRerunning = false; ///< past frames are being tracked again
-    bool isEdited = false;    ///< settings have changed since the rule was last applied
+    bool isRerunning = false;     ///< past frames are being tracked again
+    bool settingsChanged = false; ///< settings have changed since the rule was last applied
     OldResults old;
     double quickLimitSeconds = kQuickSeconds; ///< longest duration that counts as quick, seconds
   };
@@ -42,7 +42,7 @@ public:
   };
 
   /// Returns what to do about old results in this state of the session.
-  static Decision decide(const SessionState& state);
+  static Decision actionFor(const SessionState& state);
   /// Returns the expected time, in seconds, to track again from the first old result to the newest
   /// frame; 0 if unknown.
   static double expectedSeconds(const OldResults& old);

@@ -181,7 +181,7 @@ Marked searchedFor(const CameraRig& rig, const std::vector<cv::Mat>& images,
     return {std::nullopt, findCounterparts(rig, images, sample, limits)};
   }
   Marked marked;
-  marked.part = boxedPart(images[camera], sample);
+  marked.part = partInBox(images[camera], sample);
   if (marked.part && !clickedObject(rig.at(camera), images[camera], marked.part->whole)) {
     marked.part.reset(); // a wall, or a region that grew too far
   }
@@ -195,7 +195,7 @@ Marked searchedFor(const CameraRig& rig, const std::vector<cv::Mat>& images,
   if (limits.radius > 0.0 && marked.counterparts.radius) {
     const double wholePx = std::sqrt(sample.area / std::numbers::pi);
     marked.part =
-        clickedPart(images[camera], sample, wholePx * limits.radius / *marked.counterparts.radius);
+        partAtClick(images[camera], sample, wholePx * limits.radius / *marked.counterparts.radius);
   }
   return marked;
 }

@@ -144,7 +144,7 @@ std::optional<Gaussian3> rayIntersection(const std::vector<MarkRay>& rays) {
 
 } // namespace
 
-std::optional<PartMark> boxedPart(const cv::Mat& bgr, const ColorSample& box) {
+std::optional<PartMark> partInBox(const cv::Mat& bgr, const ColorSample& box) {
   if (!box.isBox() || bgr.type() != CV_8UC3) {
     return std::nullopt;
   }
@@ -163,7 +163,7 @@ std::optional<PartMark> boxedPart(const cv::Mat& bgr, const ColorSample& box) {
   return markOf(bgr, region, box, middle, within, 0.5 * std::min(within.width, within.height));
 }
 
-std::optional<PartMark> clickedPart(const cv::Mat& bgr, const ColorSample& click, double radiusPx) {
+std::optional<PartMark> partAtClick(const cv::Mat& bgr, const ColorSample& click, double radiusPx) {
   if (click.isBox() || bgr.type() != CV_8UC3) {
     return std::nullopt;
   }

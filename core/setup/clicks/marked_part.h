@@ -27,11 +27,11 @@ struct PartMark {
 /// Returns the marked part if a box contains only a part of an object: at most kMaxBoxedFraction of
 /// the pixels of the region grown from the center of the box in the image (CV_8UC3). Returns
 /// nothing for a box around a whole object, and for a click.
-std::optional<PartMark> boxedPart(const cv::Mat& bgr, const ColorSample& box);
+std::optional<PartMark> partInBox(const cv::Mat& bgr, const ColorSample& box);
 /// Returns the marked part if a disc of radius `radiusPx` covers at most kMaxClickedFraction of the
 /// clicked object; the part has the size of this disc. Returns nothing for a click on a smaller
 /// object, and for a box.
-std::optional<PartMark> clickedPart(const cv::Mat& bgr, const ColorSample& click, double radiusPx);
+std::optional<PartMark> partAtClick(const cv::Mat& bgr, const ColorSample& click, double radiusPx);
 
 /// A box marks only a part of an object if it contains at most this fraction of the object's
 /// pixels. Estimate: a user who draws a box around a whole object omits little of it.

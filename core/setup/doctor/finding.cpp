@@ -88,7 +88,8 @@ constexpr std::array kFindingTexts{
                  "Give a table of times to every camera, or to none."},
     FindingTexts{TimesApart, "times-apart", kProblem,
                  "According to their tables of times, the cameras never recorded at the same time.",
-                 "Check that the times in all tables are from the same clock."},
+                 "Check that the time stamps of all cameras (in their tables of times) are from "
+                 "the same clock."},
     FindingTexts{
         DelayTooLong, "delay-too-long", kProblem,
         "The delay of %1 (%2 s) is longer than its recording, so this camera has no image "

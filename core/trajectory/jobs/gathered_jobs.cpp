@@ -25,10 +25,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTrajectoryChecksumKey = "trajectory_sha256";
 
-Evaluation evaluationOf(const nlohmann::ordered_json& json, JsonFields& file,
+Evaluation evaluationOf(const nlohmann::ordered_json& json, JsonFieldReader& file,
                         const std::string& name) {
   Evaluation one;
-  JsonFields fields(json, name, "targets.");
+  JsonFieldReader fields(json, name, "targets.");
   fields.readText("target", one.target);
   fields.readNumber("rmse", one.rmse);
   fields.readNumber("median", one.median);
@@ -56,7 +56,7 @@ Result<std::vector<Evaluation>> evaluationsIn(const fs::path& folder, const JobR
   if (!json) {
     return tl::make_unexpected(json.error());
   }
-  JsonFields fields(*json, file.string(), "");
+  JsonFieldReader fields(*json, file.string(), "");
   std::string checksum;
   fields.readText(kTrajectoryChecksumKey, checksum);
   std::vector<Evaluation> evaluations;

@@ -72,7 +72,7 @@ constexpr int kMostThreads = 1'000'000;
 
 Result<JobRecord> recordOf(const Json& json, const std::string& file) {
   JobRecord record;
-  JsonFields fields(json, file, "");
+  JsonFieldReader fields(json, file, "");
   JobIdentity& identity = record.identity;
   fields.readText("recording", identity.recording);
   fields.readText("command", identity.command);
@@ -87,7 +87,7 @@ Result<JobRecord> recordOf(const Json& json, const std::string& file) {
   fields.readInteger("threads", record.threads, 0, kMostThreads);
   if (const Json* targets = fields.findObjects("targets")) {
     for (const Json& one : *targets) {
-      JsonFields entry(one, file, "targets.");
+      JsonFieldReader entry(one, file, "targets.");
       JobTarget& target = record.targets.emplace_back();
       entry.readText("name", target.name);
       entry.readInteger("valid_frames", target.validFrames, std::int64_t{0}, limits::kMaxFrames);
@@ -96,7 +96,7 @@ Result<JobRecord> recordOf(const Json& json, const std::string& file) {
   }
   if (const Json* files = fields.findObjects("files")) {
     for (const Json& one : *files) {
-      JsonFields entry(one, file, "files.");
+      JsonFieldReader entry(one, file, "files.");
       JobFile& written = record.files.emplace_back();
       entry.readText("name", written.name);
       entry.readInteger("bytes", written.bytes, std::uintmax_t{0}, std::uintmax_t{UINTMAX_MAX});

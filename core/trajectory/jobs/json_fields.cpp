@@ -33,10 +33,10 @@ Result<ordered_json> readJsonObject(const std::string& file) {
   }
 }
 
-JsonFields::JsonFields(const ordered_json& object, std::string file, std::string prefix)
+JsonFieldReader::JsonFieldReader(const ordered_json& object, std::string file, std::string prefix)
     : object_(object), file_(std::move(file)), prefix_(std::move(prefix)) {}
 
-void JsonFields::readText(const char* key, std::string& value) {
+void JsonFieldReader::readText(const char* key, std::string& value) {
   if (const ordered_json* found = find(key)) {
     if (found->is_string()) {
       value = found->get<std::string>();
@@ -46,7 +46,7 @@ void JsonFields::readText(const char* key, std::string& value) {
   }
 }
 
-void JsonFields::readNumber(const char* key, double& value) {
+void JsonFieldReader::readNumber(const char* key, double& value) {
   if (const ordered_json* found = find(key)) {
     if (found->is_number()) {
       value = found->get<double>();
@@ -56,7 +56,7 @@ void JsonFields::readNumber(const char* key, double& value) {
   }
 }
 
-const ordered_json* JsonFields::findObjects(const char* key) {
+const ordered_json* JsonFieldReader::findObjects(const char* key) {
   const ordered_json* found = find(key);
   if (found == nullptr) {
     return nullptr;
@@ -74,19 +74,19 @@ const ordered_json* JsonFields::findObjects(const char* key) {
   return found;
 }
 
-void JsonFields::fail(ErrorCode code, const char* key, std::string detail) {
+void JsonFieldReader::fail(ErrorCode code, const char* key, std::string detail) {
   if (!error_) {
     error_ = Error{code, file_, prefix_ + key, std::move(detail)};
   }
 }
 
-void JsonFields::recordErrorOf(const JsonFields& part) {
+void JsonFieldReader::recordErrorOf(const JsonFieldReader& part) {
   if (!error_) {
     error_ = part.error_;
   }
 }
 
-const ordered_json* JsonFields::find(const char* key) {
+const ordered_json* JsonFieldReader::find(const char* key) {
   const auto found = object_.find(key);
   if (found == object_.end()) {
     fail(ErrorCode::MissingKey, key, "");

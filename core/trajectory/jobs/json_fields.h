@@ -24,9 +24,9 @@ Result<nlohmann::ordered_json> readJsonObject(const std::string& file);
 /// Reads required keys of a JSON object and stores the first error. The error names the file and
 /// the field, which is `prefix` followed by the key. Keys that are not read are ignored, because
 /// later versions may add some. A number that does not fit its type is an error.
-class JsonFields {
+class JsonFieldReader {
 public:
-  JsonFields(const nlohmann::ordered_json& object, std::string file, std::string prefix);
+  JsonFieldReader(const nlohmann::ordered_json& object, std::string file, std::string prefix);
 
   /// Reads a text into `value`. Leaves `value` unchanged after an error.
   void readText(const char* key, std::string& value);
@@ -74,7 +74,7 @@ public:
   void fail(ErrorCode code, const char* key, std::string detail);
   /// Stores the error of `part`, if it has one, unless an error is already stored. Use it for an
   /// object inside this object.
-  void recordErrorOf(const JsonFields& part);
+  void recordErrorOf(const JsonFieldReader& part);
   const std::optional<Error>& error() const { return error_; }
 
 private:

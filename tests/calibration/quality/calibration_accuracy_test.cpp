@@ -118,7 +118,7 @@ TEST(CalibrationAccuracy, SaysItInOneSentence) {
   EXPECT_EQ(accuracySummary(accuracy),
             "In this volume +-3.1 mm (95 %), scale unknown, up not measured.");
   accuracy.scale95 = 0.001;
-  accuracy.up95 = 0.2 / 180.0 * 3.14159265358979;
+  accuracy.upAngle95 = 0.2 / 180.0 * 3.14159265358979;
   EXPECT_EQ(accuracySummary(accuracy),
             "In this volume +-3.1 mm (95 %), scale +-0.1 %, up +-0.2 degrees.");
   accuracy.position95 = 0.893;

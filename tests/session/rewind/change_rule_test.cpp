@@ -26,7 +26,7 @@ TEST(ChangeRule, WhatIsDone) {
     ChangeRule::Decision expected;
   };
   const auto situation = [](bool edited, OldResults results) {
-    return ChangeRule::SessionState{.isEdited = edited, .old = std::move(results)};
+    return ChangeRule::SessionState{.settingsChanged = edited, .old = std::move(results)};
   };
   std::vector<Case> cases{
       {"nothing is old", situation(true, old({}, kFast)), {Action::Nothing, 0}},
@@ -59,7 +59,7 @@ TEST(ChangeRule, WhatIsDone) {
   cases.push_back({"live", situation(true, old({{0, 99}}, kFast)), {Action::Nothing, 0}});
   cases.back().situation.isLive = true;
   for (const Case& one : cases) {
-    EXPECT_EQ(ChangeRule::decide(one.situation), one.expected) << one.name;
+    EXPECT_EQ(ChangeRule::actionFor(one.situation), one.expected) << one.name;
   }
 }
 

@@ -248,8 +248,8 @@ TEST(BoardCalibration, SaysAVerdictAndNoFault) {
   EXPECT_TRUE(outcome->extrinsics->faults.empty()) << outcome->extrinsics->faults[0].sentence;
   // 0.2 mm over 7 squares of 30 mm are 0.1 % (one sigma), at least.
   EXPECT_NEAR(outcome->accuracy->scale95.value(), 1.96 * 0.2 / 210.0, 0.0005);
-  EXPECT_GT(outcome->accuracy->up95.value(), 0.001);
-  EXPECT_LT(outcome->accuracy->up95.value(), 0.05);
+  EXPECT_GT(outcome->accuracy->upAngle95.value(), 0.001);
+  EXPECT_LT(outcome->accuracy->upAngle95.value(), 0.05);
   EXPECT_LT(outcome->accuracy->position95, 0.002);
   EXPECT_NE(outcome->report.find("In this volume"), std::string::npos);
 }

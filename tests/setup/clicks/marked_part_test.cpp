@@ -46,7 +46,7 @@ color::ColorSample boxOn(const PaintedRig& scene, std::size_t camera, const Eige
 TEST(MarkedPart, IsWhatABoxHoldsOfSomethingLarger) {
   const PaintedRig scene = paintedArm(1);
   const SphereImage hand = scene.discOf(0, kHand, kHandRadius);
-  const auto part = setup::boxedPart(scene.images[0], boxOn(scene, 0, kHand, 1.2 * kHandRadius));
+  const auto part = setup::partInBox(scene.images[0], boxOn(scene, 0, kHand, 1.2 * kHandRadius));
   ASSERT_TRUE(part);
   EXPECT_LT((part->center - hand.center).norm(), 2.0);
   EXPECT_NEAR(part->radiusPx, hand.radius, 2.0);
@@ -54,8 +54,8 @@ TEST(MarkedPart, IsWhatABoxHoldsOfSomethingLarger) {
   EXPECT_GT(part->whole.area, 1.5 * 3.14 * hand.radius * hand.radius);
   // A box around all of it, and no box.
   const Eigen::Vector3d middle = 0.5 * (kHand + kElbow);
-  EXPECT_FALSE(setup::boxedPart(scene.images[0], boxOn(scene, 0, middle, 0.4)));
-  EXPECT_FALSE(setup::boxedPart(scene.images[0], scene.clickOn(0, kHand, kHandRadius)));
+  EXPECT_FALSE(setup::partInBox(scene.images[0], boxOn(scene, 0, middle, 0.4)));
+  EXPECT_FALSE(setup::partInBox(scene.images[0], scene.clickOn(0, kHand, kHandRadius)));
 }
 
 TEST(MarkedPart, IsWhatWasClickedOfSomethingLargerThanTheRadiusKnown) {
@@ -63,18 +63,18 @@ TEST(MarkedPart, IsWhatWasClickedOfSomethingLargerThanTheRadiusKnown) {
   const SphereImage hand = scene.discOf(0, kHand, kHandRadius);
   color::ColorSample click = scene.clickOn(0, kHand, kHandRadius);
   click.x += 6.0;
-  const auto part = setup::clickedPart(scene.images[0], click, hand.radius);
+  const auto part = setup::partAtClick(scene.images[0], click, hand.radius);
   ASSERT_TRUE(part);
   EXPECT_LT((part->center - hand.center).norm(), 4.0);
   // Something of about that size, and a box.
-  EXPECT_FALSE(setup::clickedPart(scene.images[0], click, 2.0 * hand.radius));
+  EXPECT_FALSE(setup::partAtClick(scene.images[0], click, 2.0 * hand.radius));
   EXPECT_FALSE(
-      setup::clickedPart(scene.images[0], boxOn(scene, 0, kHand, kHandRadius), hand.radius));
+      setup::partAtClick(scene.images[0], boxOn(scene, 0, kHand, kHandRadius), hand.radius));
 }
 
 TEST(MarkedPart, LiesOnItsRayWhereTheOtherCameraShowsTheThing) {
   const PaintedRig scene = paintedArm(2);
-  const auto mark = setup::boxedPart(scene.images[0], boxOn(scene, 0, kHand, 1.2 * kHandRadius));
+  const auto mark = setup::partInBox(scene.images[0], boxOn(scene, 0, kHand, 1.2 * kHandRadius));
   ASSERT_TRUE(mark);
   const auto found = setup::findCounterparts(scene.rig, scene.images, mark->whole).found;
   ASSERT_EQ(found.size(), 1U);
@@ -92,7 +92,7 @@ TEST(MarkedPart, LiesWhereTheRaysOfSeveralMarksMeet) {
   std::vector<setup::PartMark> marks;
   for (std::size_t camera = 0; camera < 3; ++camera) {
     marks.push_back(
-        setup::boxedPart(scene.images[camera], boxOn(scene, camera, kHand, 1.2 * kHandRadius))
+        setup::partInBox(scene.images[camera], boxOn(scene, camera, kHand, 1.2 * kHandRadius))
             .value());
   }
   const auto part = setup::locatePart(scene.rig, scene.images, marks, {});

@@ -93,7 +93,7 @@ void BoardLive::makeRows(std::size_t count) {
       made->setWordWrap(true);
       return made;
     };
-    Row row{new BoardMap(frame),    label("boardName"),      label("boardAdvice"),
+    Row row{new BoardMap(frame),    label("describedBoard"), label("boardAdvice"),
             label("boardAccuracy"), label("boardSharpness"), new QProgressBar(frame)};
     row.map->setObjectName(QStringLiteral("boardMap%1").arg(k));
     row.held->setObjectName(QStringLiteral("boardHeld%1").arg(k));

@@ -17,7 +17,7 @@ CalibrationGuide::CalibrationGuide(Document& document, QObject* parent)
 void CalibrationGuide::restart() {
   status_ = calibrationStatus(document_.project());
   procedure_ = procedureInUse(status_);
-  isFollowed_ = false;
+  isInUse_ = false;
   current_ = 0;
   if (procedure_) {
     adoptProcedure(*procedure_);
@@ -36,13 +36,13 @@ void CalibrationGuide::refresh() {
 }
 
 void CalibrationGuide::setProcedure(CalibrationProcedure procedure) {
-  isFollowed_ = true;
+  isInUse_ = true;
   adoptProcedure(procedure);
 }
 
-void CalibrationGuide::follow() {
-  if (procedure_ && !isFollowed_) {
-    isFollowed_ = true;
+void CalibrationGuide::recordOpened() {
+  if (procedure_ && !isInUse_) {
+    isInUse_ = true;
     Q_EMIT changed();
   }
 }

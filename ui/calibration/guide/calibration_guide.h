@@ -21,16 +21,16 @@ public:
   explicit CalibrationGuide(Document& document, QObject* parent = nullptr);
 
   const CalibrationStatus& status() const { return status_; }
-  /// Returns the chosen way to calibrate. Returns nothing if the user has not chosen a way and the
-  /// project does not record how its cameras were calibrated (setup::procedureInUse()).
+  /// Returns the chosen calibration procedure. Returns nothing if the user has not chosen one and
+  /// the project does not record how its cameras were calibrated (setup::procedureInUse()).
   std::optional<CalibrationProcedure> procedure() const { return procedure_; }
-  /// Sets the way that the user has chosen, and makes its first unfinished step the current one.
+  /// Sets the procedure that the user has chosen, and makes its first unfinished step current.
   void setProcedure(CalibrationProcedure procedure);
-  /// Returns whether the user follows the guide. This is true after the user has chosen a way, or
-  /// has seen the guide (follow()) while a way was known.
-  bool isFollowed() const { return isFollowed_; }
-  /// Records that the user has seen the guide. Has no effect while no way is known.
-  void follow();
+  /// Returns whether the guide is in use. It is in use once the user has chosen a procedure, or
+  /// once the guide was opened (recordOpened()) when procedure() was already known.
+  bool isInUse() const { return isInUse_; }
+  /// Records that the guide was opened. Has no effect while procedure() is unknown.
+  void recordOpened();
   /// Returns the steps of the chosen way.
   std::vector<GuideStep> steps() const;
   /// Returns the progress of a step.
@@ -53,7 +53,7 @@ private:
   Document& document_;
   CalibrationStatus status_;
   std::optional<CalibrationProcedure> procedure_;
-  bool isFollowed_ = false;
+  bool isInUse_ = false;
   int current_ = 0;
 };
 

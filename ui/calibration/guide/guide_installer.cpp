@@ -98,7 +98,7 @@ void installCalibrationGuide(const Workbench& bench, CalibrationMode& mode) {
                    [bench, &mode](GuideStep step) { openStep(bench, mode, step); });
   QObject::connect(&mode, &CalibrationMode::shown, guide, [guide](const QString& page) {
     if (page == kGuidePage) {
-      guide->follow();
+      guide->recordOpened();
     }
   });
   bench.onTriggered("actionCalibrate", guide, [&mode] { mode.open(kGuidePage); });

@@ -58,7 +58,7 @@ void StepStrip::refresh() {
   const auto steps = guide_.steps();
   // Not as soon as a way is known: the pages must not move while a result comes, and nobody who
   // works without the guide has to wonder about its steps.
-  setVisible(guide_.isFollowed() && !steps.empty());
+  setVisible(guide_.isInUse() && !steps.empty());
   setCount(static_cast<int>(steps.size()));
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const StepText text = stepText(steps[k]);

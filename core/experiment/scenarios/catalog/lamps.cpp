@@ -70,15 +70,16 @@ simulation::GainCurve drawSteps(ScenarioDraft& draft) {
   constexpr double kWhiteBalance = 0.2;
   RandomDraws& draws = draft.draws;
   simulation::GainCurve curve;
-  curve.framesPerSecond = draft.framesPerSecond;
-  while (static_cast<std::int64_t>(curve.frames.size()) < draft.frameCount) {
+  curve.gainPerFramePerSecond = draft.framesPerSecond;
+  while (static_cast<std::int64_t>(curve.gainPerFrame.size()) < draft.frameCount) {
     simulation::CameraGain gain;
-    if (!curve.frames.empty()) {
+    if (!curve.gainPerFrame.empty()) {
       gain.exposure = std::exp2(draws.uniform(-kExposure, kExposure));
       gain.whiteBalance[0] = std::exp2(draws.uniform(-kWhiteBalance, kWhiteBalance));
       gain.whiteBalance[2] = std::exp2(draws.uniform(-kWhiteBalance, kWhiteBalance));
     }
-    curve.frames.insert(curve.frames.end(), static_cast<std::size_t>(draws.integer(20, 40)), gain);
+    curve.gainPerFrame.insert(curve.gainPerFrame.end(),
+                              static_cast<std::size_t>(draws.integer(20, 40)), gain);
   }
   return curve;
 }
