@@ -70,7 +70,7 @@ simulation::GainCurve drawSteps(ScenarioDraft& draft) {
   constexpr double kWhiteBalance = 0.2;
   RandomDraws& draws = draft.draws;
   simulation::GainCurve curve;
-  curve.gainPerFramePerSecond = draft.framesPerSecond;
+  curve.framesPerSecond = draft.framesPerSecond;
   while (static_cast<std::int64_t>(curve.gainPerFrame.size()) < draft.frameCount) {
     simulation::CameraGain gain;
     if (!curve.gainPerFrame.empty()) {

@@ -95,7 +95,7 @@ TEST(RegionTrack, APositionByHandBeginsThere) {
       {kSolid.center + Eigen::Vector3d(0.01, 0.0, 0.01), 0.02 * 0.02 * Eigen::Matrix3d::Identity()},
       0.04 * 0.04 * Eigen::Matrix3d::Identity(), true, scene.observation(), {1, 0, 0}, team);
   ASSERT_NE(track.hypothesis(), nullptr);
-  EXPECT_TRUE(track.hypothesis()->given);
+  EXPECT_TRUE(track.hypothesis()->givenCovariance);
   EXPECT_LT((track.hypothesis()->position() - kSolid.center).norm(), 0.005);
 }
 
