@@ -165,7 +165,7 @@ TEST(Playback, AfterARerunAllIsAsBefore) {
   ended.endInput();
   ended.show(kOther, kHead);
   ended.rerun({1, kHead}, std::nullopt);
-  ended.reach(kHead);
+  ended.noteReached(kHead);
   EXPECT_EQ(nameOf(ended), "Ended");
 }
 
@@ -198,7 +198,7 @@ TEST(Playback, ARerunDuringAnotherOneEndsWhereAndAsThatWouldHave) {
   looking.show(kOther, kHead);
   looking.rerun({4, kHead}, looking.viewedFrame());
   looking.rerun({1, 6}, looking.viewedFrame()); // the head is shown meanwhile
-  EXPECT_EQ(looking.reach(kHead), kOther);
+  EXPECT_EQ(looking.noteReached(kHead), kOther);
 }
 
 TEST(Playback, ARerunKnowsWhatToShowAfterwards) {

@@ -18,7 +18,7 @@ CameraRig watchedCameras() {
 TEST(CameraAgreementWatch, ARigInMillimetersIsKnownBeforeTheFirstFrame) {
   CameraRig rig = watchedCameras();
   const CameraMotionWatch motion(rig);
-  EXPECT_TRUE(CameraAgreementWatch(rig, motion).found(methodFamily("dewpoint")).empty());
+  EXPECT_TRUE(CameraAgreementWatch(rig, motion).disagreements(methodFamily("dewpoint")).empty());
   for (Camera& camera : rig) {
     camera.cameraFromWorld.translation() *= 1000.0;
   }
