@@ -176,7 +176,7 @@ void OutputWindowTest::thePageHasTheLanguageOfTheWindow() {
 void OutputWindowTest::outputsThatHangHoldNobodyUp() {
   QVERIFY(document().edit(QStringLiteral("Set outputs"), [](Project& project) {
     project.output.tcp = 0;
-    project.output.token = "secret";
+    project.output.token = "a secret of the test";
   }));
   const auto gate = std::make_shared<test::Gate>();
   outputs().setOpener([gate](broadcast::BroadcastInputs inputs) {
@@ -191,7 +191,7 @@ void OutputWindowTest::outputsThatHangHoldNobodyUp() {
   send->trigger();
   QVERIFY(outputs().isSending() || changed.wait(kTimeoutMs));
   const auto client = connected(outputs().reports().at(0).address,
-                                "{\"token\":\"secret\",\"command\":\"start\"}\n");
+                                "{\"token\":\"a secret of the test\",\"command\":\"start\"}\n");
   QVERIFY(client.number() >= 0);
   QVERIFY(waitFor([&] { return gate->waiting() == 1; }));
   send->trigger();

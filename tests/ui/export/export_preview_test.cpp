@@ -111,9 +111,9 @@ void ExportPreviewTest::aRangeBeyondTheRunSaysHowFarItGoes() {
   QVERIFY(!tracked->isVisible());
   to->setValue(9.0);
   QVERIFY(tracked->isVisible());
-  QCOMPARE(tracked->text(), QStringLiteral("tracked to 4.0 s"));
+  QCOMPARE(tracked->text(), QStringLiteral("tracked only up to 4.0 s"));
   to->setValue(4.02);
-  QCOMPARE(tracked->text(), QStringLiteral("tracked to 4.000 s"));
+  QCOMPARE(tracked->text(), QStringLiteral("tracked only up to 4.000 s"));
   to->setValue(3.0);
   QVERIFY(!tracked->isVisible());
   dialog_->setSelectedRange(std::pair(1.0, 8.0));

@@ -106,7 +106,7 @@ void BoardPageTest::framesWithoutTheBoardAreNamed() {
   outcome.missed = {{{"", 0, 4, 5, {}}, {"", 9, 9, 1, small}}, {}};
   // Counted from 1, as in the timeline.
   const QString text = outcomeText(calibrator(), outcome);
-  QVERIFY2(text.contains(QStringLiteral("left: no board was found in frames 1–5, 10 (too small, ")),
+  QVERIFY2(text.contains(QStringLiteral("left: no board was found in frames 1–5, 10 (too small: ")),
            qPrintable(text));
   QVERIFY2(!text.contains(QStringLiteral("right: no board")), qPrintable(text));
 }

@@ -350,15 +350,15 @@ void CalibrationImportTest::aCameraWithoutANameCanBeMeant() {
   auto* meant = dialog.findChild<QComboBox*>("calibrationImportCamera");
   QCOMPARE(meant->count(), 3);
   QVERIFY(!meant->itemData(0).isValid()); // as the names say
-  QCOMPARE(meant->itemText(1), QStringLiteral("only for left"));
+  QCOMPARE(meant->itemText(1), QStringLiteral("import only for left"));
   QCOMPARE(meant->itemData(1), QVariant(0));
-  QCOMPARE(meant->itemText(2), QStringLiteral("only for camera 2"));
+  QCOMPARE(meant->itemText(2), QStringLiteral("import only for camera 2"));
   QCOMPARE(meant->itemData(2), QVariant(1));
   // Named meanwhile: the list follows, and what was chosen stays.
   meant->setCurrentIndex(2);
   QVERIFY(document.edit(QStringLiteral("name"),
                         [](Project& project) { project.cameras[1].camera.name = "by the door"; }));
-  QCOMPARE(meant->currentText(), QStringLiteral("only for by the door"));
+  QCOMPARE(meant->currentText(), QStringLiteral("import only for by the door"));
 }
 
 DEWPOINT_WINDOW_TEST(CalibrationImportTest)
