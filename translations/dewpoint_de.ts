@@ -3896,8 +3896,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>✕ fehlt</translation>
     </message>
     <message>
-        <source>– no camera images</source>
-        <translation>– keine Kamerabilder</translation>
+        <source>– no images</source>
+        <translation>– keine Bilder</translation>
     </message>
     <message>
         <source>No target yet</source>

@@ -3896,8 +3896,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>✕ ausente</translation>
     </message>
     <message>
-        <source>– no camera images</source>
-        <translation>– sin imágenes de cámara</translation>
+        <source>– no images</source>
+        <translation>– sin imágenes</translation>
     </message>
     <message>
         <source>No target yet</source>

@@ -3894,8 +3894,8 @@ Effective sample size %8 of %9</source>
         <translation>✕ なし</translation>
     </message>
     <message>
-        <source>– no camera images</source>
-        <translation>– カメラ画像なし</translation>
+        <source>– no images</source>
+        <translation>– 画像なし</translation>
     </message>
     <message>
         <source>No target yet</source>

@@ -34,7 +34,7 @@ QString trackingStateText(TrackingState state) {
   case TrackingState::NoImages:
     break;
   }
-  return QCoreApplication::translate("TrackingState", "– no camera images");
+  return QCoreApplication::translate("TrackingState", "– no images");
 }
 
 } // namespace dewpoint::ui
