@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 namespace dewpoint::capture {
@@ -52,7 +53,7 @@ bool isBlack(const cv::Mat& image) {
   const int step = std::max(1, image.cols / kBlackColumns);
   forRows(image, [&](const std::uint8_t* row) {
     for (int column = 0; column < image.cols; column += step) {
-      const std::uint8_t* pixel = row + 3 * column;
+      const std::uint8_t* pixel = row + std::ptrdiff_t{3} * column;
       bright += std::max({pixel[0], pixel[1], pixel[2]}) > ImageHealth::kBlackLevel ? 1 : 0;
       ++all;
     }

@@ -20,6 +20,7 @@ constexpr double kLabelMargin = 8.0;       ///< pixels between a label and the e
 
 ImageGrid gridOf(const std::vector<VideoView>& views, const QSize& size) {
   std::vector<double> aspects;
+  aspects.reserve(views.size());
   for (const VideoView& view : views) {
     aspects.push_back(view.aspect);
   }

@@ -67,7 +67,7 @@ std::string formatCaps(const DeviceFormat& format, const std::vector<std::string
   std::vector<std::string> caps;
   for (const std::string& rate : rates) {
     for (const std::string& type : types) {
-      caps.push_back(type + size + rate);
+      caps.push_back(fmt::format("{}{}{}", type, size, rate));
     }
   }
   return fmt::format("{}", fmt::join(caps, ";"));

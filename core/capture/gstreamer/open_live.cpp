@@ -85,6 +85,7 @@ LiveStreamPtr makeFoundStream(const LiveCamera& camera, EncodedFeedPtr feed, Dev
 
 std::vector<DeviceIdentity> identitiesOf(const std::vector<LiveCamera>& cameras) {
   std::vector<DeviceIdentity> identities;
+  identities.reserve(cameras.size());
   for (const LiveCamera& camera : cameras) {
     identities.push_back(camera.device.identity);
   }
