@@ -186,7 +186,7 @@ void expectSameColors(const std::vector<WeightedHsiColor>& colors,
   }
 }
 
-using Steps = std::tuple<int, int, int>; // grownRegions, flood fills, counted images
+using Steps = std::tuple<int, int, int>; // grown regions, flood fills, counted images
 
 Steps stepsOf(const ColorEvidence& evidence) {
   return {evidence.work.grownRegions, evidence.work.floodFills, evidence.work.countedImages};

@@ -12,7 +12,7 @@
 namespace dewpoint::calibration {
 namespace {
 
-constexpr std::size_t kRun = 30; ///< states that stay together when a path is subsampledBundle
+constexpr std::size_t kRun = 30; ///< states that stay together when a path is thinned
 
 struct TimedView {
   std::size_t camera;

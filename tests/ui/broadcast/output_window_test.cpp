@@ -198,7 +198,7 @@ void OutputWindowTest::outputsThatHangHoldNobodyUp() {
   QVERIFY(!outputs().isSending());
   QVERIFY(send->isEnabled());
   send->trigger(); // on again, which has to wait
-  QTest::qWait(50);
+  letTimePass(50); // nothing must happen
   QVERIFY(!outputs().isSending());
   QCOMPARE(gate->waiting(), 1);
   open(); // another project takes the place of the one whose outputs hang
