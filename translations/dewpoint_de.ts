@@ -4012,12 +4012,12 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Der Ball ist am anderen Ende der bekannten Strecke</translation>
     </message>
     <message>
-        <source>The ball begins to fall</source>
-        <translation>Der Ball beginnt zu fallen</translation>
+        <source>First frame of the fall</source>
+        <translation>Erstes Bild des Falls</translation>
     </message>
     <message>
-        <source>The ball is still falling</source>
-        <translation>Der Ball fällt noch</translation>
+        <source>Last frame of the fall</source>
+        <translation>Letztes Bild des Falls</translation>
     </message>
     <message>
         <source>At least two cameras must see the ball.</source>
@@ -6030,12 +6030,12 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>&amp;Intensität</translation>
     </message>
     <message>
-        <source>First hue, 0 to 360 degrees. If it is larger than the last hue, the range passes through red (0 degrees)</source>
-        <translation>Erster Farbton, 0 bis 360 Grad. Ist er größer als der letzte Farbton, geht der Bereich durch Rot (0 Grad)</translation>
+        <source>Start of the hue range, 0 to 360 degrees. If it is larger than the end, the range passes through red (0 degrees)</source>
+        <translation>Anfang des Farbtonbereichs, 0 bis 360 Grad. Ist er größer als das Ende, geht der Bereich durch Rot (0 Grad)</translation>
     </message>
     <message>
-        <source>Last hue, 0 to 360 degrees</source>
-        <translation>Letzter Farbton, 0 bis 360 Grad</translation>
+        <source>End of the hue range, 0 to 360 degrees</source>
+        <translation>Ende des Farbtonbereichs, 0 bis 360 Grad</translation>
     </message>
     <message>
         <source>Drag the ends or the center of the range. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
@@ -6739,8 +6739,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Helligkeit der Pixel des Ziels</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars have the same color as the text.</source>
-        <translation>Helligkeit der Pixel des Ziels, von Schwarz links bis Weiß rechts. Pixel, die zu dunkel oder überbelichtet sind, haben ihre Farbe verloren. Ihre Balken haben die Farbe des Textes.</translation>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. The bars at the two ends, drawn in the color of text, count pixels that are too dark or overexposed: these pixels have lost their color.</source>
+        <translation>Helligkeit der Pixel des Ziels, von Schwarz links bis Weiß rechts. Die Balken an beiden Enden, in der Farbe von Text gezeichnet, zählen Pixel, die zu dunkel oder überbelichtet sind: Diese Pixel haben ihre Farbe verloren.</translation>
     </message>
 </context>
 <context>
@@ -9746,12 +9746,12 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Die Änderung gilt für neue Bilder. Mit „%1“ verfolgen Sie ab dem aktuellen Bild erneut.</translation>
     </message>
     <message>
-        <source>No trouble begins after the frame shown.</source>
-        <translation>Nach dem gezeigten Bild beginnt keine Störung.</translation>
+        <source>There is no new trouble after this frame.</source>
+        <translation>Nach diesem Bild gibt es keine neue Störung.</translation>
     </message>
     <message>
-        <source>No trouble begins before the frame shown.</source>
-        <translation>Vor dem gezeigten Bild beginnt keine Störung.</translation>
+        <source>There is no other trouble before this frame.</source>
+        <translation>Vor diesem Bild gibt es keine andere Störung.</translation>
     </message>
 </context>
 <context>
@@ -10571,16 +10571,16 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Anfangsfehler</translation>
     </message>
     <message>
-        <source>Initial position error</source>
-        <translation>Anfänglicher Positionsfehler</translation>
+        <source>Expected error of the initial positions</source>
+        <translation>Erwarteter Fehler der anfänglichen Positionen</translation>
     </message>
     <message>
         <source>Roughly how far each camera may be from its true position</source>
         <translation>Etwa wie weit jede Kamera von ihrer wahren Position entfernt sein kann</translation>
     </message>
     <message>
-        <source>Initial rotation error</source>
-        <translation>Anfänglicher Drehfehler</translation>
+        <source>Expected error of the initial rotations</source>
+        <translation>Erwarteter Fehler der anfänglichen Drehungen</translation>
     </message>
     <message>
         <source>Roughly how far each camera may be rotated from its true orientation</source>
@@ -10785,8 +10785,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Übersprungene Bilder, weil sie zu schnell kamen: %1.</translation>
     </message>
     <message>
-        <source>Positions of the ball were collected for %1.</source>
-        <translation>Positionen des Balls wurden %1 lang gesammelt.</translation>
+        <source>The positions of the ball have been recorded for %1 so far.</source>
+        <translation>Die Positionen des Balls wurden bisher %1 lang aufgenommen.</translation>
     </message>
     <message>
         <source>Keep waving: each camera should see the ball at least 150 times, spread over at least half of its image.</source>

@@ -4012,12 +4012,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>La pelota está en el otro extremo de la distancia conocida</translation>
     </message>
     <message>
-        <source>The ball begins to fall</source>
-        <translation>La pelota empieza a caer</translation>
+        <source>First frame of the fall</source>
+        <translation>Primer fotograma de la caída</translation>
     </message>
     <message>
-        <source>The ball is still falling</source>
-        <translation>La pelota todavía cae</translation>
+        <source>Last frame of the fall</source>
+        <translation>Último fotograma de la caída</translation>
     </message>
     <message>
         <source>At least two cameras must see the ball.</source>
@@ -6030,12 +6030,12 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>&amp;Intensidad</translation>
     </message>
     <message>
-        <source>First hue, 0 to 360 degrees. If it is larger than the last hue, the range passes through red (0 degrees)</source>
-        <translation>Primer tono, de 0 a 360 grados. Si es mayor que el último tono, el rango pasa por el rojo (0 grados)</translation>
+        <source>Start of the hue range, 0 to 360 degrees. If it is larger than the end, the range passes through red (0 degrees)</source>
+        <translation>Inicio del rango de tonos, de 0 a 360 grados. Si es mayor que el final, el rango pasa por el rojo (0 grados)</translation>
     </message>
     <message>
-        <source>Last hue, 0 to 360 degrees</source>
-        <translation>Último tono, de 0 a 360 grados</translation>
+        <source>End of the hue range, 0 to 360 degrees</source>
+        <translation>Final del rango de tonos, de 0 a 360 grados</translation>
     </message>
     <message>
         <source>Drag the ends or the center of the range. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
@@ -6739,8 +6739,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Brillo de los píxeles del objetivo</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars have the same color as the text.</source>
-        <translation>Brillo de los píxeles del objetivo, de negro a la izquierda a blanco a la derecha. Los píxeles demasiado oscuros o sobreexpuestos han perdido su color. Sus barras tienen el color del texto.</translation>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. The bars at the two ends, drawn in the color of text, count pixels that are too dark or overexposed: these pixels have lost their color.</source>
+        <translation>Brillo de los píxeles del objetivo, de negro a la izquierda a blanco a la derecha. Las barras de los dos extremos, dibujadas en el color del texto, cuentan los píxeles demasiado oscuros o sobreexpuestos: estos píxeles han perdido su color.</translation>
     </message>
 </context>
 <context>
@@ -9746,12 +9746,12 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>El cambio se aplica a los fotogramas nuevos. Use «%1» para seguir de nuevo desde el fotograma actual.</translation>
     </message>
     <message>
-        <source>No trouble begins after the frame shown.</source>
-        <translation>Después del fotograma mostrado no empieza ningún problema.</translation>
+        <source>There is no new trouble after this frame.</source>
+        <translation>No hay ningún problema nuevo después de este fotograma.</translation>
     </message>
     <message>
-        <source>No trouble begins before the frame shown.</source>
-        <translation>Antes del fotograma mostrado no empieza ningún problema.</translation>
+        <source>There is no other trouble before this frame.</source>
+        <translation>No hay ningún otro problema antes de este fotograma.</translation>
     </message>
 </context>
 <context>
@@ -10571,16 +10571,16 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Error inicial</translation>
     </message>
     <message>
-        <source>Initial position error</source>
-        <translation>Error de posición inicial</translation>
+        <source>Expected error of the initial positions</source>
+        <translation>Error esperado de las posiciones iniciales</translation>
     </message>
     <message>
         <source>Roughly how far each camera may be from its true position</source>
         <translation>Aproximadamente cuánto puede distar cada cámara de su posición real</translation>
     </message>
     <message>
-        <source>Initial rotation error</source>
-        <translation>Error de giro inicial</translation>
+        <source>Expected error of the initial rotations</source>
+        <translation>Error esperado de los giros iniciales</translation>
     </message>
     <message>
         <source>Roughly how far each camera may be rotated from its true orientation</source>
@@ -10785,8 +10785,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Fotogramas omitidos por llegar demasiado rápido: %1.</translation>
     </message>
     <message>
-        <source>Positions of the ball were collected for %1.</source>
-        <translation>Se reunieron posiciones de la pelota durante %1.</translation>
+        <source>The positions of the ball have been recorded for %1 so far.</source>
+        <translation>Hasta ahora se han registrado las posiciones de la pelota durante %1.</translation>
     </message>
     <message>
         <source>Keep waving: each camera should see the ball at least 150 times, spread over at least half of its image.</source>

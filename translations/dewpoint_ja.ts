@@ -4010,12 +4010,12 @@ Effective sample size %8 of %9</source>
         <translation>ボールが既知の距離のもう一方の端にある</translation>
     </message>
     <message>
-        <source>The ball begins to fall</source>
-        <translation>ボールが落ち始める</translation>
+        <source>First frame of the fall</source>
+        <translation>落下の最初のフレーム</translation>
     </message>
     <message>
-        <source>The ball is still falling</source>
-        <translation>ボールがまだ落ちている</translation>
+        <source>Last frame of the fall</source>
+        <translation>落下の最後のフレーム</translation>
     </message>
     <message>
         <source>At least two cameras must see the ball.</source>
@@ -6020,12 +6020,12 @@ Position x, y, z: %4, %5, %6</source>
         <translation>輝度(&amp;I)</translation>
     </message>
     <message>
-        <source>First hue, 0 to 360 degrees. If it is larger than the last hue, the range passes through red (0 degrees)</source>
-        <translation>最初の色相（0〜360 度）。最後の色相より大きいと、範囲は赤（0 度）をまたぎます</translation>
+        <source>Start of the hue range, 0 to 360 degrees. If it is larger than the end, the range passes through red (0 degrees)</source>
+        <translation>色相範囲の始まり（0〜360 度）。終わりより大きいと、範囲は赤（0 度）をまたぎます</translation>
     </message>
     <message>
-        <source>Last hue, 0 to 360 degrees</source>
-        <translation>最後の色相（0〜360度）</translation>
+        <source>End of the hue range, 0 to 360 degrees</source>
+        <translation>色相範囲の終わり（0〜360度）</translation>
     </message>
     <message>
         <source>Drag the ends or the center of the range. Keyboard: Tab selects a handle, arrow keys move it (ten times as far with Shift)</source>
@@ -6729,8 +6729,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>ターゲットのピクセルの明るさ</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. Pixels that are too dark or overexposed have lost their color. Their bars have the same color as the text.</source>
-        <translation>ターゲットのピクセルの明るさ。左が黒、右が白です。暗すぎるピクセルと露出オーバーのピクセルは色を失っています。その棒は文字と同じ色です。</translation>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. The bars at the two ends, drawn in the color of text, count pixels that are too dark or overexposed: these pixels have lost their color.</source>
+        <translation>ターゲットのピクセルの明るさ。左が黒、右が白です。文字と同じ色で描かれた両端の棒は、暗すぎるピクセルと露出オーバーのピクセルの数です。これらのピクセルは色を失っています。</translation>
     </message>
 </context>
 <context>
@@ -9727,12 +9727,12 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>変更は新しいフレームに適用されます。「%1」で現在のフレームから追跡し直せます。</translation>
     </message>
     <message>
-        <source>No trouble begins after the frame shown.</source>
-        <translation>表示中のフレームより後に始まるトラブルはありません。</translation>
+        <source>There is no new trouble after this frame.</source>
+        <translation>このフレームより後に新しいトラブルはありません。</translation>
     </message>
     <message>
-        <source>No trouble begins before the frame shown.</source>
-        <translation>表示中のフレームより前に始まるトラブルはありません。</translation>
+        <source>There is no other trouble before this frame.</source>
+        <translation>このフレームより前にほかのトラブルはありません。</translation>
     </message>
 </context>
 <context>
@@ -10549,16 +10549,16 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>初期誤差</translation>
     </message>
     <message>
-        <source>Initial position error</source>
-        <translation>位置の初期誤差</translation>
+        <source>Expected error of the initial positions</source>
+        <translation>初期位置の予想誤差</translation>
     </message>
     <message>
         <source>Roughly how far each camera may be from its true position</source>
         <translation>各カメラの真の位置からのおおよその距離</translation>
     </message>
     <message>
-        <source>Initial rotation error</source>
-        <translation>回転の初期誤差</translation>
+        <source>Expected error of the initial rotations</source>
+        <translation>初期回転の予想誤差</translation>
     </message>
     <message>
         <source>Roughly how far each camera may be rotated from its true orientation</source>
@@ -10763,8 +10763,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>速すぎたため飛ばしたフレーム: %1。</translation>
     </message>
     <message>
-        <source>Positions of the ball were collected for %1.</source>
-        <translation>%1間、ボールの位置を集めました。</translation>
+        <source>The positions of the ball have been recorded for %1 so far.</source>
+        <translation>これまでに %1間、ボールの位置を記録しました。</translation>
     </message>
     <message>
         <source>Keep waving: each camera should see the ball at least 150 times, spread over at least half of its image.</source>

@@ -126,7 +126,7 @@ BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, boo
   arguments.request.frameLimit = frameLimit;
   arguments.request.views = views;
   arguments.request.instants = instants;
-  arguments.request.worldFrame = worldFrame;
+  arguments.request.floorFrame = worldFrame;
   arguments.request.refineIntrinsics = refineLenses;
   return calibrateWithBoard(handle, arguments, progress);
 }

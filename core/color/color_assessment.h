@@ -97,8 +97,8 @@ struct ColorAssessment {
 
   /// Returns the separability as displayed, 0 to 100.
   int score() const { return static_cast<int>(std::lround(inPercent(separability))); }
-  /// Returns whether the color separates the target well from the background. The background then
-  /// has few matching pixels compared with the target, even if these pixels form large regions.
+  /// Returns whether the color separates the target well from the background: the background has
+  /// few matching pixels compared with the target. Their positions do not matter.
   bool isGood() const { return targetKnown && score() >= kGoodScore; }
   /// Returns whether much of the target does not match, which lowers the score.
   bool missesTarget() const { return targetKnown && targetShare < kMinTargetShare; }

@@ -17,7 +17,7 @@ StateEstimate estimateFrom(Moments moments) {
   result.mean = std::move(moments.mean);
   result.covariance = moments.scatter.selfadjointView<Eigen::Lower>();
   result.bestIndex = moments.largestIndex;
-  result.effectiveSampleSize = 1.0 / moments.squares;
+  result.effectiveSampleSize = 1.0 / moments.squaredWeightSum;
   return result;
 }
 

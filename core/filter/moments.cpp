@@ -13,7 +13,7 @@ struct WeightKernel {
   DEWPOINT_KERNEL void run(const double* weights, std::int64_t count, Moments* moments) {
     moments->weight = sumInLanes(
         count, [&](std::int64_t i) __attribute__((always_inline)) { return weights[i]; });
-    moments->squares = sumInLanes(
+    moments->squaredWeightSum = sumInLanes(
         count, [&](std::int64_t i)
                    __attribute__((always_inline)) { return weights[i] * weights[i]; });
     moments->largest = maxInLanes(
@@ -42,7 +42,7 @@ struct ScatterKernel {
 } // namespace
 
 void Moments::add(const Moments& other, double factor) {
-  squares += other.squares * factor * factor;
+  squaredWeightSum += other.squaredWeightSum * factor * factor;
   if (other.largest * factor > largest) {
     largest = other.largest * factor;
     largestIndex = other.largestIndex;

@@ -14,7 +14,7 @@ namespace dewpoint::filter {
 /// of squares about a distant origin would lose.
 struct Moments {
   double weight = 0.0;           ///< sum of the weights
-  double squares = 0.0;          ///< sum of the squared weights
+  double squaredWeightSum = 0.0; ///< sum of the squared weights
   double largest = -1.0;         ///< largest weight
   Eigen::Index largestIndex = 0; ///< index of the particle with the largest weight
   Eigen::VectorXd mean;          ///< weighted mean; empty if all weights are zero

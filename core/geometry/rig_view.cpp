@@ -39,7 +39,7 @@ double shiftOf(const BoxedRig& before, const BoxedRig& now) {
 }
 
 /// Of a rig that is calibrated as a whole, single cameras may keep their poses, too: without a
-/// floor, the first one does (setup::BoardCalibrationRequest::worldFrame). Such a rig is another.
+/// floor, the first one does (setup::BoardCalibrationRequest::floorFrame). Such a rig is another.
 bool isOneCamera(const BoxedRig& before, const BoxedRig& now) {
   std::size_t unchanged = 0;
   for (std::size_t k = 0; k < now.rig.size(); ++k) {

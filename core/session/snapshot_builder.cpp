@@ -27,7 +27,7 @@ TargetSnapshot snapshotOf(const TrackedTarget& trackedFrame, const Target& targe
   shown.particles = trackedFrame.particles.cast<double>();
   shown.weights = trackedFrame.weights.cast<double>();
   shown.positionCandidates = trackedFrame.positionCandidates;
-  shown.reasons = trackedFrame.reasons;
+  shown.cameraReports = trackedFrame.cameraReports;
   shown.status = trackedFrame.status;
   shown.boxParticles = trackedFrame.boxParticles;
   return shown;

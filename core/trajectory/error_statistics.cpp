@@ -42,10 +42,10 @@ CameraBias cameraBias(const TrajectoryCamera& camera, const std::vector<Eigen::V
   }
   CameraBias bias;
   bias.name = camera.name;
-  bias.alongBias = mean.dot(axis);
-  bias.acrossBias = (mean - mean.dot(axis) * axis).norm();
-  bias.alongRms = rootMeanSquare(along);
-  bias.acrossRms = rootMeanSquare(across);
+  bias.alongAxisBias = mean.dot(axis);
+  bias.acrossAxisBias = (mean - mean.dot(axis) * axis).norm();
+  bias.alongAxisRms = rootMeanSquare(along);
+  bias.acrossAxisRms = rootMeanSquare(across);
   return bias;
 }
 

@@ -13,10 +13,10 @@ namespace dewpoint::trajectory {
 /// Position error relative to one camera, in meters: along its optical axis (depth) and across it.
 struct CameraBias {
   std::string name;
-  double alongBias = 0.0;  ///< mean error along the axis; positive: estimated too far away
-  double acrossBias = 0.0; ///< length of the mean error across the axis
-  double alongRms = 0.0;   ///< root mean square error along the axis
-  double acrossRms = 0.0;  ///< root mean square error across the axis
+  double alongAxisBias = 0.0;  ///< mean error along the axis; positive: estimated too far away
+  double acrossAxisBias = 0.0; ///< length of the mean error across the axis
+  double alongAxisRms = 0.0;   ///< root mean square error along the axis
+  double acrossAxisRms = 0.0;  ///< root mean square error across the axis
 };
 
 /// Statistics of error lengths and the mean error vector, in meters.

@@ -27,11 +27,11 @@ std::string targetText(const Evaluation& e) {
       fmt::format("  bias x y z         {:+.1f} {:+.1f} {:+.1f} mm\n", inMillimeters(e.bias.x()),
                   inMillimeters(e.bias.y()), inMillimeters(e.bias.z()));
   for (const CameraBias& camera : e.cameras)
-    text +=
-        fmt::format("  camera {:<11} along axis {:+.1f} mm (rms {:.1f}), across {:.1f} mm (rms "
-                    "{:.1f})\n",
-                    camera.name, inMillimeters(camera.alongBias), inMillimeters(camera.alongRms),
-                    inMillimeters(camera.acrossBias), inMillimeters(camera.acrossRms));
+    text += fmt::format("  camera {:<11} along axis {:+.1f} mm (rms {:.1f}), across {:.1f} mm (rms "
+                        "{:.1f})\n",
+                        camera.name, inMillimeters(camera.alongAxisBias),
+                        inMillimeters(camera.alongAxisRms), inMillimeters(camera.acrossAxisBias),
+                        inMillimeters(camera.acrossAxisRms));
   return text;
 }
 
@@ -53,10 +53,10 @@ nlohmann::json targetJson(const Evaluation& e) {
     json["frames_to_converge"] = *e.framesToConverge;
   for (const CameraBias& camera : e.cameras)
     json["cameras"].push_back({{"name", camera.name},
-                               {"along_bias", camera.alongBias},
-                               {"across_bias", camera.acrossBias},
-                               {"along_rms", camera.alongRms},
-                               {"across_rms", camera.acrossRms}});
+                               {"along_bias", camera.alongAxisBias},
+                               {"across_bias", camera.acrossAxisBias},
+                               {"along_rms", camera.alongAxisRms},
+                               {"across_rms", camera.acrossAxisRms}});
   return json;
 }
 

@@ -87,7 +87,7 @@ TEST(PeopleSession, TracksAsTheCommandLineDoes) {
     // A body has some 0.07 m³; its hull, legs and all, not more than a box of 0.8 x 0.8 x 1.8 m.
     EXPECT_GT(target.shape->volume, 0.03);
     EXPECT_LT(target.shape->volume, 1.15);
-    ASSERT_EQ(target.shape->ground.size(), std::size(kGroundFractions));
+    ASSERT_EQ(target.shape->ground.size(), std::size(kGroundProbabilities));
     EXPECT_FALSE(target.shape->ground.back().empty());
   }
   ASSERT_EQ(last->peopleCameras.size(), 4U);

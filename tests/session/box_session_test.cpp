@@ -258,8 +258,8 @@ TEST(BoxSession, AHiddenTargetIsHeldAndSaysSo) {
   ASSERT_NE(hidden.box(), nullptr);
   EXPECT_FALSE(hidden.box()->visible);
   EXPECT_EQ(hidden.status, TargetStatus::Searching);
-  ASSERT_EQ(hidden.reasons.size(), 1U);
-  EXPECT_EQ(hidden.reasons[0].status, CameraStatus::Hidden);
+  ASSERT_EQ(hidden.cameraReports.size(), 1U);
+  EXPECT_EQ(hidden.cameraReports[0].status, CameraStatus::Hidden);
   stepTo(session, 40);
   EXPECT_EQ(session.newest()->targets[0].status, TargetStatus::Held);
 }

@@ -109,7 +109,7 @@ TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
   ASSERT_EQ(a.tail.size(), b.tail.size());
   EXPECT_EQ(a.tail.back(), b.tail.back());
   EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.reasons.size(), b.reasons.size());
+  EXPECT_EQ(a.cameraReports.size(), b.cameraReports.size());
   EXPECT_EQ(a.positionCandidates.size(), b.positionCandidates.size());
   ASSERT_TRUE(a.truth && b.truth);
   EXPECT_EQ(*a.truth, *b.truth);

@@ -74,14 +74,14 @@ TEST(Evaluation, SplitsErrorsAlongAndAcrossTheOpticalAxis) {
   const auto& cameras = result->front().cameras;
   ASSERT_EQ(cameras.size(), 2u);
   const double zRms = std::sqrt(4 * 16e-6 / 5); // four of five are 4 mm
-  EXPECT_NEAR(cameras[0].alongBias, 0.0, 1e-12);
-  EXPECT_NEAR(cameras[0].acrossBias, 0.003, 1e-12);
-  EXPECT_NEAR(cameras[0].alongRms, zRms, 1e-12);
-  EXPECT_NEAR(cameras[0].acrossRms, 0.003, 1e-12);
-  EXPECT_NEAR(cameras[1].alongBias, -0.003, 1e-12); // nearer to the camera than the truth
-  EXPECT_NEAR(cameras[1].acrossBias, 0.0, 1e-12);
-  EXPECT_NEAR(cameras[1].alongRms, 0.003, 1e-12);
-  EXPECT_NEAR(cameras[1].acrossRms, zRms, 1e-12);
+  EXPECT_NEAR(cameras[0].alongAxisBias, 0.0, 1e-12);
+  EXPECT_NEAR(cameras[0].acrossAxisBias, 0.003, 1e-12);
+  EXPECT_NEAR(cameras[0].alongAxisRms, zRms, 1e-12);
+  EXPECT_NEAR(cameras[0].acrossAxisRms, 0.003, 1e-12);
+  EXPECT_NEAR(cameras[1].alongAxisBias, -0.003, 1e-12); // nearer to the camera than the truth
+  EXPECT_NEAR(cameras[1].acrossAxisBias, 0.0, 1e-12);
+  EXPECT_NEAR(cameras[1].alongAxisRms, 0.003, 1e-12);
+  EXPECT_NEAR(cameras[1].acrossAxisRms, zRms, 1e-12);
 }
 
 TEST(Evaluation, CountsLostAndMissingFramesAfterConvergence) {

@@ -11,7 +11,7 @@
 #include "ui/color/color_picker.h"
 #include "ui/color/color_sample_list.h"
 #include "ui/color/follow_all_button.h"
-#include "ui/color/image_survey.h"
+#include "ui/color/image_histogram_job.h"
 #include "ui/color/learn_modes.h"
 #include "ui/document/document.h"
 #include "ui/document/method_presentation.h"
@@ -48,7 +48,7 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
       choice_(new ColorChoice(this)), picker_(new ColorPicker(this)),
       assessmentText_(new QLabel(this)), followAll_(new FollowAllButton(document, this)),
       samples_(new ColorSampleList(this)), assessSoon_(new QTimer(this)),
-      survey_(new ImageSurvey(this)) {
+      survey_(new ImageHistogramJob(this)) {
   setObjectName(QStringLiteral("colorPanel"));
   assessmentText_->setObjectName(QStringLiteral("colorAssessment"));
   assessmentText_->setWordWrap(true);
@@ -77,7 +77,7 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
     document_.endMerging();
     learner_->assess();
   });
-  connect(survey_, &ImageSurvey::finished, picker_, &ColorPicker::setHistogram);
+  connect(survey_, &ImageHistogramJob::finished, picker_, &ColorPicker::setHistogram);
   connect(samples_, &ColorSampleList::removeRequested, this, &ColorPanel::removeSample);
   connect(&pick_, &ImagePickTool::attached, this, [this] { setPicking(picking_); });
   connect(&pick_, &ImagePickTool::cancelled, this, [this] { setPicking(false); });

@@ -22,7 +22,7 @@ class ColorChoice;
 class ColorPicker;
 class ColorSampleList;
 class FollowAllButton;
-class ImageSurvey;
+class ImageHistogramJob;
 class Document;
 class ImagePickTool;
 class LearnModes;
@@ -110,7 +110,7 @@ private:
   std::optional<double> shownRadius_; ///< radius found by the last clicks on this target, meters
   bool isPart_ = false;               ///< the last clicks hit part of a larger object of this color
   QTimer* assessSoon_;
-  ImageSurvey* survey_;
+  ImageHistogramJob* survey_;
 };
 
 } // namespace dewpoint::ui

@@ -106,9 +106,9 @@ void ColorPicker::retranslateUi() {
   labels_[0]->setText(tr("H&ue"));
   labels_[1]->setText(tr("&Saturation"));
   labels_[2]->setText(tr("&Intensity"));
-  const QString hints[] = {tr("First hue, 0 to 360 degrees. If it is larger than the last hue, the "
-                              "range passes through red (0 degrees)"),
-                           tr("Last hue, 0 to 360 degrees"),
+  const QString hints[] = {tr("Start of the hue range, 0 to 360 degrees. If it is larger than the "
+                              "end, the range passes through red (0 degrees)"),
+                           tr("End of the hue range, 0 to 360 degrees"),
                            tr("Smallest saturation, 0 to 1"),
                            tr("Largest saturation, 0 to 1"),
                            tr("Smallest intensity, 0 to 1"),

@@ -65,7 +65,7 @@ QString reasonOf(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
                ? StatusBarPanel::tr(
                      "other objects fit equally well: press X and drag the target to its position")
            : snapshot.family.isDefined(target.target)
-               ? reasonText(target.reasons, cameraNames(snapshot))
+               ? reasonText(target.cameraReports, cameraNames(snapshot))
                : StatusBarPanel::tr("click the object or drag a box around it");
   };
   return std::visit(Overloaded{[&](const SphereEstimate&) { return ofCameras(); },

@@ -34,7 +34,8 @@ double level(const MapOptions& look, double value) {
 
 /// Between the values of a class and those that are worse.
 double surfaceLevel(const MapOptions& look, const MapClass& one) {
-  return look.quantity == MapQuantity::CameraCount ? one.bound - 0.5 : level(look, one.bound);
+  return look.quantity == MapQuantity::CameraCount ? one.upperBound - 0.5
+                                                   : level(look, one.upperBound);
 }
 
 } // namespace

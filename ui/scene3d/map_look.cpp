@@ -29,7 +29,7 @@ std::size_t classOf(const std::vector<MapClass>& classes, double value) {
     return classes.size();
   }
   std::size_t k = 0;
-  while (k < classes.size() && value > classes[k].bound) {
+  while (k < classes.size() && value > classes[k].upperBound) {
     ++k;
   }
   return k;

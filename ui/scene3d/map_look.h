@@ -25,10 +25,10 @@ struct MapOptions {
   bool operator==(const MapOptions&) const = default;
 };
 
-/// Class of map values drawn in one color: values up to `bound` and above the bound of the
+/// Class of map values drawn in one color: values up to `upperBound` and above the bound of the
 /// preceding class.
 struct MapClass {
-  double bound; ///< meters, or number of cameras; infinite for the last Sigma class
+  double upperBound; ///< meters, or number of cameras; infinite for the last Sigma class
   SceneColor color;
   bool surface; ///< whether the outer surface is drawn if the volume is shown
 };

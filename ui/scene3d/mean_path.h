@@ -10,16 +10,16 @@
 
 namespace dewpoint::ui {
 
-/// Path of the mean of each particle cloud over the last snapshots, while its target is not yet
-/// held (confirmed by the cameras). The path shows how the filter converges, iteration by
-/// iteration.
+/// Path of the mean of each particle cloud over the last snapshots, while the cameras have not yet
+/// confirmed the cloud's target. The path shows how the filter converges, iteration by iteration.
 class MeanPath {
 public:
   static constexpr std::size_t kMaxPositions = 60; ///< maximum number of positions in a path
 
   /// Adds the next snapshot. A snapshot of a past frame, or of a restarted run, starts a new path.
   void add(const TrackSnapshot& snapshot);
-  /// Returns a target's path in world coordinates (meters), oldest first; empty for a held target.
+  /// Returns a target's path in world coordinates (meters), oldest first; empty for a target
+  /// that the cameras confirm.
   const std::vector<Eigen::Vector3d>& of(std::size_t target) const;
 
 private:

@@ -40,10 +40,10 @@ private:
   bool chosen_ = false;
   vtkNew<vtkPolyData> hullData_;
   vtkNew<vtkPolyData> edgeData_;
-  std::array<vtkNew<vtkPolyData>, std::size(kGroundFractions)> curveData_;
+  std::array<vtkNew<vtkPolyData>, std::size(kGroundProbabilities)> curveData_;
   vtkSmartPointer<vtkActor> hull_;
   vtkSmartPointer<vtkActor> edges_;
-  std::array<vtkSmartPointer<vtkActor>, std::size(kGroundFractions)> curves_;
+  std::array<vtkSmartPointer<vtkActor>, std::size(kGroundProbabilities)> curves_;
 };
 
 } // namespace dewpoint::ui

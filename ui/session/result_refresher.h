@@ -45,6 +45,7 @@ public:
   bool isRefreshing() const { return refreshing_ != Refreshing::No && !isRerunning_; }
 
 Q_SIGNALS:
+  /// Emitted when the return value of oldResults() has changed.
   void oldResultsChanged();
   /// Emitted when frames with results of earlier settings can now be tracked again (`offers` is
   /// true), or no longer can.

@@ -355,9 +355,9 @@ void SessionController::rerun() {
   }
 }
 
-void SessionController::startAfterLearning(bool isNew) {
+void SessionController::startAfterLearning(bool isNewTarget) {
   const bool isTracked = shown_ && shown_->frameCount && shown_->history.head > 0;
-  if (!shown_ || isPlaying() || !isNew || isTracked) {
+  if (!shown_ || isPlaying() || !isNewTarget || isTracked) {
     return;
   }
   const bool isLate = shown_->frameCount && shown_->frame > 0 && shown_->state != PlayState::Ended;
@@ -367,8 +367,8 @@ void SessionController::startAfterLearning(bool isNew) {
   }
 }
 
-void SessionController::startAfterBoxDrawn(bool isNew) {
-  if (!shown_ || shown_->state != PlayState::Paused || !isNew) {
+void SessionController::startAfterBoxDrawn(bool isFirstBox) {
+  if (!shown_ || shown_->state != PlayState::Paused || !isFirstBox) {
     return;
   }
   // From a frame that was tracked already it is tracked again by itself, up to where the run

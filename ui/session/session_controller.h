@@ -91,12 +91,13 @@ public:
   /// Starts the run after a color was learned, because a user who points at an object wants to see
   /// it tracked. There is one exception: if more than the beginning of a recording has been
   /// tracked, the run stays at its current frame, and the ResultRefresher decides whether to track
-  /// again. Emits `startedLate()` if the run does not start at the first frame of a recording.
-  void startAfterLearning(bool isNew);
+  /// again. Does nothing unless `isNewTarget` is true, that is, the target did not exist before.
+  /// Emits `startedLate()` if the run does not start at the first frame of a recording.
+  void startAfterLearning(bool isNewTarget);
   /// Starts the run after a target got its first box. A later box does not start the run, because
   /// users often set several boxes in the same image, and a run that the user has paused stays
   /// paused.
-  void startAfterBoxDrawn(bool isNew);
+  void startAfterBoxDrawn(bool isFirstBox);
 
 Q_SIGNALS:
   void openingChanged(bool opening);

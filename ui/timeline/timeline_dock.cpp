@@ -49,8 +49,8 @@ void openFrameField(const Workbench& bench, ViewDock* dock, Timeline* timeline, 
 void stepToTrouble(const Workbench& bench, Timeline* timeline, int direction) {
   if (!timeline->stepToTrouble(direction)) {
     bench.messages.showNotice(direction > 0
-                                  ? Timeline::tr("No trouble begins after the frame shown.")
-                                  : Timeline::tr("No trouble begins before the frame shown."));
+                                  ? Timeline::tr("There is no new trouble after this frame.")
+                                  : Timeline::tr("There is no other trouble before this frame."));
   }
 }
 

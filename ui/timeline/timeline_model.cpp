@@ -136,7 +136,7 @@ QString TimelineModel::describe(qint64 frame) const {
         QStringLiteral("\n%1 %2 (%3)")
             .arg(targets.value(static_cast<int>(k)), trackingStateText(trackingState(entry.status)),
                  numberText(static_cast<double>(entry.existenceProbability), 2));
-    if (const QString reason = reasonText(entry.reasons, cameras); !reason.isEmpty()) {
+    if (const QString reason = reasonText(entry.cameraReports, cameras); !reason.isEmpty()) {
       text += QStringLiteral(" – ") + reason;
     }
     if (isCorrected(k, frame)) {

@@ -91,7 +91,7 @@ void printIntrinsics(const BoardDetections::PerCamera& seen, const IntrinsicsRes
   const auto& focal = result.parameters.front();
   fmt::print("{} {:.2f} +- {:.2f} px; error of a ray at most {:.2f} px (1 sigma) anywhere in the "
              "image; the corners cover {:.0f} % of it\n",
-             focal.name, focal.value, focal.sigma, result.worstProjectionPx,
+             focal.name, focal.value, focal.sigma, result.maxProjectionSigmaPx,
              inPercent(result.coverage.coveredFraction()));
   printViews(result.views);
 }
@@ -343,7 +343,7 @@ void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode) {
       ->required();
   addBoardOptions(*command, *options);
   command
-      ->add_option("--world-frame", options->request.worldFrame,
+      ->add_option("--world-frame", options->request.floorFrame,
                    "Frame in which the board lies on the floor and defines the world: X along the "
                    "rows of the board, Y toward its upper edge, Z up. Without this option, the "
                    "first camera keeps its pose")

@@ -102,7 +102,7 @@ void printCameras(const WandRefinement& refinement) {
     const PoseShift shift = poseShift(refinement.before[c], camera);
     fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9.2f} {:>11.2f}", camera.name, result.views[c],
                result.dropped[c],
-               result.views[c] > 0 ? fmt::format("{:.3f}", result.cameraMedianPx[c]) : "-",
+               result.views[c] > 0 ? fmt::format("{:.3f}", result.cameraMedianResidualPx[c]) : "-",
                inCentimeters(shift.meters), inDegrees(shift.radians));
     if (options.findOffsets) {
       fmt::print(" {:>9.2f}", -inMilliseconds(result.offsets[c]) + 0.0); // no -0.00

@@ -184,7 +184,7 @@ void BoardGuidance::acceptCalibration(const IntrinsicsResult& result) {
   camera_ = result.camera;
   camera_.intrinsics.width = width;
   camera_.intrinsics.height = height;
-  projectionPx_ = result.independentProjectionPx;
+  projectionPx_ = result.independentProjectionSigmaPx;
   calibratedViews_ = result.views.size();
 }
 

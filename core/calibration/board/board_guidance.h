@@ -32,7 +32,7 @@ struct GuidanceSettings {
       0.25;          ///< fraction of the image area that the board should fill in at least one view
   int minViews = 10; ///< minimum number of views before the guidance can end
   int maxViews = 60; ///< maximum number of views; the guidance then ends, whatever the accuracy
-  /// The guidance ends when IntrinsicsResult::worstProjectionPx is at most this value, pixels.
+  /// The guidance ends when IntrinsicsResult::maxProjectionSigmaPx is at most this value, pixels.
   double requestedProjectionPx = 0.3;
 };
 
@@ -46,8 +46,8 @@ struct GuidanceState {
   int views = 0;                    ///< number of views captured so far
   double holdProgress = 0.0;        ///< elapsed fraction of GuidanceSettings::holdSeconds, 0 to 1
   bool captured = false;            ///< true if this image was captured as a view
-  /// IntrinsicsResult::independentProjectionPx of the latest calibration, pixels; empty before the
-  /// first calibration.
+  /// IntrinsicsResult::independentProjectionSigmaPx of the latest calibration, pixels; empty before
+  /// the first calibration.
   std::optional<double> projectionPx;
 };
 

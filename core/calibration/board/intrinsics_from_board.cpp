@@ -238,11 +238,11 @@ private:
     result.evidence = lensEvidence(request_.board, camera_, parameters, fits_);
     const Eigen::MatrixXd found = lensJackknife(result.evidence);
     result.covariance = widenedCovariance(stated, found);
-    result.independentProjectionPx = projectionSigma(camera_, parameters, stated);
-    result.worstProjectionPx = result.independentProjectionPx;
+    result.independentProjectionSigmaPx = projectionSigma(camera_, parameters, stated);
+    result.maxProjectionSigmaPx = result.independentProjectionSigmaPx;
     if (found.size() > 0) {
-      result.worstProjectionPx =
-          std::max(result.worstProjectionPx, projectionSigma(camera_, parameters, found));
+      result.maxProjectionSigmaPx =
+          std::max(result.maxProjectionSigmaPx, projectionSigma(camera_, parameters, found));
     }
     const Eigen::VectorXd values = parameters.of(camera_);
     for (Eigen::Index k = 0; k < values.size(); ++k) {

@@ -67,11 +67,11 @@ struct IntrinsicsResult {
   BoardCoverage coverage; ///< coverage of the views used
   /// Largest standard deviation of the projection of a ray across the image, in pixels; see
   /// projectionSigma().
-  double worstProjectionPx = 0.0;
+  double maxProjectionSigmaPx = 0.0;
   /// Largest standard deviation of the projection of a ray across the image, in pixels, if the
   /// errors of all corners are assumed to be independent. It decreases with every added view, so it
   /// indicates whether there are enough views.
-  double independentProjectionPx = 0.0;
+  double independentProjectionSigmaPx = 0.0;
 };
 
 /// Estimates intrinsics from images of a board with Zhang's method (2000), using OpenCV's

@@ -65,7 +65,7 @@ double BlockJackknife::factor() const {
 }
 
 BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
-                              const CamerasWithout& camerasWithout) {
+                              const InitialCamerasWithout& initialCamerasWithout) {
   BlockJackknife jackknife;
   const std::size_t count = problem.states.size();
   const std::size_t blocks = std::min(kMostBlocks, count);
@@ -73,7 +73,8 @@ BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& 
     const std::size_t first = block * count / blocks;
     const std::size_t end = (block + 1) * count / blocks;
     BundleProblem rest = statesOf(problem, first, end, false);
-    const CameraRig before = camerasWithout ? camerasWithout(first, end) : CameraRig{};
+    const CameraRig before =
+        initialCamerasWithout ? initialCamerasWithout(first, end) : CameraRig{};
     for (std::size_t c = 0; c < rest.cameras.size(); ++c) {
       Camera& camera = rest.cameras[c].camera;
       camera.cameraFromWorld = result.cameras[c].cameraFromWorld;

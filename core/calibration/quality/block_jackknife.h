@@ -11,10 +11,11 @@
 
 namespace dewpoint::calibration {
 
-/// Function that returns the start cameras of an adjustment that leaves out the states with indices
-/// from `first` to before `end`. Needed if the intrinsics were estimated from the same images,
-/// because the intrinsics then depend on these states, too.
-using CamerasWithout = std::function<CameraRig(std::size_t first, std::size_t end)>;
+/// Function that returns the cameras from which an adjustment starts if the states with indices
+/// from `first` to before `end` are left out. It is needed if the intrinsics were estimated from
+/// the same images: then their initial values must be estimated without the images of these states,
+/// too.
+using InitialCamerasWithout = std::function<CameraRig(std::size_t first, std::size_t end)>;
 
 /// Solutions of an adjustment that was repeated, each time without one block of neighboring states.
 struct BlockJackknife {
@@ -36,7 +37,7 @@ struct BlockJackknife {
 /// error is left out together with its block, so the scatter of the solutions includes it. A
 /// repetition without a solution is skipped. States that are `fixed` are never left out.
 BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
-                              const CamerasWithout& camerasWithout = nullptr);
+                              const InitialCamerasWithout& initialCamerasWithout = nullptr);
 
 /// Returns the displacement of each position (3 rows for each position; meters) for each solution
 /// (columns). The position is triangulated by the cameras of the solution, from the pixels at which

@@ -132,7 +132,7 @@ BoardReport::CameraPart reportPart(const std::string& name, const IntrinsicsResu
   part.coverage = result.coverage;
   part.views = result.views;
   part.parameters = result.parameters;
-  part.projectionPx = result.worstProjectionPx;
+  part.projectionPx = result.maxProjectionSigmaPx;
   return part;
 }
 

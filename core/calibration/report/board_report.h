@@ -19,7 +19,7 @@ struct BoardReport {
     BoardCoverage coverage;
     std::vector<ViewFit> views;
     std::vector<EstimatedParameter> parameters; ///< empty if the intrinsics were given
-    std::optional<double> projectionPx;         ///< IntrinsicsResult::worstProjectionPx, pixels
+    std::optional<double> projectionPx;         ///< IntrinsicsResult::maxProjectionSigmaPx, pixels
     /// Standard deviation of the position, meters; empty unless poses were estimated.
     std::optional<double> centerSigma;
     /// Standard deviation of the orientation, radians; empty unless poses were estimated.

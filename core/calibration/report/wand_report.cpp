@@ -72,8 +72,9 @@ void addStatistics(std::string& html, const WandReport& report) {
                    "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
                    "<td>{:.2f}</td><td>{:.2f}°</td>",
                    htmlEscaped(camera.name), result.views[c], result.dropped[c],
-                   pixelsOf(result.bundle.cameraRms.at(c)), pixelsOf(result.cameraMedianPx[c]),
-                   inCentimeters(shift.meters), inDegrees(shift.radians));
+                   pixelsOf(result.bundle.cameraRms.at(c)),
+                   pixelsOf(result.cameraMedianResidualPx[c]), inCentimeters(shift.meters),
+                   inDegrees(shift.radians));
     if (report.offsetsFound) {
       fmt::format_to(out, "<td>{:.2f}</td>", inMilliseconds(-result.offsets[c]) + 0.0);
     }

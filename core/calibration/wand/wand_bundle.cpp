@@ -149,7 +149,7 @@ BundleProblem subsampledBundle(const BundleProblem& problem, int most, bool inRu
   return fewer;
 }
 
-void updateOutlineShifts(const std::array<double, 2>& ballRadius, const BundleResult& now,
+void updateOutlineShifts(const std::array<double, 2>& ballRadii, const BundleResult& now,
                          BundleProblem& problem) {
   std::vector<SphereProjector> projectors;
   for (const Camera& camera : now.cameras) {
@@ -157,7 +157,7 @@ void updateOutlineShifts(const std::array<double, 2>& ballRadius, const BundleRe
   }
   for (BundleObservation& seen : problem.observations) {
     const BundleState& state = now.states[seen.state];
-    const double radius = ballRadius[seen.point];
+    const double radius = ballRadii[seen.point];
     if (!state.known || !(radius > 0.0)) {
       continue;
     }

@@ -19,8 +19,8 @@ Result<BundleProblem> wandBundle(const WandProblem& problem);
 BundleProblem subsampledBundle(const BundleProblem& problem, int most, bool inRuns);
 
 /// Sets BundleObservation::outlineShift of every observation, computed from the cameras and states
-/// in `now`. `ballRadius`: radii of balls 0 and 1, meters.
-void updateOutlineShifts(const std::array<double, 2>& ballRadius, const BundleResult& now,
+/// in `now`. `ballRadii`: radii of balls 0 and 1, meters.
+void updateOutlineShifts(const std::array<double, 2>& ballRadii, const BundleResult& now,
                          BundleProblem& problem);
 
 /// In each state, drops the observation with the largest residual if this residual exceeds `limit`

@@ -134,7 +134,7 @@ private:
       for (std::size_t c = 0; c < rig.size(); ++c) {
         bundle.cameras[c].camera = now->cameras[c];
       }
-      updateOutlineShifts(given_.ballRadius, *now, bundle);
+      updateOutlineShifts(given_.ballRadii, *now, bundle);
     }
     return now;
   }
@@ -229,7 +229,7 @@ private:
         bundle.cameras[c].camera = result_.bundle.cameras[c];
         bundle.cameras[c].offset = result_.bundle.offsets[c];
       }
-      updateOutlineShifts(given_.ballRadius, result_.bundle, bundle);
+      updateOutlineShifts(given_.ballRadii, result_.bundle, bundle);
       bundle.draft = !(clean && round > 0) && round + 2 < kMostWandRounds;
     }
     return {};
@@ -277,7 +277,7 @@ private:
       }
     }
     for (std::size_t c = 0; c < result_.cameras.size(); ++c) {
-      result_.cameraMedianPx.push_back(
+      result_.cameraMedianResidualPx.push_back(
           medianResidual(result_.problem, result_.bundle, static_cast<int>(c)));
     }
   }

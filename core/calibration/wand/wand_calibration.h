@@ -49,7 +49,7 @@ struct TouchedDistance {
 struct WandProblem {
   CameraRig initialRig;                              ///< approximate poses of the cameras
   std::vector<std::vector<MarkerObservation>> views; ///< views of each camera in `initialRig`
-  std::array<double, 2> ballRadius = {
+  std::array<double, 2> ballRadii = {
       0.0, 0.0}; ///< radii of the balls, meters; 0: unknown, so that balls are treated as points
   double stickLength =
       0.0; ///< distance between the centers of balls 0 and 1, meters; 0: only one ball
@@ -89,7 +89,7 @@ struct WandResult {
   CameraRig cameras;           ///< same names as the initial cameras
   std::vector<double> offsets; ///< seconds; true time = camera's time + offset
   std::vector<double>
-      cameraMedianPx; ///< median length of the residuals that were kept, pixels, per camera
+      cameraMedianResidualPx; ///< median length of the residuals that were kept, pixels, per camera
   double medianPx = 0.0;
   std::vector<std::size_t> views;   ///< number of views used, per camera
   std::vector<std::size_t> dropped; ///< number of views dropped as outliers, per camera

@@ -56,7 +56,7 @@ Result<ScaleEstimate> scaleOfDiameter(const WandProblem& problem, const BundlePr
   double pixels = 0.0;
   for (std::size_t i = 0; i < bundle.observations.size(); ++i) {
     const BundleObservation& seen = bundle.observations[i];
-    const double radius = problem.ballRadius[seen.point];
+    const double radius = problem.ballRadii[seen.point];
     if (!std::isfinite(now.residuals[i].norm()) || !(seen.radius > 0.0) || !(radius > 0.0)) {
       continue;
     }
@@ -152,7 +152,7 @@ Result<Similarity> onFloor(const WandProblem& problem, const BundleResult& now,
   }
   Similarity change = toUpright(up);
   // The floor is one radius below the middles of the balls that lie on it.
-  change.translation.z() = problem.ballRadius[0] - (change.rotation * middle).z();
+  change.translation.z() = problem.ballRadii[0] - (change.rotation * middle).z();
   return change;
 }
 

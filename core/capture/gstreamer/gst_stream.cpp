@@ -10,6 +10,7 @@
 #include <gst/gst.h>
 #include <mutex>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 namespace dewpoint::capture {
@@ -21,6 +22,7 @@ namespace {
 constexpr auto kStreamSilence = 2s;       ///< after which a stream is lost
 constexpr auto kLongestGrab = 1s;         ///< of a stream of which no image can be made yet
 constexpr auto kPullSlice = 50ms;         ///< between two looks at errors
+constexpr auto kEndSlice = 5ms;           ///< between two looks whether all branches have ended
 constexpr std::size_t kArrivalsKept = 64; ///< more than a decoder holds back
 
 using SteadyClock = std::chrono::steady_clock;
@@ -164,11 +166,12 @@ tl::expected<void, std::string> GstStream::prepare() {
   if (imageSink_ == nullptr) {
     return tl::make_unexpected(std::string("the GStreamer pipeline has no appsink at its end"));
   }
-  if (GstElement* sink = named(kEncodedSinkName)) {
+  encodedSink_ = named(kEncodedSinkName);
+  if (encodedSink_ != nullptr) {
     GstAppSinkCallbacks callbacks{};
     callbacks.new_sample = &EncodedBranch::receive;
     gst_app_sink_set_callbacks(
-        GST_APP_SINK(sink), &callbacks, new std::shared_ptr<EncodedBranch>(branch_),
+        GST_APP_SINK(encodedSink_), &callbacks, new std::shared_ptr<EncodedBranch>(branch_),
         [](gpointer data) { delete static_cast<std::shared_ptr<EncodedBranch>*>(data); });
   }
   return {};
@@ -182,12 +185,12 @@ tl::expected<void, std::string> GstStream::open() {
   const bool failed =
       gst_element_set_state(pipeline_.get(), GST_STATE_PLAYING) == GST_STATE_CHANGE_FAILURE;
   const auto deadline = Clock::now() + kStreamSilence;
-  while (isAlive() && !failed && Clock::now() < deadline) {
-    first_ = pull(kPullSlice);
+  do {
+    first_ = pull(kPullSlice); // before the look at its end: a short stream can be over by now
     if (first_ || branch_->hasData) {
       return {};
     }
-  }
+  } while (isAlive() && !failed && Clock::now() < deadline);
   if (lost_.empty()) {
     lost_ = failed ? "it cannot be started" : "no answer for two seconds";
   }
@@ -198,26 +201,30 @@ bool GstStream::isSilent() const {
   return Clock::now() - Clock::time_point(Clock::duration(branch_->lastData)) > kStreamSilence;
 }
 
+bool GstStream::haveSinksEnded() const {
+  // The two branches have threads of their own: the one with all images can be behind.
+  return gst_app_sink_is_eos(GST_APP_SINK(imageSink_)) != 0 &&
+         (encodedSink_ == nullptr || gst_app_sink_is_eos(GST_APP_SINK(encodedSink_)) != 0);
+}
+
 bool GstStream::isAlive() {
   GstBus* bus = gst_element_get_bus(pipeline_.get());
-  GstMessage* message =
-      gst_bus_pop_filtered(bus, static_cast<GstMessageType>(GST_MESSAGE_ERROR | GST_MESSAGE_EOS));
+  GstMessage* message = gst_bus_pop_filtered(bus, GST_MESSAGE_ERROR);
   gst_object_unref(bus);
-  const bool isError = message != nullptr && GST_MESSAGE_TYPE(message) == GST_MESSAGE_ERROR;
-  if (isError) {
-    lost_ = gstReasonOf(message);
-  }
   if (message != nullptr) {
+    lost_ = gstReasonOf(message);
     gst_message_unref(message);
+    return false;
   }
-  ended_ = !isError && (message != nullptr || gst_app_sink_is_eos(GST_APP_SINK(imageSink_)));
+  // Not asked of the bus: it reports the end while images still wait in the sinks.
+  ended_ = haveSinksEnded();
   if (ended_) {
     lost_ = "the stream has ended";
     if (feed_) {
       feed_->setEnded();
     }
   }
-  return !isError && !ended_;
+  return !ended_;
 }
 
 GstSamplePtr GstStream::pull(Clock::duration patience) {
@@ -226,6 +233,9 @@ GstSamplePtr GstStream::pull(Clock::duration patience) {
       static_cast<GstClockTime>(std::chrono::nanoseconds(patience).count())));
   if (sample && pipelineText_.hasOwnSink) {
     branch_->setData(Clock::now());
+  }
+  if (!sample && gst_app_sink_is_eos(GST_APP_SINK(imageSink_)) != 0) {
+    std::this_thread::sleep_for(kEndSlice); // an ended sink answers at once
   }
   return sample;
 }

@@ -50,6 +50,8 @@ private:
   struct EncodedBranch;
 
   bool isSilent() const;
+  /// Returns whether the last image has come out of every branch of the pipeline.
+  bool haveSinksEnded() const;
   /// Returns whether the stream continues, without an end or an error.
   bool isAlive();
   /// Returns the next decoded image. Waits for at most `patience`; returns null after that.
@@ -60,9 +62,10 @@ private:
   EncodedFeedPtr feed_;
   std::shared_ptr<EncodedBranch> branch_; ///< shared with the callbacks of its sink
   GstElementPtr pipeline_;
-  _GstElement* imageSink_ = nullptr; ///< in the pipeline
-  GstSamplePtr sample_;              ///< the image grabbed last
-  GstSamplePtr first_;               ///< an image that came while opening
+  _GstElement* imageSink_ = nullptr;   ///< in the pipeline
+  _GstElement* encodedSink_ = nullptr; ///< in the pipeline; null if the user's has no such branch
+  GstSamplePtr sample_;                ///< the image grabbed last
+  GstSamplePtr first_;                 ///< an image that came while opening
   BufferClock clock_;
   std::optional<CaptureInstant> captured_;
   std::optional<Clock::time_point> arrived_;

@@ -157,8 +157,8 @@ ColorLikelihood TargetColorModel::likelihoodForCamera(const ColorGain& gain,
           continue;
         }
         const double prior = kPrior * (2.0 * inside.share(b, g, r) - 1.0);
-        const double unseen = kUnseenDensity * std::exp(0.5 * prior);
-        const double unseenRest = kUnseenDensity * std::exp(-0.5 * prior);
+        const double unseen = kUnseenColorDensity * std::exp(0.5 * prior);
+        const double unseenRest = kUnseenColorDensity * std::exp(-0.5 * prior);
         const double seen = std::log((targetDensity.at(cell) + unseen) /
                                      (restPerTarget * restDensity.at(cell) + unseenRest));
         logRatios[cell] =

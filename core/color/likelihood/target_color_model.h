@@ -32,11 +32,11 @@ struct ColorGain {
 /// The table for a camera, per color cell, is
 ///   (1 - w) prior + w ln((t + u exp(prior / 2)) / (k r + u exp(-prior / 2))),   w = n / (n + 20).
 /// Here t and r are the densities of the colors of the target and of the rest (ColorDensity,
-/// relative to colors spread evenly), u is kUnseenDensity, and k is restPerTarget. n is the number
-/// of pixels of the target or of the rest, whichever is smaller. If one of the two has no pixels, n
-/// is the number of pixels of the other. With few pixels, the result is close to the prior. For
-/// colors that were never seen, the result is the prior. The result is about 0 for colors that are
-/// k times as dense in the target as in the rest.
+/// relative to colors spread evenly), u is kUnseenColorDensity, and k is restPerTarget. n is the
+/// number of pixels of the target or of the rest, whichever is smaller. If one of the two has no
+/// pixels, n is the number of pixels of the other. With few pixels, the result is close to the
+/// prior. For colors that were never seen, the result is the prior. The result is about 0 for
+/// colors that are k times as dense in the target as in the rest.
 class TargetColorModel {
 public:
   // The constants below are judgments, not measurements.
@@ -49,7 +49,7 @@ public:
   /// u in the formula above, as a multiple of the density of evenly spread colors. Where both t and
   /// k r are much smaller than this, a color counts as never seen, and its value is about the
   /// prior.
-  static constexpr double kUnseenDensity = 0.3;
+  static constexpr double kUnseenColorDensity = 0.3;
   /// Margins between the range and the limits. The hue margin is at least twice the effect of other
   /// light on a hue (withLightVariations()). The other margins are about equal to the effect of
   /// other light, because a fitted range ends where the background begins.

@@ -127,9 +127,9 @@ void fillErrors(const std::vector<Eigen::Vector3d>& errors, const CameraRig& rig
   row.maxMm = inMillimeters(split.summary.max);
   row.biasMm = inMillimeters(split.summary.bias.norm());
   if (split.meanView) {
-    row.depthMm = inMillimeters(split.meanView->alongRms);
-    row.lateralMm = inMillimeters(split.meanView->acrossRms);
-    row.depthBiasMm = inMillimeters(split.meanView->alongBias);
+    row.depthMm = inMillimeters(split.meanView->alongAxisRms);
+    row.lateralMm = inMillimeters(split.meanView->acrossAxisRms);
+    row.depthBiasMm = inMillimeters(split.meanView->alongAxisBias);
   }
 }
 

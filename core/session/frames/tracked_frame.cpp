@@ -14,7 +14,7 @@ std::size_t TrackedFrame::bytes() const {
     sum += sizeof(float) * static_cast<std::size_t>(target.boxParticles.centers.size() +
                                                     target.boxParticles.weights.size());
     sum += target.positionCandidates.capacity() * sizeof(CandidatePosition);
-    sum += target.reasons.capacity() * sizeof(CameraReport);
+    sum += target.cameraReports.capacity() * sizeof(CameraReport);
     sum += cameraEvidenceOf(target.estimate).capacity() * sizeof(CameraEvidence);
     for (const ColorRanges& colors : colorsOf(target.estimate)) {
       sum += sizeof(ColorRanges) + colors.size() * sizeof(ColorRange);
@@ -43,7 +43,7 @@ FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames
                       target.status == TargetStatus::Ambiguous; // no camera contradicts it
     record.targets.push_back({target.status,
                               static_cast<float>(existenceProbabilityOf(target.estimate)),
-                              held ? std::vector<CameraReport>() : target.reasons});
+                              held ? std::vector<CameraReport>() : target.cameraReports});
   }
   return record;
 }

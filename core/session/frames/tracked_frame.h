@@ -32,7 +32,8 @@ struct TrackedTarget {
   Eigen::ArrayXXf particles; ///< rows of x, y, z; meters
   Eigen::ArrayXf weights;    ///< one per row, linear
   std::vector<CandidatePosition> positionCandidates;
-  std::vector<CameraReport> reasons; ///< per camera: whether it confirms the target, or why not
+  std::vector<CameraReport>
+      cameraReports; ///< per camera: whether it confirms the target, or why not
   TargetStatus status = TargetStatus::Searching;
   BoxParticles boxParticles; ///< particles of a BoxEstimate
   /// Time, in seconds, at which the target was last held (confirmed by the cameras); the time of
@@ -59,7 +60,7 @@ struct FrameRecord {
   struct Entry {
     TargetStatus status = TargetStatus::Searching;
     float existenceProbability = 0.0F;
-    std::vector<CameraReport> reasons; ///< empty while held
+    std::vector<CameraReport> cameraReports; ///< empty while held
   };
   std::int64_t frame = 0;
   double time = 0.0;                ///< seconds

@@ -40,7 +40,7 @@ std::string hullRows(const PersonEstimate& person, const ConvexHull& hull, std::
 std::string groundRows(const PersonEstimate& person, const GroundGrid& density,
                        std::int64_t frame) {
   std::string text;
-  for (const double share : kGroundFractions) {
+  for (const double share : kGroundProbabilities) {
     int curve = 0;
     for (const LevelCurve& line : levelCurves(density, levelForProbability(density, share))) {
       int point = 0;

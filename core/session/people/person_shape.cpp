@@ -34,7 +34,7 @@ PersonShape personShape(const BodyCloud& body) {
   shape.hull = bodyHull(shown);
   shape.volume = shape.hull.volume();
   const GroundGrid density = groundDensity(shown);
-  for (const double share : kGroundFractions) {
+  for (const double share : kGroundProbabilities) {
     shape.ground.push_back(levelCurves(density, levelForProbability(density, share)));
   }
   return shape;

@@ -15,13 +15,14 @@ struct PersonShape {
   ConvexHull hull;     ///< convex hull of the 95 % volume
   double volume = 0.0; ///< volume of the hull, m³
   /// Level curves of the person's density on the floor. Each entry has the curves around the
-  /// smallest area that contains one of the fractions kGroundFractions, the smallest area first. An
-  /// area may have several parts.
+  /// smallest area in which the person stands with one of the probabilities kGroundProbabilities,
+  /// the smallest area first. An area may have several parts.
   std::vector<std::vector<LevelCurve>> ground;
 };
 
-/// Fractions of a person's density on the floor for which level curves are drawn.
-inline constexpr double kGroundFractions[] = {0.25, 0.5, 0.75, 0.95};
+/// Probabilities of the floor areas around which level curves are drawn: the person stands inside
+/// an area with this probability.
+inline constexpr double kGroundProbabilities[] = {0.25, 0.5, 0.75, 0.95};
 /// Largest number of points from which a person's shape is computed, to limit the computing time.
 inline constexpr int kMaxShapePoints = 500;
 

@@ -333,7 +333,7 @@ TrackedFrame TrackingRun::currentFrame(const TrackedFrame* recorded, int boxPart
     TrackedTarget& target = trackedFrame.targets[k];
     if (recorded != nullptr && k < recorded->targets.size()) {
       target.status = recorded->targets[k].status;
-      target.reasons = recorded->targets[k].reasons;
+      target.cameraReports = recorded->targets[k].cameraReports;
       target.positionCandidates = recorded->targets[k].positionCandidates;
     } else {
       target.status = std::visit(kStatusBeforeTracking, target.estimate);
@@ -357,7 +357,7 @@ TrackedFrame TrackingRun::trackedFrame(int particleLimit, const TrackedFrame* pr
       target.positionCandidates = proposing->positionCandidates(k);
     }
     if (explaining != nullptr) {
-      target.reasons = explaining->cameraReports(k);
+      target.cameraReports = explaining->cameraReports(k);
     }
     if (previous != nullptr && k < previous->targets.size()) {
       target.lastHeldTime = previous->targets[k].lastHeldTime;

@@ -135,8 +135,8 @@ public:
   void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                  Eigen::ArrayXd& weights) const;
   /// Returns a record of the current estimates, without 3D particles but with up to
-  /// `boxParticleLimit` particles per box. Status and reasons are copied from `recorded`, the
-  /// record already stored for this frame; `recorded` is null if there is none.
+  /// `boxParticleLimit` particles per box. Status and camera reports are copied from `recorded`,
+  /// the record already stored for this frame; `recorded` is null if there is none.
   TrackedFrame currentFrame(const TrackedFrame* recorded, int boxParticleLimit) const;
   /// Returns a record of the current frame, with up to `particleLimit` particles per target.
   /// `previous` is the record of the previous frame, null for the first frame; it tells when each

@@ -26,8 +26,8 @@ bool isEstimateInImage(const Camera& camera, const Eigen::Vector3d& point) {
 
 /// What the method says of a camera; without a word, each camera is taken to see what is held.
 CameraStatus statusInCamera(const TargetSnapshot& target, std::size_t camera) {
-  if (camera < target.reasons.size()) {
-    return target.reasons[camera].status;
+  if (camera < target.cameraReports.size()) {
+    return target.cameraReports[camera].status;
   }
   const auto& evidence = cameraEvidenceOf(target.estimate);
   if (camera < evidence.size()) {

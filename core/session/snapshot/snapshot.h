@@ -42,7 +42,7 @@ struct TargetSnapshot {
   std::shared_ptr<const ColorHistograms> histograms;
   /// Per camera: whether it confirms the target, and the reason if it does not (describeReasons());
   /// may be empty.
-  std::vector<CameraReport> reasons;
+  std::vector<CameraReport> cameraReports;
   /// Candidate positions of this frame; may be empty.
   std::vector<CandidatePosition> positionCandidates;
   std::vector<LikelihoodMap> maps;          ///< per camera; empty unless requested

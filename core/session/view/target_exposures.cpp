@@ -31,8 +31,8 @@ bool isConfirmedBy(const TargetSnapshot& target, std::size_t camera) {
   if (!isHeld(target.estimate)) {
     return false;
   }
-  if (camera < target.reasons.size()) {
-    return target.reasons[camera].status == CameraStatus::None;
+  if (camera < target.cameraReports.size()) {
+    return target.cameraReports[camera].status == CameraStatus::None;
   }
   const auto& evidence = cameraEvidenceOf(target.estimate);
   constexpr double kMostlyVisible = 0.5;

@@ -150,10 +150,10 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
     views.push_back(seen.cameras[k].views);
     widths.push_back(seen.cameras[k].width);
   }
-  const auto chosen = chooseInstants(views, widths, request.instants, request.worldFrame);
+  const auto chosen = chooseInstants(views, widths, request.instants, request.floorFrame);
   ExtrinsicsRequest rigRequest;
   rigRequest.board = request.board;
-  rigRequest.worldInstant = request.worldFrame;
+  rigRequest.worldInstant = request.floorFrame;
   rigRequest.refineIntrinsics = request.refineIntrinsics;
   for (std::size_t i = 0; i < taking.size(); ++i) {
     const auto& in = project.cameras[taking[i]].camera.intrinsics;

@@ -34,7 +34,7 @@ Result<LensesFromBoards> intrinsicsFromBoards(const BoardDetections& seen,
 
 /// Estimates the poses of a project's cameras with their current intrinsics, from frames chosen by
 /// chooseInstants(). If at least two cameras saw the board, those that never saw it keep their
-/// poses and are named in the notices. Unless the request names a `worldFrame`, the first camera
+/// poses and are named in the notices. Unless the request names a `floorFrame`, the first camera
 /// that saw the board keeps its pose, as the reference for the others. If only another board was
 /// seen, returns NotFound with its description. If a known fault, such as exchanged cameras,
 /// explains the detections better than the given project does, the result or the error names the

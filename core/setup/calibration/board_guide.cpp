@@ -33,7 +33,7 @@ BoardCalibrationRequest requestForCaptured(const BoardGuideRequest& request,
                                            const BoardGuideState& state) {
   BoardCalibrationRequest all = request.board;
   all.views = std::max(all.views, request.lenses.maxViews);
-  all.worldFrame = state.floorFrame;
+  all.floorFrame = state.floorFrame;
   return all;
 }
 
@@ -156,7 +156,7 @@ void BoardGuide::calibrateLens(std::size_t camera) {
   if (const auto result = calibrateIntrinsics(lensRequest)) {
     guidance.acceptCalibration(*result);
     state_.cameras[camera].rmsPx = result->rmsPx;
-    state_.cameras[camera].lens.projectionPx = result->independentProjectionPx;
+    state_.cameras[camera].lens.projectionPx = result->independentProjectionSigmaPx;
     Camera& known = project_.cameras[camera].camera;
     known.intrinsics = result->camera.intrinsics;
     known.distortion = result->camera.distortion;

@@ -38,7 +38,7 @@ void recordLenses(const LensesFromBoards& lenses, Project& project) {
     if (k < lenses.cameras.size() && lenses.cameras[k]) {
       ProjectCamera& camera = project.cameras[k];
       camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Board,
-                                            lenses.cameras[k]->worstProjectionPx);
+                                            lenses.cameras[k]->maxProjectionSigmaPx);
     }
   }
 }
@@ -82,7 +82,7 @@ void recordPoses(const BoardCalibrationRequest& request, BoardOutcome& outcome) 
   world.accuracy = outcome.accuracy ? std::optional(outcome.accuracy->position95) : std::nullopt;
   world.accuracyOutside = outcome.accuracy ? outcome.accuracy->outside95 : std::nullopt;
   world.check.reset();
-  if (request.worldFrame) {
+  if (request.floorFrame) {
     world.floor = CalibrationOrigin::Board;
   }
 }
@@ -115,7 +115,7 @@ Status addExtrinsics(const BoardDetections& seen, const BoardCalibrationRequest&
     return canceled();
   }
   const auto accuracy =
-      assessBoard(*extrinsics, request.board, request.worldFrame, lensesOf(outcome, *extrinsics));
+      assessBoard(*extrinsics, request.board, request.floorFrame, lensesOf(outcome, *extrinsics));
   if (accuracy) {
     setCameraSigmas(*accuracy, *extrinsics);
   }
@@ -149,7 +149,7 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const BoardDete
       outcome.missed.push_back(missedRuns(camera));
     }
   }
-  const bool alone = project.cameras.size() < 2 && !request.worldFrame;
+  const bool alone = project.cameras.size() < 2 && !request.floorFrame;
   if (goal.poses && !(alone && goal.lenses)) {
     if (const auto found = addExtrinsics(seen, request, outcome, progress); !found) {
       if (!outcome.lenses || found.error().code == ErrorCode::Canceled) {

@@ -188,7 +188,7 @@ std::vector<std::int64_t> framesToSearch(std::int64_t total,
   for (std::int64_t frame = request.firstFrame; frame < end; frame += stride) {
     frames.push_back(frame);
   }
-  const std::int64_t world = request.worldFrame.value_or(request.firstFrame);
+  const std::int64_t world = request.floorFrame.value_or(request.firstFrame);
   if (const auto at = std::ranges::lower_bound(frames, world);
       world < total && (at == frames.end() || *at != world)) {
     frames.insert(at, world);

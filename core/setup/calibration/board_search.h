@@ -28,7 +28,7 @@ struct BoardCalibrationRequest {
   std::optional<std::int64_t> endFrame; ///< one past the last such frame; not set: all
   /// Frame in which the board lies on the floor and defines the world frame; not set: the first
   /// camera keeps its pose.
-  std::optional<std::int64_t> worldFrame;
+  std::optional<std::int64_t> floorFrame;
   bool refineIntrinsics = false; ///< true to refine the intrinsics together with the poses
   /// True to search a few frames of a long recording first. If these show only another board than
   /// the requested one, the remaining frames are not searched.
@@ -80,7 +80,7 @@ struct BoardDetections {
 };
 
 /// Searches a recording for the board, in evenly spaced frames that are the same for all cameras.
-/// Only frames from `firstFrame` to before `endFrame` are searched, and in addition `worldFrame`.
+/// Only frames from `firstFrame` to before `endFrame` are searched, and in addition `floorFrame`.
 /// With `suggestBoardFirst`, a few frames of a long recording are searched first: if they show
 /// another board instead of the requested one, the search ends and returns the other board
 /// (`otherBoard`). If a camera never sees the board, a few of its images are searched for any

@@ -32,7 +32,7 @@ struct ImportedCamera {
   std::size_t camera;   ///< camera index in the project
   std::string name;     ///< camera name in the project
   std::string fileName; ///< camera name in the file
-  PoseShift shift;      ///< change from the camera's pose in the project before the import
+  PoseShift poseChange; ///< change from the camera's pose in the project before the import
 };
 
 /// Result of importing a calibration file, with all decisions made during the import.

@@ -200,8 +200,8 @@ std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement) {
 std::string farOffText(const FarOffCamera& camera, const CameraRig& rig) {
   return fmt::format("{} was far off: the refinement rotates it by {:.1f} degrees and moves it by "
                      "{:.1f} cm, much more than the others. Was it moved after its calibration?",
-                     rig.at(camera.camera).name, inDegrees(camera.shift.radians),
-                     inCentimeters(camera.shift.meters));
+                     rig.at(camera.camera).name, inDegrees(camera.poseChange.radians),
+                     inCentimeters(camera.poseChange.meters));
 }
 
 bool isDoubtful(const WandRefinement& refinement) {

@@ -66,7 +66,7 @@ double newPositionError(const WandRefinement& refinement);
 /// Camera whose pose before the refinement was far off.
 struct FarOffCamera {
   std::size_t camera = 0; ///< index in the rig
-  PoseShift shift;        ///< change of the pose by the refinement
+  PoseShift poseChange;   ///< change of the pose by the refinement
 };
 
 /// Returns the cameras that the refinement rotated by at least 1.5 degrees, or moved by at least 5

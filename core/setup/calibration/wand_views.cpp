@@ -106,7 +106,7 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
     problem.initialRig.push_back(camera.camera);
   }
   for (std::size_t ball = 0; ball < balls->size(); ++ball) {
-    problem.ballRadius.at(ball) = (*balls)[ball]->radius;
+    problem.ballRadii.at(ball) = (*balls)[ball]->radius;
   }
   problem.stickLength = options.stickLength;
   problem.scale = options.stickLength > 0.0 ? WandScale::Stick

@@ -16,9 +16,9 @@
 
 namespace dewpoint::tracking {
 
-/// Filter that tracks one box in the images of one camera. BoxTargets combines such filters into a
-/// method. A filter is not thread-safe. The same seed gives bit-identical results for any size of
-/// the ThreadTeam.
+/// Filter that tracks one box in the images of one camera. MultiBoxTracker combines such filters
+/// into a method. A filter is not thread-safe. The same seed gives bit-identical results for any
+/// size of the ThreadTeam.
 template <class F>
 concept BoxFilter = std::copy_constructible<F> && std::constructible_from<F, ParameterValues> &&
     requires(F filter, const F& finished, const ParameterValues& parameters, const cv::Mat& bgr,

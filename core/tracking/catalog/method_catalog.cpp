@@ -5,9 +5,9 @@
 #include "core/tracking/barrera/barrera_tracker.h"
 #include "core/tracking/barrera/dynamics_parameters.h"
 #include "core/tracking/barrera/dynamics_tracker.h"
-#include "core/tracking/boxes/box_targets.h"
 #include "core/tracking/boxes/histogram_parameters.h"
 #include "core/tracking/boxes/histogram_tracker.h"
+#include "core/tracking/boxes/multi_box_tracker.h"
 #include "core/tracking/boxes/sugandi_parameters.h"
 #include "core/tracking/boxes/sugandi_tracker.h"
 #include "core/tracking/dewpoint/dewpoint_parameters.h"
@@ -97,7 +97,7 @@ Made makeTogether(const ParameterValues& parameters, const CameraRig& rig, const
 template <BoxFilter F>
 Made makeBoxes(const ParameterValues& parameters, const CameraRig& /*rig*/,
                const Targets& targets) {
-  return std::make_unique<BoxTargets<F>>(parameters, targets);
+  return std::make_unique<MultiBoxTracker<F>>(parameters, targets);
 }
 
 template <class T>

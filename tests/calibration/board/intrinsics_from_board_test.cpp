@@ -42,7 +42,7 @@ TEST(IntrinsicsFromBoard, TruthLiesWithinTheStatedDeviations) {
     EXPECT_GT(parameter.sigma, 0.0);
     EXPECT_LT(std::abs(parameter.value - trueValues[k]), 3.5 * parameter.sigma) << parameter.name;
   }
-  EXPECT_LT(result->worstProjectionPx, 5.0); // in the corners, where hardly a view reached
+  EXPECT_LT(result->maxProjectionSigmaPx, 5.0); // in the corners, where hardly a view reached
   EXPECT_GT(result->coverage.coveredFraction(), 0.7);
 }
 

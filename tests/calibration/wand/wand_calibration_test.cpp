@@ -46,7 +46,7 @@ WandProblem waveWand(const CameraRig& rig, std::size_t balls, double noise, int 
                      Path path = wavedAt) {
   WandProblem problem;
   problem.views.resize(rig.size());
-  problem.ballRadius = {kWandRadius, kWandRadius};
+  problem.ballRadii = {kWandRadius, kWandRadius};
   problem.stickLength = balls == 2 ? kWandLength : 0.0;
   const RandomStream random(9, 0, 0, RandomPurpose::Noise);
   std::uint32_t count = 0;

@@ -28,12 +28,12 @@ TEST(ErrorSplit, HandWorked) {
   EXPECT_DOUBLE_EQ(split.spread, std::sqrt(5.0));
   ASSERT_EQ(split.cameras.size(), 1U);
   EXPECT_EQ(split.cameras[0].name, "one");
-  EXPECT_DOUBLE_EQ(split.cameras[0].alongBias, 2.0);
-  EXPECT_DOUBLE_EQ(split.cameras[0].acrossBias, 2.0);
-  EXPECT_DOUBLE_EQ(split.cameras[0].alongRms, std::sqrt(5.0));
-  EXPECT_DOUBLE_EQ(split.cameras[0].acrossRms, std::sqrt(8.0));
+  EXPECT_DOUBLE_EQ(split.cameras[0].alongAxisBias, 2.0);
+  EXPECT_DOUBLE_EQ(split.cameras[0].acrossAxisBias, 2.0);
+  EXPECT_DOUBLE_EQ(split.cameras[0].alongAxisRms, std::sqrt(5.0));
+  EXPECT_DOUBLE_EQ(split.cameras[0].acrossAxisRms, std::sqrt(8.0));
   ASSERT_TRUE(split.meanView.has_value());
-  EXPECT_DOUBLE_EQ(split.meanView->alongRms, std::sqrt(5.0)); // of one camera: its own axis
+  EXPECT_DOUBLE_EQ(split.meanView->alongAxisRms, std::sqrt(5.0)); // of one camera: its own axis
 }
 
 // Cameras along x and y see along (1, 1, 0) / sqrt(2) on average: error (1, 1, 1) is sqrt(2) deep
@@ -42,8 +42,8 @@ TEST(ErrorSplit, MeanViewOfTwoCameras) {
   const ErrorSplit split = splitErrors(
       {{1.0, 1.0, 1.0}}, {{"x", kOrigin, {1.0, 0.0, 0.0}}, {"y", kOrigin, {0.0, 1.0, 0.0}}});
   ASSERT_TRUE(split.meanView.has_value());
-  EXPECT_NEAR(split.meanView->alongBias, std::sqrt(2.0), 1e-15);
-  EXPECT_NEAR(split.meanView->acrossRms, 1.0, 1e-15);
+  EXPECT_NEAR(split.meanView->alongAxisBias, std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(split.meanView->acrossAxisRms, 1.0, 1e-15);
 }
 
 TEST(ErrorSplit, CamerasFaceToFaceHaveNoMeanView) {

@@ -369,7 +369,7 @@ TEST(TimeTravel, TheFrameLogTellsStatusReasonsAndMissingCameras) {
   }
   EXPECT_EQ(piece.records[20].targets[0].status, TargetStatus::Held);
   EXPECT_GT(piece.records[20].targets[0].existenceProbability, 0.9F);
-  EXPECT_TRUE(piece.records[20].targets[0].reasons.empty());
+  EXPECT_TRUE(piece.records[20].targets[0].cameraReports.empty());
   session.rerunFrom(80);
   ASSERT_TRUE(eventually([&] {
     piece = session.framesSince(generation, position);

@@ -35,12 +35,12 @@ TEST(SightLines, EachCameraSeesAHeldTarget) {
 
 TEST(SightLines, ReasonsSayWhereItIsHidden) {
   TrackSnapshot snapshot = heldBall();
-  snapshot.targets[0].reasons = {{CameraStatus::Hidden}, {CameraStatus::PartlyHidden}};
+  snapshot.targets[0].cameraReports = {{CameraStatus::Hidden}, {CameraStatus::PartlyHidden}};
   auto lines = sightLines(snapshot, snapshot.targets[0]);
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_FALSE(lines[0].sees);
   EXPECT_TRUE(lines[1].sees);
-  snapshot.targets[0].reasons = {{CameraStatus::NoImage}, {CameraStatus::OutOfView}};
+  snapshot.targets[0].cameraReports = {{CameraStatus::NoImage}, {CameraStatus::OutOfView}};
   EXPECT_TRUE(sightLines(snapshot, snapshot.targets[0]).empty());
 }
 

@@ -40,7 +40,7 @@ struct ExposedBall {
     estimate.particleCount = 100;
     estimate.valid = true;
     target.estimate = estimate;
-    target.reasons.resize(2);
+    target.cameraReports.resize(2);
   }
   void setImages(const cv::Mat& left, const cv::Mat& right) {
     auto set = std::make_shared<FrameSet>();
@@ -72,7 +72,7 @@ TEST(TargetExposures, ATrackedTargetIsMeasuredInsideItsOutline) {
 
 TEST(TargetExposures, ACameraThatDoesNotConfirmTheTargetIsNotMeasured) {
   ExposedBall ball;
-  ball.snapshot.targets[0].reasons[1].status = CameraStatus::Hidden;
+  ball.snapshot.targets[0].cameraReports[1].status = CameraStatus::Hidden;
   EXPECT_TRUE(exposuresInView(ball.snapshot, 1).empty());
   EXPECT_EQ(exposuresInView(ball.snapshot, 0).size(), 1U);
 }

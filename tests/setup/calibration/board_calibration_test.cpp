@@ -75,7 +75,7 @@ struct Recorded {
 TEST(BoardCalibration, LensesAndPosesOfARecording) {
   const Recorded recorded;
   BoardCalibrationRequest wish = recorded.wish();
-  wish.worldFrame = 0;
+  wish.floorFrame = 0;
   const auto source = recorded.open();
   const auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen) << sentence(seen.error());
@@ -135,7 +135,7 @@ TEST(BoardCalibration, OnlyTheFramesOfARangeAreSearched) {
     EXPECT_LT(view.instant, 6);
   }
 
-  wish.worldFrame = 0; // outside the range, but it is what makes the world
+  wish.floorFrame = 0; // outside the range, but it is what makes the world
   seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen) << sentence(seen.error());
   EXPECT_EQ(seen->cameras[0].searched, 4);
@@ -151,7 +151,7 @@ TEST(BoardCalibration, FramesBetweenThoseLookedAtArePassedOver) {
   const Recorded recorded;
   BoardCalibrationRequest wish = recorded.wish();
   wish.frameLimit = 5; // every third frame
-  wish.worldFrame = 7;
+  wish.floorFrame = 7;
   const auto source = recorded.open();
   const auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen);
@@ -237,7 +237,7 @@ TEST(BoardCalibration, SaysAVerdictAndNoFault) {
     recorded.project.cameras[k].camera.cameraFromWorld = recorded.cameras[k].cameraFromWorld;
   }
   BoardCalibrationRequest wish = recorded.wish();
-  wish.worldFrame = 0;
+  wish.floorFrame = 0;
   const auto source = recorded.open();
   const auto outcome =
       findBoards(recorded.project, *source, wish).and_then([&](const BoardDetections& seen) {

@@ -186,17 +186,17 @@ TEST(BoardGuide, AllThatWasTakenIsCalibratedFrom) {
   wish.board.views = 30;
   wish.lenses.maxViews = 60;
   wish.board.instants = 17;
-  wish.board.worldFrame = 3; // of a recording: live, the floor is what was shown
+  wish.board.floorFrame = 3; // of a recording: live, the floor is what was shown
   BoardGuideState state;
   const BoardCalibrationRequest without = requestForCaptured(wish, state);
   EXPECT_EQ(without.views, 60); // as many as the guidance takes of a lens, not 30 of them
-  EXPECT_FALSE(without.worldFrame);
+  EXPECT_FALSE(without.floorFrame);
   EXPECT_EQ(without.instants, 17);
   state.floorFrame = 42;
   wish.board.views = 80;
   const BoardCalibrationRequest onFloor = requestForCaptured(wish, state);
   EXPECT_EQ(onFloor.views, 80); // more are never too many
-  EXPECT_EQ(onFloor.worldFrame, 42);
+  EXPECT_EQ(onFloor.floorFrame, 42);
 }
 
 TEST(BoardGuide, ACameraWithoutImagesHoldsNobodyUp) {

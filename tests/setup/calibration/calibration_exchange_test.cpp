@@ -76,9 +76,9 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   EXPECT_LT(made->largestPixels, 1e-6);
   ASSERT_EQ(made->cameras.size(), 2U);
   EXPECT_EQ(made->cameras[0].name, "left");
-  EXPECT_NEAR(made->cameras[0].shift.meters, 0.0, 1e-9);
-  EXPECT_NEAR(made->cameras[1].shift.meters, 0.25, 1e-9);
-  EXPECT_NEAR(made->cameras[1].shift.radians, 0.0, 1e-6);
+  EXPECT_NEAR(made->cameras[0].poseChange.meters, 0.0, 1e-9);
+  EXPECT_NEAR(made->cameras[1].poseChange.meters, 0.25, 1e-9);
+  EXPECT_NEAR(made->cameras[1].poseChange.radians, 0.0, 1e-6);
   EXPECT_NEAR(made->project.cameras[1].camera.center().z(),
               project_.cameras[1].camera.center().z() + 0.25, 1e-9);
   EXPECT_FALSE(made->decisions.empty());
@@ -108,8 +108,8 @@ TEST_F(CalibrationExchange, NamesThatDoNotFitAreAskedForAndMapped) {
   ASSERT_EQ(made->cameras.size(), 2U);
   EXPECT_EQ(made->cameras[0].fileName, "right");
   EXPECT_EQ(made->cameras[1].fileName, "fourth");
-  EXPECT_NEAR(made->cameras[0].shift.meters, 0.0, 1e-9);
-  EXPECT_NEAR(made->cameras[1].shift.meters, 0.5, 1e-9);
+  EXPECT_NEAR(made->cameras[0].poseChange.meters, 0.0, 1e-9);
+  EXPECT_NEAR(made->cameras[1].poseChange.meters, 0.5, 1e-9);
 }
 
 TEST_F(CalibrationExchange, TheSizeOfTheImagesIsAQuestion) {

@@ -48,7 +48,7 @@ TEST(WandViews, TheOptionsMakeTheProblem) {
   const auto problem = wandProblem(project, options);
   ASSERT_TRUE(problem);
   EXPECT_EQ(problem->scale, WandScale::Stick);
-  EXPECT_EQ(problem->ballRadius[1], 0.05);
+  EXPECT_EQ(problem->ballRadii[1], 0.05);
   EXPECT_EQ(problem->initialRig.size(), 2U);
 
   options.targets = {"red"}; // a stick has two balls

@@ -51,7 +51,7 @@ protected:
     estimate.particleCount = 100;
     estimate.valid = true;
     target.estimate = estimate;
-    target.reasons.resize(2);
+    target.cameraReports.resize(2);
   }
   void show() { view_.setSnapshot(std::make_shared<const TrackSnapshot>(snapshot_)); }
   QString textOf(const char* name) const {
@@ -79,7 +79,7 @@ TEST_F(ShownExposure, SaysSoWhenACameraSeesNoTarget) {
   view_.setCamera(1);
   show();
   ASSERT_TRUE(waitFor([this] { return textOf("exposureTitle").contains("ball"); }));
-  snapshot_.targets[0].reasons[1].status = CameraStatus::Hidden;
+  snapshot_.targets[0].cameraReports[1].status = CameraStatus::Hidden;
   show();
   ASSERT_TRUE(waitFor([this] { return textOf("exposureTitle").contains("no target"); }));
   EXPECT_TRUE(textOf("exposureSentences").isEmpty());

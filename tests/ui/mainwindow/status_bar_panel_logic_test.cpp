@@ -43,7 +43,7 @@ TEST_F(StatusBarPanelTest, AReasonHasTheRoomOfUnknownValues) {
   TrackSnapshot snapshot = ofOneTarget();
   TargetSnapshot& target = snapshot.targets.front();
   target.status = TargetStatus::Searching;
-  target.reasons = {{CameraStatus::Unclear, 0.0}, {CameraStatus::Unclear, 0.0}};
+  target.cameraReports = {{CameraStatus::Unclear, 0.0}, {CameraStatus::Unclear, 0.0}};
   show(snapshot);
   const auto* reason =
       static_cast<ElidedLabel*>(panel_.findChild<QLabel*>(QStringLiteral("statusReason")));
@@ -54,7 +54,7 @@ TEST_F(StatusBarPanelTest, AReasonHasTheRoomOfUnknownValues) {
   EXPECT_TRUE(isShown("statusFrame"));
   // Without a reason, values keep their places while they are unknown.
   target.status = TargetStatus::Held;
-  target.reasons.clear();
+  target.cameraReports.clear();
   auto& sphere = std::get<SphereEstimate>(target.estimate);
   sphere.particleCount = 100;
   sphere.valid = true;

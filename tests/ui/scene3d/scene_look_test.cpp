@@ -176,12 +176,12 @@ private Q_SLOTS:
     QVERIFY(whole > 150); // of 200
     view_->setRaysShown(true);
     const auto hidden = std::make_shared<TrackSnapshot>(*snapshot);
-    hidden->targets[0].reasons.resize(3);
-    hidden->targets[0].reasons[1].status = CameraStatus::Hidden;
+    hidden->targets[0].cameraReports.resize(3);
+    hidden->targets[0].cameraReports[1].status = CameraStatus::Hidden;
     view_->setSnapshot(hidden);
     const int broken = onRay(view_->currentImage(), none);
     QVERIFY(broken > 40 && broken < whole - 40);
-    hidden->targets[0].reasons[1].status = CameraStatus::OutOfView;
+    hidden->targets[0].cameraReports[1].status = CameraStatus::OutOfView;
     view_->setSnapshot(std::make_shared<TrackSnapshot>(*hidden));
     QVERIFY(onRay(view_->currentImage(), none) < 20);
   }

@@ -112,7 +112,7 @@ TEST(TimelineModel, AFrameIsDescribedWithTargetAndReason) {
   TimelineModel model = modelOf({0, 1});
   FrameRecord lost = record(2, TargetStatus::Lost);
   lost.targets[0].existenceProbability = 0.1F;
-  lost.targets[0].reasons = {{CameraStatus::Hidden, 0.0}, {CameraStatus::None, 0.0}};
+  lost.targets[0].cameraReports = {{CameraStatus::Hidden, 0.0}, {CameraStatus::None, 0.0}};
   model.append({lost}, false);
   EXPECT_EQ(model.describe(1), QStringLiteral("Frame 2, 0.04 s\nball ● tracking (0.99)"));
   const QString text = model.describe(2);

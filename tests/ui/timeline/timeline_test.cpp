@@ -280,11 +280,11 @@ void TimelineTest::titleSaysWhy() {
   // Until the ball of the demo is found, or where it is seen: reasons and words agree.
   QVERIFY(showsFrame(kTracked - 1));
   const auto& target = shown().targets.front();
-  for (std::size_t k = 0; k < target.reasons.size(); ++k) {
+  for (std::size_t k = 0; k < target.cameraReports.size(); ++k) {
     const auto* reason =
         window_->findChild<QLabel*>(QStringLiteral("cameraDock%1TitleReason").arg(k));
     QVERIFY(reason != nullptr);
-    QCOMPARE(reason->text().isEmpty(), target.reasons[k].status == CameraStatus::None);
+    QCOMPARE(reason->text().isEmpty(), target.cameraReports[k].status == CameraStatus::None);
   }
 }
 

@@ -392,7 +392,7 @@ void BoardCalibrator::discardResults() {
   failure_.clear();
   proposal_.reset();
   mirrored_ = {};
-  request_.board.worldFrame.reset();
+  request_.board.floorFrame.reset();
   Q_EMIT requestChanged();
   Q_EMIT changed();
 }

@@ -99,16 +99,16 @@ void BoardGoalForm::connectFields() {
   });
   connect(floor_, &QCheckBox::clicked, this, [this](bool on) {
     edit([&](BoardGuideRequest& request) {
-      request.board.worldFrame =
+      request.board.floorFrame =
           on ? std::optional<std::int64_t>(floorFrame_->value() - 1) : std::nullopt;
     });
   });
   connect(floorFrame_, &QSpinBox::valueChanged, this, [this](int frame) {
-    edit([frame](BoardGuideRequest& request) { request.board.worldFrame = frame - 1; });
+    edit([frame](BoardGuideRequest& request) { request.board.floorFrame = frame - 1; });
   });
   connect(floorHere_, &QPushButton::clicked, this, [this] {
     edit([this](BoardGuideRequest& request) {
-      request.board.worldFrame = calibrator_.shownFrame();
+      request.board.floorFrame = calibrator_.shownFrame();
     });
   });
   connect(lensAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double pixels) {
@@ -172,7 +172,7 @@ void BoardGoalForm::refresh() {
   modelLabel_->setVisible(request.goal.lenses);
   model_->setVisible(request.goal.lenses);
   const bool live = calibrator_.isLive();
-  const bool onFloor = request.board.worldFrame.has_value();
+  const bool onFloor = request.board.floorFrame.has_value();
   floor_->setChecked(onFloor);
   floor_->setVisible(!live && request.goal.poses);
   floorFrame_->setVisible(onFloor && floor_->isVisibleTo(this));
@@ -180,7 +180,7 @@ void BoardGoalForm::refresh() {
   floorHere_->setEnabled(calibrator_.shownFrame() >= 0);
   {
     const QSignalBlocker quiet(floorFrame_);
-    floorFrame_->setValue(static_cast<int>(request.board.worldFrame.value_or(0)) + 1);
+    floorFrame_->setValue(static_cast<int>(request.board.floorFrame.value_or(0)) + 1);
   }
   accuracyLabel_->setVisible(live);
   lensAccuracy_->setVisible(live && request.goal.lenses);

@@ -25,8 +25,8 @@ QString lensLine(const QString& name, const IntrinsicsResult& lens) {
   QString line =
       BoardText::tr("%1: RMS reprojection error %2, focal length %3, accuracy %5, from %4 images")
           .arg(name, pixelText(lens.rmsPx, 3), pixelText(lens.camera.intrinsics.focalX),
-               QString::number(used), pixelText(lens.worstProjectionPx, 2));
-  if (lens.worstProjectionPx > kPoorlyKnownPx) {
+               QString::number(used), pixelText(lens.maxProjectionSigmaPx, 2));
+  if (lens.maxProjectionSigmaPx > kPoorlyKnownPx) {
     line += QStringLiteral("\n⚠ ") +
             BoardText::tr("The board's corners cover only %1 % of the image: show the board in "
                           "every part of the image, and tilt it too.")

@@ -269,8 +269,8 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
     lines << tr("%1 (in the file: %2): moves by %3 and rotates by %4")
                  .arg(cameras_.nameOf(static_cast<int>(camera.camera)),
                       QString::fromStdString(camera.fileName),
-                      lengthText(camera.shift.meters, LengthScale::Centimeters, 1),
-                      angleText(camera.shift.radians, 2));
+                      lengthText(camera.poseChange.meters, LengthScale::Centimeters, 1),
+                      angleText(camera.poseChange.radians, 2));
   }
   lines << tr("After the import, projected points are at most %1 away from where the file projects "
               "them")

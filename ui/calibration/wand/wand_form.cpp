@@ -223,10 +223,10 @@ void WandForm::retranslateUi() {
        tr("Distance between the two positions at which the center of the ball was held"));
   distance_->setSuffix(tr(" cm"));
   initialErrorLabel_->setText(tr("Initial error"));
-  name(initialPositionError_, tr("Initial position error"),
+  name(initialPositionError_, tr("Expected error of the initial positions"),
        tr("Roughly how far each camera may be from its true position"));
   initialPositionError_->setSuffix(tr(" cm"));
-  name(initialRotationError_, tr("Initial rotation error"),
+  name(initialRotationError_, tr("Expected error of the initial rotations"),
        tr("Roughly how far each camera may be rotated from its true orientation"));
   initialRotationError_->setSuffix(QStringLiteral("°"));
   check(offsets_, tr("Find delays"),

@@ -180,8 +180,8 @@ void WandOutcome::showOutcome() {
                    tr("%1 was far off: the refinement rotates it by %2 and moves it by %3, much "
                       "more than the others. Was it moved after its calibration?")
                        .arg(cameraName(found->before, camera.camera),
-                            angleText(camera.shift.radians, 1),
-                            lengthText(camera.shift.meters, LengthScale::Centimeters, 1));
+                            angleText(camera.poseChange.radians, 1),
+                            lengthText(camera.poseChange.meters, LengthScale::Centimeters, 1));
     }
     if (isInaccurate(*found)) {
       notes << QStringLiteral("⚠ ") +

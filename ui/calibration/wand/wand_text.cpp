@@ -40,11 +40,11 @@ QString touchText(WandEvent role) {
   case WandEvent::DistanceTo:
     return WandText::tr("The ball is at the other end of the known distance");
   case WandEvent::FallBegins:
-    return WandText::tr("The ball begins to fall");
+    return WandText::tr("First frame of the fall");
   case WandEvent::FallEnds:
     break;
   }
-  return WandText::tr("The ball is still falling");
+  return WandText::tr("Last frame of the fall");
 }
 
 QString validationMessage(const WandSettings& settings, const std::vector<MarkedInstant>& instants,

@@ -101,8 +101,8 @@ void WandWaving::showCameras() {
             .arg(good ? QStringLiteral("✓") : QStringLiteral("…"), cameraName(rig, k))
             .arg(static_cast<qulonglong>(seen.count)));
   }
-  QString text =
-      tr("Positions of the ball were collected for %1.").arg(secondsText(collected->seconds, 1));
+  QString text = tr("The positions of the ball have been recorded for %1 so far.")
+                     .arg(secondsText(collected->seconds, 1));
   text += QLatin1Char(' ') +
           (enough ? tr("Every camera has seen the ball often enough: stop waving, or press Refine "
                        "cameras.")

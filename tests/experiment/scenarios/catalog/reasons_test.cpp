@@ -62,7 +62,7 @@ Troubles troublesOf(const ScenarioRun& run, std::int64_t frames) {
   Troubles troubles;
   track(run, frames, [&](const TrackedFrame& moment) {
     std::vector<CameraStatus>& all = troubles.emplace_back();
-    for (const CameraReport& report : moment.targets[0].reasons) {
+    for (const CameraReport& report : moment.targets[0].cameraReports) {
       all.push_back(report.status);
     }
   });
@@ -111,12 +111,12 @@ TEST(Reasons, ATargetTakenAwayIsNotHeldAndEveryCameraSaysSo) {
   EXPECT_EQ(moments[std::size_t(gone) - 1].targets[0].status, TargetStatus::Held);
   const TrackedTarget& late = moments.back().targets[0];
   EXPECT_EQ(late.status, TargetStatus::Lost);
-  for (const CameraReport& report : late.reasons) {
+  for (const CameraReport& report : late.cameraReports) {
     EXPECT_NE(report.status, CameraStatus::None);
     EXPECT_NE(report.status, CameraStatus::Dark);
     EXPECT_NE(report.status, CameraStatus::NoImage);
   }
-  EXPECT_FALSE(describeReasons(late.reasons, {"left", "right"}).empty());
+  EXPECT_FALSE(describeReasons(late.cameraReports, {"left", "right"}).empty());
 }
 
 TEST(Reasons, APlateInFrontOfOneCameraHidesAPart) {

@@ -114,12 +114,12 @@ void BoardPageTest::framesWithoutTheBoardAreNamed() {
 void BoardPageTest::theFloorFrameCountsFromOne() {
   openRecording();
   BoardGuideRequest request = calibrator().request();
-  request.board.worldFrame = 4;
+  request.board.floorFrame = 4;
   calibrator().setRequest(request);
   auto* frame = find<QSpinBox>(QStringLiteral("boardFloorFrame"));
   QCOMPARE(frame->value(), 5);
   frame->setValue(8);
-  QCOMPARE(*calibrator().request().board.worldFrame, std::int64_t{7});
+  QCOMPARE(*calibrator().request().board.floorFrame, std::int64_t{7});
 }
 
 void BoardPageTest::theCommandLineGivesTheSameBits() {

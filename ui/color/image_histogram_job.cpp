@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/color/image_survey.h"
+#include "ui/color/image_histogram_job.h"
 
 #include <memory>
 #include <vector>
@@ -10,7 +10,7 @@ namespace {
 constexpr qint64 kSurveyMs = 1000;
 } // namespace
 
-void ImageSurvey::start(const TrackSnapshotPtr& snapshot) {
+void ImageHistogramJob::start(const TrackSnapshotPtr& snapshot) {
   if (sinceLast_.isValid() && sinceLast_.elapsed() <= kSurveyMs) {
     return;
   }

@@ -10,7 +10,7 @@
 namespace dewpoint::ui {
 
 /// Computes the histogram of the colors in the images in another thread, at most once per second.
-class ImageSurvey : public QObject {
+class ImageHistogramJob : public QObject {
   Q_OBJECT
 public:
   using QObject::QObject;

@@ -72,10 +72,10 @@ template <BoxFilter F> BoxEstimate alone(const char* method) {
   return estimate;
 }
 
-class BoxTargetsTest : public ::testing::TestWithParam<const char*> {};
+class MultiBoxTrackerTest : public ::testing::TestWithParam<const char*> {};
 
 // Each is what a filter of its own on the images of its camera is, to the bit.
-TEST_P(BoxTargetsTest, EachTargetIsFollowedFromTheFrameOfItsBoxOn) {
+TEST_P(MultiBoxTrackerTest, EachTargetIsFollowedFromTheFrameOfItsBoxOn) {
   auto tracker = startedTracker(GetParam(), {boxed("early", 0), boxed("late", 4)});
   go(*tracker, 0, 3);
   EXPECT_TRUE(boxOf(*tracker, 0));
@@ -103,7 +103,7 @@ TEST_P(BoxTargetsTest, EachTargetIsFollowedFromTheFrameOfItsBoxOn) {
 }
 
 // What is drawn in 3D is drawn of estimates with a position.
-TEST_P(BoxTargetsTest, TheColorsOfTheGivenBoxAreKept) {
+TEST_P(MultiBoxTrackerTest, TheColorsOfTheGivenBoxAreKept) {
   const auto tracker = startedTracker(GetParam(), {boxed("patch", 2)});
   const auto* const colors = capability<ReferenceColors>(std::as_const(*tracker));
   ASSERT_NE(colors, nullptr);
@@ -116,7 +116,7 @@ TEST_P(BoxTargetsTest, TheColorsOfTheGivenBoxAreKept) {
   EXPECT_TRUE(colors->referenceHistogram(0).empty());
 }
 
-TEST_P(BoxTargetsTest, NothingIsKnownInSpace) {
+TEST_P(MultiBoxTrackerTest, NothingIsKnownInSpace) {
   auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 3);
   EXPECT_EQ(capability<ParticleCloud>(*tracker), nullptr);
@@ -124,7 +124,7 @@ TEST_P(BoxTargetsTest, NothingIsKnownInSpace) {
   EXPECT_FALSE(positionOf(tracker->estimate(0)));
 }
 
-TEST_P(BoxTargetsTest, ACopyGoesOnWithTheSameBits) {
+TEST_P(MultiBoxTrackerTest, ACopyGoesOnWithTheSameBits) {
   auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 4);
   auto copy = capability<Copyable>(*tracker)->clone();
@@ -136,7 +136,7 @@ TEST_P(BoxTargetsTest, ACopyGoesOnWithTheSameBits) {
   EXPECT_EQ(boxOf(*copy, 0)->box, boxOf(*tracker, 0)->box);
 }
 
-TEST_P(BoxTargetsTest, ABoxOfTheFrameShownStartsAtOnceAndOthersGoOn) {
+TEST_P(MultiBoxTrackerTest, ABoxOfTheFrameShownStartsAtOnceAndOthersGoOn) {
   auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   auto undisturbed = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 5);
@@ -154,7 +154,7 @@ TEST_P(BoxTargetsTest, ABoxOfTheFrameShownStartsAtOnceAndOthersGoOn) {
   EXPECT_FALSE(boxOf(*tracker, 1));
 }
 
-TEST_P(BoxTargetsTest, ParametersHoldFromTheNextImageOn) {
+TEST_P(MultiBoxTrackerTest, ParametersHoldFromTheNextImageOn) {
   auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 3);
   ParameterValues more{methodParameters(GetParam())};
@@ -165,7 +165,7 @@ TEST_P(BoxTargetsTest, ParametersHoldFromTheNextImageOn) {
   EXPECT_TRUE(isHeldBy(*tracker, 0));
 }
 
-TEST_P(BoxTargetsTest, ACameraThatDeliversNothingHidesTheTarget) {
+TEST_P(MultiBoxTrackerTest, ACameraThatDeliversNothingHidesTheTarget) {
   auto tracker = startedTracker(GetParam(), {boxed("one", 0)});
   go(*tracker, 0, 3);
   ThreadTeam team;
@@ -181,7 +181,7 @@ TEST_P(BoxTargetsTest, ACameraThatDeliversNothingHidesTheTarget) {
             CameraStatus::None);
 }
 
-TEST_P(BoxTargetsTest, ABoxBesideTheImageIsNotFollowed) {
+TEST_P(MultiBoxTrackerTest, ABoxBesideTheImageIsNotFollowed) {
   Target beside = boxed("beside", 0);
   beside.box->box.x = 5000.0;
   auto tracker = startedTracker(GetParam(), {beside});
@@ -189,7 +189,7 @@ TEST_P(BoxTargetsTest, ABoxBesideTheImageIsNotFollowed) {
   EXPECT_FALSE(boxOf(*tracker, 0));
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, BoxTargetsTest, ::testing::Values("histogram", "sugandi"));
+INSTANTIATE_TEST_SUITE_P(Methods, MultiBoxTrackerTest, ::testing::Values("histogram", "sugandi"));
 
 } // namespace
 } // namespace dewpoint::tests

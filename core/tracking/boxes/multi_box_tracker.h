@@ -21,18 +21,18 @@ namespace dewpoint::tracking {
 /// until the run is at the frame of its box, and is tracked from this frame on. There is one step
 /// per image.
 template <BoxFilter F>
-class BoxTargets final : public Tracker,
-                         public Configurable,
-                         public TargetTracking,
-                         public BoxTracking,
-                         public ReferenceColors,
-                         public CameraReporting,
-                         public Copyable {
+class MultiBoxTracker final : public Tracker,
+                              public Configurable,
+                              public TargetTracking,
+                              public BoxTracking,
+                              public ReferenceColors,
+                              public CameraReporting,
+                              public Copyable {
 public:
   /// Creates a tracker. `parameters` must be declared by the filter's method (asserted).
-  BoxTargets(const ParameterValues& parameters, const std::vector<Target>& targets)
+  MultiBoxTracker(const ParameterValues& parameters, const std::vector<Target>& targets)
       : parameters_(parameters) {
-    BoxTargets::setTargets(targets);
+    MultiBoxTracker::setTargets(targets);
   }
 
   void configure(const ParameterValues& parameters) override;
@@ -57,7 +57,9 @@ public:
   }
   std::vector<CameraReport> cameraReports(std::size_t track) const override;
   bool canBeCopied() const override { return true; }
-  std::unique_ptr<Tracker> clone() const override { return std::make_unique<BoxTargets>(*this); }
+  std::unique_ptr<Tracker> clone() const override {
+    return std::make_unique<MultiBoxTracker>(*this);
+  }
   std::size_t memoryBytes() const override;
 
 private:
@@ -83,7 +85,7 @@ private:
   FrameSetPtr frames_;
 };
 
-template <BoxFilter F> void BoxTargets<F>::configure(const ParameterValues& parameters) {
+template <BoxFilter F> void MultiBoxTracker<F>::configure(const ParameterValues& parameters) {
   parameters_ = parameters;
   for (TrackedBox& one : followed_) {
     if (one.filter) {
@@ -92,7 +94,7 @@ template <BoxFilter F> void BoxTargets<F>::configure(const ParameterValues& para
   }
 }
 
-template <BoxFilter F> void BoxTargets<F>::setTargets(const std::vector<Target>& targets) {
+template <BoxFilter F> void MultiBoxTracker<F>::setTargets(const std::vector<Target>& targets) {
   std::vector<TrackedBox> before = std::exchange(followed_, {});
   const bool sameNumber = before.size() == targets.size(); // then a target may have been renamed
   for (std::size_t k = 0; k < targets.size(); ++k) {
@@ -110,14 +112,14 @@ template <BoxFilter F> void BoxTargets<F>::setTargets(const std::vector<Target>&
   }
 }
 
-template <BoxFilter F> void BoxTargets<F>::beginFrame(FrameSetPtr frames) {
+template <BoxFilter F> void MultiBoxTracker<F>::beginFrame(FrameSetPtr frames) {
   frames_ = std::move(frames);
   for (std::size_t k = 0; k < followed_.size(); ++k) {
     start(k);
   }
 }
 
-template <BoxFilter F> void BoxTargets<F>::restart(std::uint64_t seed) {
+template <BoxFilter F> void MultiBoxTracker<F>::restart(std::uint64_t seed) {
   seed_ = seed;
   frames_ = nullptr;
   for (TrackedBox& one : followed_) {
@@ -128,14 +130,14 @@ template <BoxFilter F> void BoxTargets<F>::restart(std::uint64_t seed) {
   }
 }
 
-template <BoxFilter F> const cv::Mat* BoxTargets<F>::imageOf(const TargetBox& box) const {
+template <BoxFilter F> const cv::Mat* MultiBoxTracker<F>::imageOf(const TargetBox& box) const {
   const auto camera = static_cast<std::size_t>(box.camera);
   const bool there = frames_ && box.camera >= 0 && camera < frames_->frames.size() &&
                      frames_->frames[camera] && !frames_->frames[camera]->image.empty();
   return there ? &frames_->frames[camera]->image : nullptr;
 }
 
-template <BoxFilter F> void BoxTargets<F>::start(std::size_t target) {
+template <BoxFilter F> void MultiBoxTracker<F>::start(std::size_t target) {
   const TrackedBox& one = followed_[target];
   if (!frames_ || !one.box || one.box->frame != frames_->index || one.startedAt == frames_->index) {
     return;
@@ -147,8 +149,8 @@ template <BoxFilter F> void BoxTargets<F>::start(std::size_t target) {
 }
 
 template <BoxFilter F>
-Status BoxTargets<F>::follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
-                             std::uint64_t seed) {
+Status MultiBoxTracker<F>::follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
+                                  std::uint64_t seed) {
   TrackedBox& one = followed_.at(target);
   F filter(parameters_);
   if (const Status started = filter.start(bgr, box.box, seed); !started) {
@@ -167,7 +169,7 @@ Status BoxTargets<F>::follow(std::size_t target, const cv::Mat& bgr, const Targe
   return {};
 }
 
-template <BoxFilter F> void BoxTargets<F>::step(TrackedBox& one, ThreadTeam& team) const {
+template <BoxFilter F> void MultiBoxTracker<F>::step(TrackedBox& one, ThreadTeam& team) const {
   if (!one.filter || one.startedAt == frames_->index) {
     return; // in its own image, the target is at the box as defined
   }
@@ -179,19 +181,19 @@ template <BoxFilter F> void BoxTargets<F>::step(TrackedBox& one, ThreadTeam& tea
   }
 }
 
-template <BoxFilter F> void BoxTargets<F>::iterate(ThreadTeam& team) {
+template <BoxFilter F> void MultiBoxTracker<F>::iterate(ThreadTeam& team) {
   for (std::size_t k = 0; frames_ && k < followed_.size(); ++k) {
     step(followed_[k], team);
   }
 }
 
-template <BoxFilter F> TrackEstimate BoxTargets<F>::estimate(std::size_t track) const {
+template <BoxFilter F> TrackEstimate MultiBoxTracker<F>::estimate(std::size_t track) const {
   const TrackedBox& one = followed_.at(track);
   return one.filter ? TrackEstimate(one.estimate) : TrackEstimate(AbsentEstimate{});
 }
 
 template <BoxFilter F>
-BoxParticles BoxTargets<F>::boxParticles(std::size_t target, int limit) const {
+BoxParticles MultiBoxTracker<F>::boxParticles(std::size_t target, int limit) const {
   const TrackedBox& one = followed_.at(target);
   if (!one.filter) {
     return {};
@@ -203,7 +205,7 @@ BoxParticles BoxTargets<F>::boxParticles(std::size_t target, int limit) const {
 }
 
 template <BoxFilter F>
-std::vector<CameraReport> BoxTargets<F>::cameraReports(std::size_t track) const {
+std::vector<CameraReport> MultiBoxTracker<F>::cameraReports(std::size_t track) const {
   const TrackedBox& one = followed_.at(track);
   std::vector<CameraReport> reports;
   if (one.filter && frames_) {
@@ -217,8 +219,8 @@ std::vector<CameraReport> BoxTargets<F>::cameraReports(std::size_t track) const 
   return reports;
 }
 
-template <BoxFilter F> std::size_t BoxTargets<F>::memoryBytes() const {
-  std::size_t bytes = sizeof(BoxTargets);
+template <BoxFilter F> std::size_t MultiBoxTracker<F>::memoryBytes() const {
+  std::size_t bytes = sizeof(MultiBoxTracker);
   for (const TrackedBox& one : followed_) {
     bytes += sizeof(TrackedBox) + sizeof(double) * one.reference.capacity() +
              (one.filter ? one.filter->memoryBytes() : 0);
