@@ -239,7 +239,7 @@ void CameraView::paintEvent(QPaintEvent*) {
     return; // the first one comes soon
   }
   painter.drawImage(drawnArea(), picture_.image);
-  painter.setClipRect(shownArea());
+  painter.setClipRect(shownArea().toAlignedRect()); // whole pixels are clipped faster
   paintEstimates(painter, picture_, shown_, options(),
                  {.placement = placement_, .seen = shownArea(), .isZoomed = isZoomed()});
   paintCameraProblem(painter, shownArea(), problemText(), palette());

@@ -371,7 +371,7 @@ void GridLayer::paintEvent(QPaintEvent*) {
   }
   QPainter painter(this);
   const ImagePlacement& placement = view_->placement();
-  painter.setClipRect(view_->shownArea());
+  painter.setClipRect(view_->shownArea().toAlignedRect()); // whole pixels are clipped faster
   drawEdges(painter);
   const Camera camera = manual_.shownCamera(camera_);
   paintGrid(painter, projectGrid(camera, manual_.grid()), placement, manual_.gridOpacity());

@@ -6,10 +6,12 @@
 #include "ui/style/halo.h"
 
 #include <QPainter>
+#include <QPainterPath>
 #include <QPolygonF>
 #include <opencv2/core/mat.hpp>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace dewpoint::ui {
@@ -157,14 +159,19 @@ void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacemen
     }
     lines.push_back(std::move(line));
   }
+  // One path for all lines of a role: much faster than a call for each line, and where lines of one
+  // role cross, they are not drawn over each other.
+  std::map<GridRole, QPainterPath> paths;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    paths[grid.strokes[k].role].addPolygon(lines[k]);
+  }
   // All halos first: a bright line is never crossed by the dark of another.
   for (const bool halo : {true, false}) {
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-      const Stroke stroke = strokeOf(grid.strokes[k].role);
-      painter.setPen(
-          halo ? QPen(haloPen(stroke.width, kGridHalo).color(), stroke.width + kGridHalo.extra)
-               : QPen(stroke.color, stroke.width));
-      painter.drawPolyline(lines[k]);
+    for (const auto& [role, path] : paths) {
+      const Stroke stroke = strokeOf(role);
+      painter.strokePath(path, halo ? QPen(haloPen(stroke.width, kGridHalo).color(),
+                                           stroke.width + kGridHalo.extra)
+                                    : QPen(stroke.color, stroke.width));
     }
   }
   paintLabels(painter, grid, placement, lines);
