@@ -103,13 +103,13 @@ BoardOutcome calibrateWithBoard(ProjectHandle& handle, const BoardArguments& arg
 
 BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, bool lenses,
                             bool poses, const std::string& model, const std::string& pixels,
-                            int frameLimit, int views, int instants,
+                            int maxSearchedFrames, int views, int instants,
                             const std::optional<std::int64_t>& worldFrame, bool refineLenses,
                             const py::object& progress) {
   if (!lenses && !poses) {
     raiseBadValue("lenses", "at least one of lenses and poses must be True");
   }
-  if (frameLimit < 1 || views < 3 || instants < 1 || worldFrame.value_or(0) < 0) {
+  if (maxSearchedFrames < 1 || views < 3 || instants < 1 || worldFrame.value_or(0) < 0) {
     raiseBadValue("looks", "looks and instants from 1, views from 3, world_frame from 0 on");
   }
   BoardArguments arguments;
@@ -123,7 +123,7 @@ BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, boo
                                                  {"square", PixelShape::Square},
                                                  {"free", PixelShape::Free}},
                                                 "pixels", pixels);
-  arguments.request.frameLimit = frameLimit;
+  arguments.request.maxSearchedFrames = maxSearchedFrames;
   arguments.request.views = views;
   arguments.request.instants = instants;
   arguments.request.floorFrame = worldFrame;
@@ -148,7 +148,7 @@ void bindResults(py::module_& module) {
                     "The assumptions about units, axes and directions, in sentences.")
       .def_readonly("matched_by_order", &CalibrationImport::matchedByOrder,
                     "Whether the cameras were matched by order because no names match.")
-      .def_readonly("lens_only", &CalibrationImport::lensOnly,
+      .def_readonly("lens_only", &CalibrationImport::hasOnlyIntrinsics,
                     "Whether the file has no poses, so that those of the project are kept.")
       .def_readonly(
           "largest_pixels", &CalibrationImport::largestPixels,

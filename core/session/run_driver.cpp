@@ -217,7 +217,7 @@ void RunDriver::setMethod(const command::SetMethod& request) {
 void RunDriver::setTargets(const std::vector<Target>& targets) {
   RunDefinition wanted = definition();
   wanted.targets = targets;
-  if (run().definition()->family().tracksAgainOnEdit) {
+  if (run().definition()->family().retracksAfterEdit) {
     changeBoxes(std::move(wanted));
     return;
   }
@@ -330,7 +330,7 @@ void RunDriver::setThreads(int wanted) {
 void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
   if (const auto viewed = playback_.viewedFrame()) {
     snapshot.past = true;
-    const auto shown = builder.showPast(run(), timeTravel(), *viewed, quickly, snapshot);
+    const auto shown = builder.fillFromPastFrame(run(), timeTravel(), *viewed, quickly, snapshot);
     if (shown) {
       return;
     }
@@ -343,7 +343,7 @@ void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSna
 }
 
 void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
-  SnapshotBuilder::showDefinition(definition(), snapshot);
+  SnapshotBuilder::fillFromDefinition(definition(), snapshot);
   if (current_.exists()) {
     showFrame(builder, quickly, snapshot);
   }

@@ -99,7 +99,7 @@ public:
   /// Returns the errors of SnapshotBuilder::describe().
   Status describe(const SnapshotBuilder& builder, std::int64_t frame,
                   const TimeTravel::ShouldContinue& shouldContinue, TrackSnapshot& snapshot) {
-    SnapshotBuilder::showDefinition(definition(), snapshot);
+    SnapshotBuilder::fillFromDefinition(definition(), snapshot);
     snapshot.cameraMotions = watches_.motion().reports();
     snapshot.frameCount = input_.frameCount();
     snapshot.history = timeTravel().state();

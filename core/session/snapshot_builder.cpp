@@ -209,7 +209,7 @@ void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& 
     }
   }
   addOthers(run, snapshot);
-  if (run.definition()->family().tracksAgainOnEdit) {
+  if (run.definition()->family().retracksAfterEdit) {
     showPresentBoxes(run, snapshot);
   }
   showPresentNames(run, snapshot);
@@ -232,7 +232,7 @@ void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot)
     }
   }
   // A target without a color has no mask.
-  if (options_.masks && !snapshot.preview && snapshot.family.masksColors()) {
+  if (options_.masks && !snapshot.preview && snapshot.family.hasColorMasks()) {
     snapshot.masks = colorMasks(snapshot);
   }
 }
@@ -255,7 +255,7 @@ void SnapshotBuilder::showCurrent(const TrackingRun& run, const History* history
   }
 }
 
-Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
+Status SnapshotBuilder::fillFromPastFrame(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
                                  bool quickly, TrackSnapshot& snapshot) const {
   auto frames = quickly ? travel.previewAt(frame, snapshot.preview) : travel.frames(frame);
   if (!frames) {
@@ -272,7 +272,7 @@ Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std
   return {};
 }
 
-void SnapshotBuilder::showDefinition(const RunDefinition& definition, TrackSnapshot& snapshot) {
+void SnapshotBuilder::fillFromDefinition(const RunDefinition& definition, TrackSnapshot& snapshot) {
   snapshot.rig = definition.rig;
   snapshot.family = definition.family();
   snapshot.backgroundImages = definition.backgroundImages;
@@ -289,7 +289,7 @@ Status SnapshotBuilder::describe(const TrackingRun& run, TimeTravel& travel, std
     return failure(ErrorCode::NotFound, "", "", fmt::format("frame {}", frame));
   }
   snapshot.past = true; // as it was recorded, so that the current frame looks like the others
-  if (const Status shown = showPast(run, travel, frame, false, snapshot); !shown) {
+  if (const Status shown = fillFromPastFrame(run, travel, frame, false, snapshot); !shown) {
     return shown;
   }
   if (lacksMaps(run, snapshot)) {
@@ -301,7 +301,7 @@ Status SnapshotBuilder::describe(const TrackingRun& run, TimeTravel& travel, std
 }
 
 bool SnapshotBuilder::requestsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
-  return run.definition()->family().masksMotion
+  return run.definition()->family().hasMotionMasks
              ? (options_.masks || options_.maps) && snapshot.frames != nullptr
              : options_.maps && snapshot.tracked;
 }

@@ -33,11 +33,11 @@ public:
                    TrackSnapshot& snapshot) const;
   /// Fills `snapshot` with a frame other than the current one. If `quickly` is true, the images may
   /// be previews (small images scaled up). Returns an error if the frame cannot be read.
-  Status showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame, bool quickly,
+  Status fillFromPastFrame(const TrackingRun& run, TimeTravel& travel, std::int64_t frame, bool quickly,
                   TrackSnapshot& snapshot) const;
   /// Fills in the parts of `snapshot` that do not depend on the frame, such as the rig and the
   /// method.
-  static void showDefinition(const RunDefinition& definition, TrackSnapshot& snapshot);
+  static void fillFromDefinition(const RunDefinition& definition, TrackSnapshot& snapshot);
   /// Fills `snapshot` with any frame that can be shown, including the current one, with the maps
   /// and masks that the options request. Returns NotFound, Canceled (if `shouldContinue` returned
   /// false), or an error of reading the frame.

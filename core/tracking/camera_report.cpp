@@ -49,7 +49,7 @@ std::string words(const CameraReport& report) {
 
 } // namespace
 
-std::string describeReasons(const std::vector<CameraReport>& reports,
+std::string describeUnconfirmedCameras(const std::vector<CameraReport>& reports,
                             const std::vector<std::string>& cameraNames) {
   std::string sentence;
   for (std::size_t k = 0; k < reports.size(); ++k) {
@@ -81,7 +81,7 @@ bool isDark(const cv::Mat& image) {
   return bright <= kBrightShare * all;
 }
 
-std::optional<double> distanceToNearest(const cv::Mat& mask, const Eigen::Vector2d& point) {
+std::optional<double> distanceToNearestMaskPixel(const cv::Mat& mask, const Eigen::Vector2d& point) {
   double nearest = std::numeric_limits<double>::infinity();
   for (int row = 0; row < mask.rows; ++row) {
     const double down = row - point.y();

@@ -43,7 +43,7 @@ struct CameraReport {
 /// Returns one English sentence that gives the reason for each camera that does not confirm the
 /// target, for example "camera left: hidden". Returns an empty text if all cameras confirm the
 /// target. A camera without a name is identified by its number, from 1.
-std::string describeReasons(const std::vector<CameraReport>& reports,
+std::string describeUnconfirmedCameras(const std::vector<CameraReport>& reports,
                             const std::vector<std::string>& cameraNames);
 
 /// Returns whether an image (CV_8UC3) is too dark to distinguish colors: on a coarse grid, at most
@@ -52,6 +52,6 @@ bool isDark(const cv::Mat& image);
 
 /// Returns the distance in pixels from a point to the nearest nonzero pixel of a mask (CV_8UC1), or
 /// nothing if all pixels are zero.
-std::optional<double> distanceToNearest(const cv::Mat& mask, const Eigen::Vector2d& point);
+std::optional<double> distanceToNearestMaskPixel(const cv::Mat& mask, const Eigen::Vector2d& point);
 
 } // namespace dewpoint::tracking

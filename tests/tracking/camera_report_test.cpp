@@ -41,13 +41,13 @@ protected:
 
 TEST_F(CameraReportTest, NoTroubleWhileItIsSeen) {
   EXPECT_EQ(statuses(run_), (All{CameraStatus::None, CameraStatus::None}));
-  EXPECT_EQ(describeReasons(run_.tracker().cameraReports(0), {"left", "right"}), "");
+  EXPECT_EQ(describeUnconfirmedCameras(run_.tracker().cameraReports(0), {"left", "right"}), "");
 }
 
 TEST_F(CameraReportTest, HiddenFromOneCamera) {
   run_.show({kTarget, cover(run_.rig()[1])});
   EXPECT_EQ(statuses(run_), (All{CameraStatus::None, CameraStatus::Hidden}));
-  EXPECT_EQ(describeReasons(run_.tracker().cameraReports(0), {"left", "right"}),
+  EXPECT_EQ(describeUnconfirmedCameras(run_.tracker().cameraReports(0), {"left", "right"}),
             "camera right: hidden");
 }
 
@@ -127,17 +127,17 @@ TEST(BarreraReports, SayWhereTheColorIs) {
 }
 
 TEST(ReasonSentence, NamesCamerasAndRounds) {
-  EXPECT_EQ(describeReasons({{CameraStatus::Distractor, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
+  EXPECT_EQ(describeUnconfirmedCameras({{CameraStatus::Distractor, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
             "camera a: 3 px away from a distractor; camera 2: hidden");
-  EXPECT_EQ(describeReasons({}, {}), "");
+  EXPECT_EQ(describeUnconfirmedCameras({}, {}), "");
 }
 
 TEST(DistanceToNearest, IsThatOfTheNearestPixel) {
   cv::Mat mask = cv::Mat::zeros(20, 30, CV_8UC1);
-  EXPECT_FALSE(distanceToNearest(mask, {3.0, 4.0}));
+  EXPECT_FALSE(distanceToNearestMaskPixel(mask, {3.0, 4.0}));
   mask.at<std::uint8_t>(10, 12) = 255;
   mask.at<std::uint8_t>(4, 8) = 255;
-  EXPECT_DOUBLE_EQ(distanceToNearest(mask, {5.0, 8.0}).value(), 5.0); // 3, 4, 5
+  EXPECT_DOUBLE_EQ(distanceToNearestMaskPixel(mask, {5.0, 8.0}).value(), 5.0); // 3, 4, 5
 }
 
 } // namespace

@@ -120,9 +120,9 @@ TEST(Parameters, AFamilyAnswersWhatMustBeKnownBeforeARun) {
   EXPECT_EQ(people.firstFrameFor({}, 20), 0);
   EXPECT_TRUE(spheres.tracksSameTargetsAs(methodFamily("dewpoint")));
   EXPECT_FALSE(spheres.tracksSameTargetsAs(people));
-  EXPECT_TRUE(spheres.masksColors() && spheres.hasBestParticle && spheres.writesPositions());
-  EXPECT_TRUE(boxes.tracksAgainOnEdit && !boxes.writesPositions() && !boxes.hasBestParticle);
-  EXPECT_TRUE(people.masksMotion && people.writesBodies() && people.writesPositions());
+  EXPECT_TRUE(spheres.hasColorMasks() && spheres.hasBestParticle && spheres.writesPositions());
+  EXPECT_TRUE(boxes.retracksAfterEdit && !boxes.writesPositions() && !boxes.hasBestParticle);
+  EXPECT_TRUE(people.hasMotionMasks && people.writesBodies() && people.writesPositions());
 }
 
 TEST(Parameters, BadValuesAreRefusedWithTheirRangeAndChangeNothing) {

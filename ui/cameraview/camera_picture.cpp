@@ -46,7 +46,7 @@ QRect mapPlace(const TargetSnapshot& target, int camera) {
 
 /// The colors in which the targets are drawn over an image.
 std::vector<QColor> overlayColors(const TrackSnapshot& snapshot) {
-  return targetColors(displayColorSources(snapshot), DisplayGround::Image);
+  return targetColors(displayColorSources(snapshot), DisplayBackground::Image);
 }
 
 /// Several targets are told apart by their colors, of a single one the weights are.

@@ -51,7 +51,7 @@ void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePl
   paintParticles(painter, overlay, placement, ramp);
   painter.setOpacity(1.0);
   if (overlay.box) {
-    paintBox(painter, *overlay.box, overlay.boxHidden, placement, color);
+    paintBox(painter, *overlay.box, overlay.isBoxHidden, placement, color);
   }
   if (overlay.outline) {
     // Dashed: the target itself, not what is known of its position.

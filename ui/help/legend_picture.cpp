@@ -169,7 +169,7 @@ void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
   const QPointF ball(width() / 2.0, height() / 2.0);
   paintScene(painter, QRectF(rect()), ball);
   const QColor color = toColor(
-      legibleOn(DisplayColor(kBall.redF(), kBall.greenF(), kBall.blueF()), DisplayGround::Image));
+      legibleColor(DisplayColor(kBall.redF(), kBall.greenF(), kBall.blueF()), DisplayBackground::Image));
   if (sign_ == LegendSign::Mask) {
     QColor tint = color;
     tint.setAlphaF(kMaskTint);

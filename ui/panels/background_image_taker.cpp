@@ -48,7 +48,7 @@ cv::Mat BackgroundImageTaker::shownImage(int camera) const {
 }
 
 QString BackgroundImageTaker::targetSeenBy(int camera) const {
-  const TargetSnapshot* seen = snapshot_ ? heldTargetInView(*snapshot_, camera) : nullptr;
+  const TargetSnapshot* seen = snapshot_ ? trackedTargetInView(*snapshot_, camera) : nullptr;
   return seen != nullptr ? QString::fromStdString(seen->target.name) : QString();
 }
 

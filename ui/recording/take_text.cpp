@@ -132,7 +132,7 @@ QString replayText(const ReplayComparison& found) {
     parts += QCoreApplication::translate("TakeText",
                                          "Images of %1 frames were dropped, the first in frame %2.")
                  .arg(found.incomplete)
-                 .arg(number(found.firstIncomplete.value_or(0)));
+                 .arg(number(found.firstIncompleteFrame.value_or(0)));
   }
   for (const ResultRange& range : found.otherSettings) {
     parts +=

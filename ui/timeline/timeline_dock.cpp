@@ -80,7 +80,7 @@ void connectActions(const Workbench& bench, ViewDock* dock, Timeline* timeline) 
 /// Whoever changes something while looking back at live cameras is told what that changes; of a
 /// recording what is shown follows the change (ResultRefresher).
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
-  const bool again = changes.boxes && bench.document.methodFamily().tracksAgainOnEdit;
+  const bool again = changes.boxes && bench.document.methodFamily().retracksAfterEdit;
   const bool isLive = bench.session.shown() && !bench.session.shown()->frameCount;
   if (isLive && bench.selection.isPast() && (changes.parameters || changes.targets) && !again) {
     bench.messages.showNotice(

@@ -282,7 +282,7 @@ void addBoardOptions(CLI::App& command, BoardOptions& options) {
                   "marker in meters)")
       ->required();
   command
-      .add_option("--looks", options.request.frameLimit,
+      .add_option("--looks", options.request.maxSearchedFrames,
                   "Number of frames of the recording to search for the board")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

@@ -184,7 +184,7 @@ int calibrate(WandCommandOptions options) {
   for (const MotionGap& gap : result->gaps) {
     fmt::print("note: {}\n", motionGapText(gap, result->before));
   }
-  const std::optional<std::string> kept = isUnneeded(*result) ? std::optional(unneededText(*result))
+  const std::optional<std::string> kept = isUnnecessary(*result) ? std::optional(unnecessaryText(*result))
                                           : isKnownBetter(*result)
                                               ? std::optional(knownBetterText(*result))
                                               : std::nullopt;
@@ -246,7 +246,7 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
                                     "was held at two positions that are METERS apart")
                        ->expected(3)
                        ->excludes(length);
-  command->add_flag("--diameter", wand.fromDiameter, "Scale from the ball's diameter")
+  command->add_flag("--diameter", wand.usesBallDiameter, "Scale from the ball's diameter")
       ->excludes(length)
       ->excludes(distance);
   command->add_option("--floor", wand.floorTimes,

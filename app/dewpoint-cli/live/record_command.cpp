@@ -352,7 +352,7 @@ void addRecordCommand(CLI::App& app, int& exitCode) {
   command
       ->add_option("--pre-roll", options->preRoll,
                    "Also record this many seconds before the start (with --wait; default: 0)")
-      ->check(CLI::Range(0.0, TakeRecorder::kLongestPreRoll))
+      ->check(CLI::Range(0.0, TakeRecorder::kMaxPreRollSeconds))
       ->needs(wait);
   command
       ->add_option("--tcp", options->tcp,

@@ -42,7 +42,7 @@ std::string methodSection(const Method& method) {
   const std::string origin = method.text.paper.empty()
                                  ? "Dewpoint's own method."
                                  : fmt::format("Reproduces {}.", markdownText(method.text.paper));
-  const int cameras = method.family.fewestCameras;
+  const int cameras = method.family.minCameras;
   const std::string needs =
       fmt::format("Needs at least {} camera{}{}.", cameras, cameras == 1 ? "" : "s",
                   method.family.needsCalibration ? ", calibrated" : "; no calibration");

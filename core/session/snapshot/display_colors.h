@@ -15,7 +15,7 @@ namespace dewpoint::session {
 using DisplayColor = Eigen::Vector3d;
 
 /// Background on which a target is drawn.
-enum class DisplayGround {
+enum class DisplayBackground {
   Light, ///< light window
   Dark,  ///< dark window
   Image, ///< camera image; colors are lighter than learned, because the target itself may be in it
@@ -34,7 +34,7 @@ struct DisplayColorSource {
 std::optional<DisplayColor> centralColor(const ColorRange& range);
 
 /// Returns a color of the same hue, darkened or lightened until it is legible on this ground.
-DisplayColor legibleOn(const DisplayColor& color, DisplayGround ground);
+DisplayColor legibleColor(const DisplayColor& color, DisplayBackground ground);
 
 /// Returns whether two colors are hard to distinguish. The colors are compared in the color space
 /// OKLab (Ottosson 2020), with half weight for lightness.
@@ -43,7 +43,7 @@ bool areSimilar(const DisplayColor& one, const DisplayColor& other);
 /// Returns the colors for targets whose own colors are too similar or unclear: the color-blind-safe
 /// set of Okabe and Ito (2008), in shades that are legible on this ground. An index has the same
 /// hue on every ground.
-const std::vector<DisplayColor>& displayPalette(DisplayGround ground);
+const std::vector<DisplayColor>& displayPalette(DisplayBackground ground);
 
 /// Returns one display color per target: the center of its first learned range, made legible on the
 /// ground. Some targets get the color at their index in `displayPalette()` (used cyclically)
@@ -51,7 +51,7 @@ const std::vector<DisplayColor>& displayPalette(DisplayGround ground);
 /// a clear color, and all targets after the first `kMaxOwnColors`. A target has the same hue on
 /// every ground.
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
-                                        DisplayGround ground);
+                                        DisplayBackground ground);
 /// Number of targets that can be displayed in their learned color. More could not be distinguished,
 /// and comparing all of them would take too long.
 inline constexpr std::size_t kMaxOwnColors = 100;

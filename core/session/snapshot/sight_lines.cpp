@@ -61,7 +61,7 @@ std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSna
   return lines;
 }
 
-std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClick& click,
+std::vector<ImageLine> clickedRayLines(const TrackSnapshot& snapshot, const PointClick& click,
                                   int camera) {
   const Camera* shown = cameraOf(snapshot, camera);
   const auto ray = rayOf(snapshot, click);

@@ -28,7 +28,7 @@ std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSna
 /// Returns the line of sight through a clicked pixel as it appears in the image of another camera
 /// `camera`, as connected lines in pixels. Empty if the click was made in `camera` itself, or if
 /// `camera` is not in the snapshot.
-std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClick& click,
+std::vector<ImageLine> clickedRayLines(const TrackSnapshot& snapshot, const PointClick& click,
                                   int camera);
 
 /// Returns the two ends of the line of sight through a clicked pixel, for display, in meters, world

@@ -40,7 +40,7 @@ struct TargetSnapshot {
   BoxParticles boxParticles;                            ///< particles of a BoxEstimate
   /// Color histograms of a BoxEstimate; null if there is no image.
   std::shared_ptr<const ColorHistograms> histograms;
-  /// Per camera: whether it confirms the target, and the reason if it does not (describeReasons());
+  /// Per camera: whether it confirms the target, and the reason if it does not (describeUnconfirmedCameras());
   /// may be empty.
   std::vector<CameraReport> cameraReports;
   /// Candidate positions of this frame; may be empty.

@@ -57,7 +57,7 @@ struct TakeStatus {
 class TakeRecorder {
 public:
   /// Longest pre-roll, in seconds: the time before the start of a take whose images are kept.
-  static constexpr double kLongestPreRoll = 60.0;
+  static constexpr double kMaxPreRollSeconds = 60.0;
   /// Memory limit for the images kept from before the start, for all cameras together: 512 MiB.
   static constexpr std::size_t kPreRollBytes = std::size_t{512} << 20;
 

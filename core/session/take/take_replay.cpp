@@ -214,7 +214,7 @@ void countIncomplete(const std::vector<StoredSet>& sets, ReplayComparison& compa
     ++comparison.frames;
     if (std::ranges::any_of(set.images, isLost)) {
       ++comparison.incomplete;
-      comparison.firstIncomplete = comparison.firstIncomplete.value_or(set.index);
+      comparison.firstIncompleteFrame = comparison.firstIncompleteFrame.value_or(set.index);
     }
   }
 }
@@ -321,7 +321,7 @@ std::vector<std::string> describeReplay(const ReplayComparison& found) {
   }
   if (found.incomplete > 0) {
     lines.push_back(fmt::format("Images of {} frames are not in the take, the first of frame {}.",
-                                found.incomplete, *found.firstIncomplete + 1));
+                                found.incomplete, *found.firstIncompleteFrame + 1));
   }
   for (const ResultRange& range : found.otherSettings) {
     lines.push_back(fmt::format("Frames {} to {} were tracked with other settings.",

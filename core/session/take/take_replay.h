@@ -26,7 +26,7 @@ struct ReplayComparison {
   std::optional<std::int64_t> firstDifference; ///< number of the first differing frame
   double largestDistance = 0.0; ///< largest distance between the two positions of a target, meters
   std::int64_t incomplete = 0;  ///< frames that lack an image in the take
-  std::optional<std::int64_t> firstIncomplete;
+  std::optional<std::int64_t> firstIncompleteFrame;
   std::vector<ResultRange> otherSettings;  ///< frames whose live results came from earlier settings
   bool hasTimeBudget = false;              ///< results depend on the speed of the computer
   std::vector<std::string> changedCameras; ///< cameras whose images are stored with changed pixels

@@ -33,7 +33,7 @@ struct CameraOverlay {
   /// Bounding box, for methods that track boxes in the image. `estimate` and `ellipse` are then
   /// empty.
   std::optional<ImageBox> box;
-  bool boxHidden = false; ///< the target is hidden; the box is at its estimated position
+  bool isBoxHidden = false; ///< the target is hidden; the box is at its estimated position
 };
 
 /// Returns the radius of the particle cloud in the image, in pixels: the distance from the estimate

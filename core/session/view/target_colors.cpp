@@ -12,7 +12,7 @@ namespace {
 
 DisplayColorSource colorSource(const Target& target, const MethodFamily& family) {
   DisplayColorSource source;
-  if (family.masksColors()) {
+  if (family.hasColorMasks()) {
     source.learned = target.colors();
   }
   if (const auto identity = identityFromName(target.name)) {

@@ -9,7 +9,7 @@ namespace dewpoint::session {
 
 Status CameraAgreementWatch::tracked(const TrackingRun& run) {
   const MethodFamily family = run.definition()->family();
-  if (family.needsCalibration && family.masksColors() && !paused_) {
+  if (family.needsCalibration && family.hasColorMasks() && !paused_) {
     agreement_.watch(*run.frames(), run.targets());
   }
   return {};

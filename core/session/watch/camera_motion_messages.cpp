@@ -14,9 +14,9 @@ CameraMotionStage stageOf(const CameraMotionReport& report, double now) {
                                                                : CameraMotionStage::Waiting;
 }
 
-CameraMotionMessages::News
+CameraMotionMessages::NewMessages
 CameraMotionMessages::update(const std::vector<CameraMotionReport>& reports, double now) {
-  News news;
+  NewMessages news;
   if (reports.size() < count_) {
     reported_.clear();
     news.withdrawn = true;

@@ -36,7 +36,7 @@ Result<IntrinsicsResult> lensOf(const BoardDetections::PerCamera& camera,
                                 const CalibrationProgress& progress) {
   if (camera.views.empty()) {
     std::string text = fmt::format("it never saw the board in {} images", camera.searched);
-    if (isAnyExplained(camera)) {
+    if (hasExplainedMiss(camera)) {
       text += "; " + missedText(camera);
     }
     return failure(ErrorCode::Undetermined, "", "", std::move(text));
@@ -121,7 +121,7 @@ Result<LensesFromBoards> intrinsicsFromBoards(const BoardDetections& seen,
       return tl::make_unexpected(result.error());
     }
     if (!result) {
-      result.error() = withOtherBoard(std::move(result.error()), seen.otherBoardOf(camera));
+      result.error() = withOtherBoard(std::move(result.error()), seen.otherBoardSeenBy(camera));
       first = first.value_or(named(result.error(), camera.name));
       lenses.kept.push_back(result.error());
       lenses.kept.back().field = camera.name;
@@ -186,7 +186,7 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
   const auto report =
       findBoardFaults(rigRequest, seen.framesPerSecond, result ? &*result : nullptr);
   for (const auto& camera : seen.cameras) {
-    if (const BoardGuess* other = seen.otherBoardOf(camera); !result && other != nullptr) {
+    if (const BoardGuess* other = seen.otherBoardSeenBy(camera); !result && other != nullptr) {
       result.error() = withOtherBoard(std::move(result.error()), other);
       break;
     }

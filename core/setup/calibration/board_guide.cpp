@@ -29,7 +29,7 @@ BoardGuideState::Outline outlineOf(const BoardDetection& detection) {
 
 } // namespace
 
-BoardCalibrationRequest requestForCaptured(const BoardGuideRequest& request,
+BoardCalibrationRequest requestForCapturedViews(const BoardGuideRequest& request,
                                            const BoardGuideState& state) {
   BoardCalibrationRequest all = request.board;
   all.views = std::max(all.views, request.lenses.maxViews);
@@ -198,7 +198,7 @@ void BoardGuide::storeRigState(const RigGuidance::State& state) {
     for (std::size_t k = 0; k < state_.cameras.size(); ++k) {
       if (state_.cameras[k].seen) {
         storeView(k);
-        ++state_.cameras[k].pairViews;
+        ++state_.cameras[k].pairViewCount;
       }
     }
   }

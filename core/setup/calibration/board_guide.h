@@ -50,7 +50,7 @@ struct BoardGuideState {
     std::optional<double> rmsPx;
     /// Standard deviation of the camera position in the latest calibration of the poses, meters.
     std::optional<double> positionSigma;
-    int pairViews = 0; ///< number of views captured together with another camera
+    int pairViewCount = 0; ///< number of views captured together with another camera
   };
 
   Phase phase = Phase::Lenses;
@@ -66,7 +66,7 @@ using BoardGuideStatePtr = std::shared_ptr<const BoardGuideState>;
 /// Returns the options with which calibrateFromBoards() processes the captured views of live
 /// cameras: intrinsics are estimated from all views, and the captured floor defines the world
 /// frame.
-BoardCalibrationRequest requestForCaptured(const BoardGuideRequest& request,
+BoardCalibrationRequest requestForCapturedViews(const BoardGuideRequest& request,
                                            const BoardGuideState& state);
 
 /// Guides the user through the calibration of live cameras with a board. It searches for the board

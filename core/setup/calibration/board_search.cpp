@@ -183,7 +183,7 @@ std::vector<std::int64_t> framesToSearch(std::int64_t total,
   const std::int64_t end = std::min(total, request.endFrame.value_or(total));
   const std::int64_t count = end - request.firstFrame;
   const std::int64_t stride =
-      std::max<std::int64_t>(1, (count + request.frameLimit - 1) / request.frameLimit);
+      std::max<std::int64_t>(1, (count + request.maxSearchedFrames - 1) / request.maxSearchedFrames);
   std::vector<std::int64_t> frames;
   for (std::int64_t frame = request.firstFrame; frame < end; frame += stride) {
     frames.push_back(frame);
@@ -200,7 +200,7 @@ std::vector<std::int64_t> framesToSearch(std::int64_t total,
 std::vector<std::int64_t> someOf(const std::vector<std::int64_t>& frames) {
   std::vector<std::int64_t> some;
   for (const std::int64_t k :
-       evenlySpaced(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames)) {
+       evenlySpacedFrames(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames)) {
     some.push_back(frames[static_cast<std::size_t>(k)]);
   }
   return some;
@@ -224,7 +224,7 @@ Status searchFrames(const std::vector<std::int64_t>& frames, const BoardDetector
                     MissedImages& missed) {
   ThreadTeam team(threadCountForTasks(seen.cameras.size()));
   FramePicker picker(source);
-  const auto keep = evenlySpaced(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames);
+  const auto keep = evenlySpacedFrames(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
                         static_cast<double>(k) / static_cast<double>(frames.size()))) {
@@ -273,7 +273,7 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
   camera.name = "camera";
   KeptImages kept(1);
   MissedImages missed(1, where == OtherBoards::OfEach);
-  const auto keep = evenlySpaced(static_cast<std::int64_t>(pictures.size()), kBoardProposalFrames);
+  const auto keep = evenlySpacedFrames(static_cast<std::int64_t>(pictures.size()), kBoardProposalFrames);
   for (const auto& file : pictures) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
                         static_cast<double>(camera.searched) /
@@ -319,7 +319,7 @@ bool BoardDetections::hasOnlyOtherBoard() const {
   return otherBoard && boardViewsOf(*this) == 0;
 }
 
-const BoardGuess* BoardDetections::otherBoardOf(const PerCamera& camera) const {
+const BoardGuess* BoardDetections::otherBoardSeenBy(const PerCamera& camera) const {
   return camera.otherBoard ? &*camera.otherBoard : otherBoard ? &*otherBoard : nullptr;
 }
 
@@ -347,7 +347,7 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
       return first;
     }
     if (first->hasOnlyOtherBoard()) {
-      first->searchedAll = false;
+      first->hasSearchedAll = false;
       return first;
     }
   }
@@ -363,7 +363,7 @@ Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pic
   const bool isLong = count > kLongRecording;
   if (suggestBoardFirst && isLong) {
     std::vector<std::filesystem::path> few;
-    for (const std::int64_t k : evenlySpaced(count, kBoardProposalFrames)) {
+    for (const std::int64_t k : evenlySpacedFrames(count, kBoardProposalFrames)) {
       few.push_back(pictures[static_cast<std::size_t>(k)]);
     }
     auto first = searchedPictures(OtherBoards::OfAll, few, detector, effort,
@@ -372,7 +372,7 @@ Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pic
       return first;
     }
     if (first->hasOnlyOtherBoard()) {
-      first->searchedAll = false;
+      first->hasSearchedAll = false;
       return first;
     }
   }

@@ -23,7 +23,7 @@ struct BoardCalibrationRequest {
   PixelShape pixels = PixelShape::Measured;
   int views = 30;       ///< number of images per camera used to estimate intrinsics
   int instants = 60;    ///< number of frames used to estimate poses
-  int frameLimit = 300; ///< number of frames of a recording in which the board is searched for
+  int maxSearchedFrames = 300; ///< number of frames of a recording in which the board is searched for
   std::int64_t firstFrame = 0;          ///< first frame in which the board may be searched for
   std::optional<std::int64_t> endFrame; ///< one past the last such frame; not set: all
   /// Frame in which the board lies on the floor and defines the world frame; not set: the first
@@ -71,12 +71,12 @@ struct BoardDetections {
   /// of the images show the requested board.
   std::optional<BoardGuess> otherBoard = std::nullopt;
   /// False if the search ended after a few frames, because these show only another board.
-  bool searchedAll = true;
+  bool hasSearchedAll = true;
 
   /// Returns whether the images show only another board than the requested one.
   bool hasOnlyOtherBoard() const;
   /// Returns the other board that a camera saw, if any; null otherwise.
-  const BoardGuess* otherBoardOf(const PerCamera& camera) const;
+  const BoardGuess* otherBoardSeenBy(const PerCamera& camera) const;
 };
 
 /// Searches a recording for the board, in evenly spaced frames that are the same for all cameras.

@@ -75,7 +75,7 @@ Result<MirroredVideos> findMirroredVideos(FrameSetSource& source, const BoardDes
   }
   FramePicker picker(source);
   std::vector<BoardSides> sides;
-  for (const std::int64_t frame : evenlySpaced(*total, frames)) {
+  for (const std::int64_t frame : evenlySpacedFrames(*total, frames)) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection, 1.0)) {
       return canceled();
     }

@@ -41,7 +41,7 @@ Status MissedImages::explain(const BoardDetector& detector, const CalibrationPro
                              BoardDetections& seen) const {
   for (std::size_t k = 0; k < images_.size(); ++k) {
     auto& camera = seen.cameras[k];
-    if (seen.otherBoardOf(camera) != nullptr) {
+    if (seen.otherBoardSeenBy(camera) != nullptr) {
       continue;
     }
     for (std::size_t i = 0; i < images_[k].size(); ++i) {
@@ -68,7 +68,7 @@ std::vector<MissedRun> missedRuns(const BoardDetections::PerCamera& camera) {
   return runs;
 }
 
-bool isAnyExplained(const BoardDetections::PerCamera& camera) {
+bool hasExplainedMiss(const BoardDetections::PerCamera& camera) {
   return std::ranges::any_of(camera.missed, [](const MissedImage& image) {
     return image.miss.reason != BoardMiss::Reason::Unknown;
   });

@@ -49,7 +49,7 @@ std::vector<MissedRun> missedRuns(const BoardDetections::PerCamera& camera);
 inline constexpr std::size_t kMaxListedRuns = 8;
 
 /// Returns whether the reason of any missed image is known.
-bool isAnyExplained(const BoardDetections::PerCamera& camera);
+bool hasExplainedMiss(const BoardDetections::PerCamera& camera);
 
 /// Returns a clause like "no board was found in left03.jpg (blurred, edges of 9 px), left07.jpg" or
 /// "no board was found in frames 0-40, 60". Empty if the board was found in all images.

@@ -29,7 +29,7 @@ WandCollector::~WandCollector() = default;
 void WandCollector::offer(const FrameSetPtr& frames) {
   {
     const std::lock_guard lock(queueMutex_);
-    if (queue_.size() >= kMaxWaiting) {
+    if (queue_.size() >= kMaxWaitingFrameSets) {
       ++dropped_;
       return;
     }

@@ -57,11 +57,11 @@ std::optional<double> errorBefore(const WandOptions& options, const CameraRig& b
 
 /// What the project records about the former cameras.
 void addRecords(const Project& project, WandRefinement& refinement) {
-  refinement.beforeCalibrated = !project.cameras.empty();
+  refinement.wasCalibratedBefore = !project.cameras.empty();
   for (const ProjectCamera& camera : project.cameras) {
     const auto& pose = camera.calibrated.pose;
     if (!pose || !describes(*pose, camera.camera)) {
-      refinement.beforeCalibrated = false;
+      refinement.wasCalibratedBefore = false;
       refinement.beforeError.reset();
       return;
     }
@@ -127,12 +127,12 @@ bool isInaccurate(const WandRefinement& refinement) {
          refinement.accuracy->cameras95 > refinement.options.initialPositionError;
 }
 
-bool isUnneeded(const WandRefinement& refinement) {
+bool isUnnecessary(const WandRefinement& refinement) {
   return refinement.beforePx && refinement.accuracy && refinement.accuracy->heldOut > 0 &&
          *refinement.beforePx <= refinement.accuracy->heldOutPx;
 }
 
-std::string unneededText(const WandRefinement& refinement) {
+std::string unnecessaryText(const WandRefinement& refinement) {
   return fmt::format("the old cameras fit the images as well ({:.2f} px) as the new ones ({:.2f} "
                      "px in images that they were not computed from): keep the old ones, or wave "
                      "longer and through more of the volume",
@@ -151,7 +151,7 @@ double newPositionError(const WandRefinement& refinement) {
 }
 
 bool isKnownBetter(const WandRefinement& refinement) {
-  if (!refinement.beforeCalibrated || !refinement.beforePx || !refinement.accuracy ||
+  if (!refinement.wasCalibratedBefore || !refinement.beforePx || !refinement.accuracy ||
       refinement.accuracy->heldOut == 0 ||
       *refinement.beforePx >= kContradicted * refinement.accuracy->heldOutPx) {
     return false;
@@ -205,7 +205,7 @@ std::string farOffText(const FarOffCamera& camera, const CameraRig& rig) {
 }
 
 bool isDoubtful(const WandRefinement& refinement) {
-  return !refinement.result.faults.empty() || isInaccurate(refinement) || isUnneeded(refinement) ||
+  return !refinement.result.faults.empty() || isInaccurate(refinement) || isUnnecessary(refinement) ||
          isKnownBetter(refinement);
 }
 

@@ -61,12 +61,12 @@ WandObstacle obstacleOf(const WandSettings& settings, const std::vector<MarkedIn
                                                                     : WandObstacle::None;
 }
 
-WandOptions toOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
+WandOptions toWandOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                       const Project& project, const std::optional<FrameSpan>& selected) {
   WandOptions options;
   options.targets = selectedTargets(settings, project);
   options.stickLength = settings.stick ? settings.length : 0.0;
-  options.fromDiameter = !settings.stick && settings.size == WandScaleSource::Diameter;
+  options.usesBallDiameter = !settings.stick && settings.size == WandScaleSource::Diameter;
   if (!settings.stick && settings.size == WandScaleSource::Distance) {
     options.distance = TouchedDistance{instantOf(instants, WandEvent::DistanceFrom).value_or(0.0),
                                        instantOf(instants, WandEvent::DistanceTo).value_or(0.0),
@@ -87,7 +87,7 @@ WandOptions toOptions(const WandSettings& settings, const std::vector<MarkedInst
   options.findDistortion = settings.findDistortion;
   options.initialPositionError = settings.initialPositionError;
   options.initialRotationError = settings.initialRotationError;
-  if (settings.onlySelectedFrames && selected) {
+  if (settings.usesOnlySelectedFrames && selected) {
     options.firstFrame = selected->first;
     options.endFrame = selected->last + 1;
   }

@@ -30,7 +30,7 @@ struct WandSettings {
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
-  bool onlySelectedFrames = false; ///< search only the selected frames
+  bool usesOnlySelectedFrames = false; ///< search only the selected frames
   double initialPositionError = WandOptions().initialPositionError; ///< see WandOptions, meters
   double initialRotationError = WandOptions().initialRotationError; ///< see WandOptions, radians
 
@@ -81,8 +81,8 @@ struct FrameSpan {
 };
 
 /// Converts settings to options. obstacleOf() must return None for these settings. `selected` are
-/// the frames for WandSettings::onlySelectedFrames.
-WandOptions toOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
+/// the frames for WandSettings::usesOnlySelectedFrames.
+WandOptions toWandOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                       const Project& project, const std::optional<FrameSpan>& selected = {});
 
 } // namespace dewpoint::setup

@@ -111,7 +111,7 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
   problem.stickLength = options.stickLength;
   problem.scale = options.stickLength > 0.0 ? WandScale::Stick
                   : options.distance        ? WandScale::Distance
-                  : options.fromDiameter    ? WandScale::Diameter
+                  : options.usesBallDiameter    ? WandScale::Diameter
                                             : WandScale::InitialRig;
   problem.distance = options.distance.value_or(TouchedDistance{});
   problem.floorTimes = options.floorTimes;

@@ -327,7 +327,7 @@ std::vector<ColorSample> withoutSample(std::vector<ColorSample> samples, std::si
   return samples;
 }
 
-bool anyClicked(const std::vector<ColorSample>& samples) {
+bool hasClickedSample(const std::vector<ColorSample>& samples) {
   return std::ranges::any_of(samples, isClick);
 }
 

@@ -95,6 +95,6 @@ void applyLearningResult(const ClickLearningResult& lesson, std::size_t target, 
 std::vector<ColorSample> withoutSample(std::vector<ColorSample> samples, std::size_t index);
 
 /// Returns whether at least one sample was clicked on the target.
-bool anyClicked(const std::vector<ColorSample>& samples);
+bool hasClickedSample(const std::vector<ColorSample>& samples);
 
 } // namespace dewpoint::setup

@@ -253,7 +253,7 @@ double CounterpartSearch::radiusOf(const Hypothesis& hypothesis) const {
     if (const auto& region = hypothesis.regions[camera]) {
       const double radiusPx = std::sqrt(regions_[camera][*region].area / std::numbers::pi);
       const double distance = (hypothesis.position - rig_[camera].center()).norm();
-      sum += std::log(radiusPx * distance / focalOf(rig_[camera]));
+      sum += std::log(radiusPx * distance / meanFocalLength(rig_[camera]));
       count += 1.0;
     }
   }

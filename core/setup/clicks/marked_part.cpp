@@ -186,7 +186,7 @@ std::optional<MarkedPart> locatePart(const CameraRig& rig, const std::vector<cv:
   for (const PartMark& mark : marks) {
     const Camera& camera = rig.at(static_cast<std::size_t>(mark.whole.camera));
     if (const auto ray = Unprojector(camera).ray(mark.center)) {
-      rays.push_back({*ray, mark.radiusPx / focalOf(camera)});
+      rays.push_back({*ray, mark.radiusPx / meanFocalLength(camera)});
       part.clicks.push_back({mark.whole.camera, mark.center});
     }
   }

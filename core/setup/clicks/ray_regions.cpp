@@ -44,7 +44,7 @@ struct RayPoint {
 std::vector<RayPoint> imageOfRay(const ClickedObject& object, const Camera& camera,
                                  const std::function<bool(double depth)>& isPossible) {
   const Projector projector(camera);
-  const double margin = ClickedObject::kReach * ClickedObject::kDirectionSigma * focalOf(camera);
+  const double margin = ClickedObject::kReach * ClickedObject::kDirectionSigma * meanFocalLength(camera);
   const auto isNearImage = [&](const Eigen::Vector2d& pixel) {
     return pixel.x() > -margin && pixel.y() > -margin &&
            pixel.x() < camera.intrinsics.width + margin &&
@@ -179,19 +179,19 @@ std::optional<RayRegion> grow(const Spot& spot, const cv::Mat& image, const cv::
 
 } // namespace
 
-double focalOf(const Camera& camera) {
+double meanFocalLength(const Camera& camera) {
   return std::sqrt(camera.intrinsics.focalX * camera.intrinsics.focalY);
 }
 
 double ClickedObject::radiusPxIn(const Camera& other, const Eigen::Vector3d& position) const {
   constexpr double kAtTheLens = 1e-6; // meters
   const double distance = std::max((position - other.center()).norm(), kAtTheLens);
-  return radiusAt(depthOf(position)) * focalOf(other) / distance;
+  return radiusAt(depthOf(position)) * meanFocalLength(other) / distance;
 }
 
 double ClickedObject::centerSigma(const Camera& camera, double radiusPx) {
   // Two cameras' directions are compared.
-  return std::hypot(kDirectionSigma * focalOf(camera), kCenterSigmaRadii * radiusPx);
+  return std::hypot(kDirectionSigma * meanFocalLength(camera), kCenterSigmaRadii * radiusPx);
 }
 
 std::optional<ClickedObject> clickedObject(const Camera& camera, const cv::Mat& image,
@@ -207,7 +207,7 @@ std::optional<ClickedObject> clickedObject(const Camera& camera, const cv::Mat& 
     return std::nullopt;
   }
   return ClickedObject{static_cast<std::size_t>(sample.camera), center, *ray,
-                       std::sqrt(area / std::numbers::pi), focalOf(camera)};
+                       std::sqrt(area / std::numbers::pi), meanFocalLength(camera)};
 }
 
 std::vector<RayRegion> regionsAlongRay(const ClickedObject& object, const Camera& camera,

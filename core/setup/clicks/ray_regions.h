@@ -50,7 +50,7 @@ struct ClickedObject {
 };
 
 /// Returns the geometric mean of both focal lengths, in pixels.
-double focalOf(const Camera& camera);
+double meanFocalLength(const Camera& camera);
 
 /// Returns the object of a sample in its camera's image (CV_8UC3). Returns nothing if no region
 /// that may be an object grows from the sample, or if the lens does not cover the center of the

@@ -61,7 +61,7 @@ struct Examination {
     findings.push_back({kind, std::move(values), project.file.string(), std::move(field)});
   }
   /// Adds a finding about another file.
-  void addIn(const std::string& file, FindingKind kind, std::vector<std::string> values) {
+  void addForFile(const std::string& file, FindingKind kind, std::vector<std::string> values) {
     findings.push_back({kind, std::move(values), file, ""});
   }
   /// Returns whether there is a finding of this kind.
@@ -76,6 +76,6 @@ std::string cameraKey(std::size_t camera, const char* key);
 
 /// Returns the text of an error without the file name, for use in a sentence that already names the
 /// file.
-std::string withoutFile(const Error& error);
+std::string messageWithoutFile(const Error& error);
 
 } // namespace dewpoint::setup

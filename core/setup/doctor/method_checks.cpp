@@ -31,7 +31,7 @@ void checkObstacle(Examination& examination) {
     break;
   case MethodObstacle::TooFewCameras:
     examination.add(FindingKind::NeedsMoreCameras,
-                    {project.method, std::to_string(method->family.fewestCameras),
+                    {project.method, std::to_string(method->family.minCameras),
                      std::to_string(project.cameras.size())},
                     "method");
     break;
@@ -92,7 +92,7 @@ void checkCorrectionFrames(Examination& examination) {
 void checkTruth(Examination& examination) {
   if (const auto& truth = examination.project.truth) {
     if (const auto read = readTrajectory(*truth); !read) {
-      examination.addIn(truth->string(), FindingKind::TruthUnusable, {withoutFile(read.error())});
+      examination.addForFile(truth->string(), FindingKind::TruthUnusable, {messageWithoutFile(read.error())});
     }
   }
 }

@@ -70,8 +70,8 @@ public:
                                              captureTimeIds(camera_.camera.name, camera_.location)))
             : openImageFolderReader(camera_.location, "");
     if (!reader) {
-      examination_.addIn(camera_.location, FindingKind::RecordingUnreadable,
-                         {name_, withoutFile(reader.error())});
+      examination_.addForFile(camera_.location, FindingKind::RecordingUnreadable,
+                         {name_, messageWithoutFile(reader.error())});
       return;
     }
     footage_.frames = (*reader)->frameCount();
@@ -118,8 +118,8 @@ private:
       hasFault_ = true;
       const bool isEnd = picture.error().code == ErrorCode::EndedEarly;
       const auto kind = isEnd ? FindingKind::VideoCutOff : FindingKind::FrameUnreadable;
-      const std::string detail = withoutFile(picture.error());
-      examination_.addIn(reader.fileOf(frame), kind,
+      const std::string detail = messageWithoutFile(picture.error());
+      examination_.addForFile(reader.fileOf(frame), kind,
                          isEnd ? std::vector{name_, detail}
                                : std::vector{name_, std::to_string(frame), detail});
     }
@@ -169,7 +169,7 @@ private:
         CaptureSchedule::lengthOf({footage_.frames, 0.0, {}, footage_.sequenceNumbers});
     if (length > footage_.frames && camera_.times.empty()) {
       hasFault_ = true;
-      examination_.addIn(camera_.location, FindingKind::ImagesMissing,
+      examination_.addForFile(camera_.location, FindingKind::ImagesMissing,
                          {name_, std::to_string(length - footage_.frames), std::to_string(length),
                           fileBeforeGap(reader, footage_.sequenceNumbers)});
     }
@@ -229,8 +229,8 @@ void checkBackgroundImage(Examination& examination, std::size_t number) {
       readBackgroundImage(camera.backgroundImage, {"", camera.rotateDegrees, size.width,
                                                    size.height, camera.mirrored, camera.crop});
   if (!read) {
-    examination.addIn(camera.backgroundImage, FindingKind::BackgroundImageUnusable,
-                      {examination.nameOf(number), withoutFile(read.error())});
+    examination.addForFile(camera.backgroundImage, FindingKind::BackgroundImageUnusable,
+                      {examination.nameOf(number), messageWithoutFile(read.error())});
   }
 }
 

@@ -184,7 +184,7 @@ void checkTargets(Examination& examination) {
     if (needsBox(family, project.targets[k])) {
       checkBoxOf(examination, k);
     }
-    if (!family.masksColors()) {
+    if (!family.hasColorMasks()) {
       continue;
     }
     if (project.targets[k].radius > kLargestRadius) {

@@ -79,8 +79,8 @@ void readTables(Examination& examination) {
     auto times =
         readCaptureTimes(camera.times, captureTimeIds(camera.camera.name, camera.location), "");
     if (!times) {
-      examination.addIn(camera.times, FindingKind::TimesUnusable,
-                        {name, withoutFile(times.error())});
+      examination.addForFile(camera.times, FindingKind::TimesUnusable,
+                        {name, messageWithoutFile(times.error())});
       continue;
     }
     if (footage.isOpen && completenessOf(camera.times) == TableCompleteness::CutOff) {
@@ -88,7 +88,7 @@ void readTables(Examination& examination) {
       times->resize(static_cast<std::size_t>(footage.frames));
     }
     if (footage.isOpen && std::ssize(*times) != footage.frames) {
-      examination.addIn(camera.times, FindingKind::TimesCountDiffers,
+      examination.addForFile(camera.times, FindingKind::TimesCountDiffers,
                         {name, std::to_string(times->size()), std::to_string(footage.frames)});
     } else {
       footage.times = std::move(*times);

@@ -129,7 +129,7 @@ void addInstant(const RoomView& view, const Body& body, const cv::Rect& area,
       }
       constexpr float kWeight = 1.0F / (kEdgeSamples * kEdgeSamples);
       for (int i = 0; i < kEdgeSamples * kEdgeSamples; ++i) {
-        const auto [right, down] = subpixel(i, kEdgeSamples);
+        const auto [right, down] = subpixelOffset(i, kEdgeSamples);
         const Share part = sample(view, body, view.direction(column, row, right, down), limit);
         share->color += kWeight * part.color;
         share->coverage += kWeight * part.coverage;

@@ -140,7 +140,7 @@ private:
     }
     constexpr int kSamples = kEdgeSamples * kEdgeSamples;
     for (int i = 0; i < kSamples; ++i) {
-      const auto [right, down] = subpixel(i, kEdgeSamples);
+      const auto [right, down] = subpixelOffset(i, kEdgeSamples);
       add(seenAt(column, row, right, down), 1.0F / kSamples, contribution);
     }
   }

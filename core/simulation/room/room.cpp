@@ -186,7 +186,7 @@ ShadedColor Room::shadedColorOf(const Vector3f& origin, const Vector3f& directio
   const Vector3f start = point + 1e-3F * hit.normal;
   float lit = 0.0F;
   for (std::uint32_t ray = 0; ray < kRays; ++ray) {
-    const std::uint32_t word = hashed(jitter * kRays + ray, 17, 0);
+    const std::uint32_t word = hashOfIntegers(jitter * kRays + ray, 17, 0);
     const Vector3f offset{static_cast<float>(word & 0x3FFU) / 511.5F - 1.0F,
                           static_cast<float>((word >> 10U) & 0x3FFU) / 511.5F - 1.0F, 0.0F};
     lit += isShadowed(start, lamp_ + kLampRadius * offset) ? 0.0F : 1.0F / kRays;

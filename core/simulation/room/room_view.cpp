@@ -39,7 +39,7 @@ std::optional<Eigen::Vector3d> unproject(const Projector& lens, const Eigen::Vec
 
 } // namespace
 
-std::array<float, 2> subpixel(int sample, int side) {
+std::array<float, 2> subpixelOffset(int sample, int side) {
   const int row = sample / side;
   const int column = sample % side;
   const auto offset = [side](int index) {
@@ -99,7 +99,7 @@ void RoomView::renderRoom(const Room& room) {
       distances[pixel] = room.cast(center, directions[pixel]).distance;
       Vector3f color = Vector3f::Zero();
       for (int sample = 0; sample < kSide * kSide; ++sample) {
-        const auto [right, down] = subpixel(sample, kSide);
+        const auto [right, down] = subpixelOffset(sample, kSide);
         const Vector3f ray = direction(column, row, right, down);
         const auto jitter =
             static_cast<std::uint32_t>(pixel) * 4U + static_cast<std::uint32_t>(sample);

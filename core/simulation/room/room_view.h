@@ -15,7 +15,7 @@ namespace dewpoint::simulation {
 /// Returns the center of a subpixel, as an offset (right, down) from the pixel center in pixels.
 /// The pixel is divided into `side` x `side` equal subpixels, and `sample` is the number of the
 /// subpixel, counted row by row from 0.
-std::array<float, 2> subpixel(int sample, int side);
+std::array<float, 2> subpixelOffset(int sample, int side);
 
 /// Camera view of a room at rest: everything that does not change from frame to frame. All arrays
 /// have one entry per pixel, row by row.

@@ -81,7 +81,7 @@ cv::Mat roomAt(const Stage& stage, const RoomView& view, double time,
   const RelitView* other = relitOf(stage, view);
   cv::Mat image = other != nullptr ? backgroundAt(view, other->background, stage.illumination, time)
                                    : view.background.clone();
-  if (stage.peopleExposed && other != nullptr) {
+  if (stage.arePeopleExposed && other != nullptr) {
     const PeopleLight light{{&stage.illumination, time}, &other->background};
     paintPeopleThroughShutter(
         view, [&](double instant) { return peopleAt(stage, instant); }, light, shutter, image);

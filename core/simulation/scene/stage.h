@@ -103,13 +103,13 @@ struct Stage {
   /// Light of the room, if it differs from the light of the lamp with which `views` were rendered.
   Illumination illumination;
   /// People who walk behind the bodies. Bodies can hide people, but people never hide bodies.
-  /// Unless `peopleExposed` is set, people are lit only by the room lamp and have no motion blur.
+  /// Unless `arePeopleExposed` is set, people are lit only by the room lamp and have no motion blur.
   std::vector<Walker> people;
   std::vector<MovableFurniture> furniture; ///< furniture that people move
   /// True if people are the subject of the recording. All lamps of the illumination then light
   /// them, and cameras with a sensor model record them with motion blur and rolling shutter.
   /// Requires an illumination that is not the default.
-  bool peopleExposed = false;
+  bool arePeopleExposed = false;
   float floorHeight = 0.0F; ///< world z of the floor on which people walk, meters
   /// Images of all views, including those of moved cameras, under the illumination; empty if the
   /// illumination is the default.

@@ -51,7 +51,7 @@ CameraGain GainCurve::at(double time) const {
 
 GainCurve automaticGains(const AutomaticGain& control, std::span<const Eigen::Vector3d> lightStops,
                          double framesPerSecond) {
-  const double turn = 2.0 * std::numbers::pi / (control.huntingPeriod * framesPerSecond);
+  const double turn = 2.0 * std::numbers::pi / (control.huntingPeriodSeconds * framesPerSecond);
   std::vector<double> metered;
   metered.reserve(lightStops.size());
   for (std::size_t frame = 0; frame < lightStops.size(); ++frame) {

@@ -52,7 +52,7 @@ struct AutomaticGain {
   /// Amplitude of a periodic error in the measured brightness, stops. The error imitates objects
   /// that enter and leave the image.
   double huntingStops = 0.0;
-  double huntingPeriod = 4.0; ///< period of this error, seconds
+  double huntingPeriodSeconds = 4.0; ///< period of this error, seconds
   double huntingPhase = 0.0;  ///< phase of this error, radians
   /// Constant error of blue and red, stops.
   Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero();

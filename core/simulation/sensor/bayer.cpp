@@ -47,7 +47,7 @@ cv::Mat mosaic(const cv::Mat& linear) {
 void addPixelNoise(cv::Mat& raw, const PixelNoise& noise, double gain, const RandomStream& stream) {
   CV_Assert(raw.type() == CV_32FC1 && raw.isContinuous());
   const std::vector<float>& normals = normalTable();
-  const auto perElectron = static_cast<float>(gain / noise.fullWell);
+  const auto perElectron = static_cast<float>(gain / noise.fullWellElectrons);
   const auto readVariance =
       static_cast<float>(noise.readElectrons * noise.readElectrons) * perElectron * perElectron;
   auto* values = raw.ptr<float>();

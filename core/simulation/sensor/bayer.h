@@ -12,7 +12,7 @@ namespace dewpoint::simulation {
 struct PixelNoise {
   /// Number of electrons at full scale with a gain of 1, that is, at the nominal exposure of the
   /// scene (CameraGain::exposure).
-  double fullWell = 0.0;
+  double fullWellElectrons = 0.0;
   double readElectrons = 0.0; ///< standard deviation of the read noise, electrons
 };
 
@@ -22,7 +22,7 @@ struct PixelNoise {
 cv::Mat mosaic(const cv::Mat& linear);
 
 /// Adds noise to `raw` (CV_32FC1, 1 is full scale). The variance of the noise, relative to the
-/// squared full scale, is (raw + read^2 / electrons) / electrons. Here, electrons = fullWell / gain
+/// squared full scale, is (raw + read^2 / electrons) / electrons. Here, electrons = fullWellElectrons / gain
 /// is the number of electrons at full scale, and read is PixelNoise::readElectrons.
 void addPixelNoise(cv::Mat& raw, const PixelNoise& noise, double gain, const RandomStream& stream);
 

@@ -60,7 +60,7 @@ constexpr MethodFamily kSpheres{
     .heading = "Colored objects in 3D", .describe = colorText, .noTargetsText = lackOfTargets};
 /// Positions where the rays of several cameras meet.
 constexpr MethodFamily kTriangulated{.heading = kSpheres.heading,
-                                     .fewestCameras = 2,
+                                     .minCameras = 2,
                                      .describe = colorText,
                                      .noTargetsText = lackOfTargets};
 constexpr MethodFamily kBoxes{
@@ -69,7 +69,7 @@ constexpr MethodFamily kBoxes{
     .needsCalibration = false,
     .tables = RunTables::Boxes,
     .hasBestParticle = false,
-    .tracksAgainOnEdit = true,
+    .retracksAfterEdit = true,
     .describe = boxText,
     .isDefined = [](const Target& target) { return target.box.has_value(); },
     .noTargetsText = lackOfBoxes,
@@ -77,10 +77,10 @@ constexpr MethodFamily kBoxes{
 constexpr MethodFamily kPeople{
     .targets = TargetSource::Images,
     .heading = "People in a room",
-    .fewestCameras = 2,
+    .minCameras = 2,
     .tables = RunTables::People,
     .hasBestParticle = false,
-    .masksMotion = true,
+    .hasMotionMasks = true,
     .describe = colorText,
     // The background is learned at the beginning.
     .firstFrameFor = [](const std::vector<Target>&, std::int64_t) { return std::int64_t{0}; }};

@@ -42,16 +42,16 @@ struct MethodFamily {
   /// method works in the images of one camera and needs no calibration.
   bool needsCalibration = true;
   /// Smallest number of cameras with which a target can be found.
-  int fewestCameras = 1;
+  int minCameras = 1;
   RunTables tables = RunTables::Trajectory;
   /// True if trajectories have columns for the particle of highest weight.
   bool hasBestParticle = true;
   /// True if masks and maps show motion, in every frame with images, whether or not the frame is
   /// tracked.
-  bool masksMotion = false;
+  bool hasMotionMasks = false;
   /// True if targets can be edited in frames that were already tracked. The following frames are
   /// then tracked again immediately, and past frames show the edited targets.
-  bool tracksAgainOnEdit = false;
+  bool retracksAfterEdit = false;
   /// Describes a target in words, as the method uses it.
   std::string (*describe)(const Target& target) = nullptr;
   /// Returns whether a target of the project has everything required for tracking.
@@ -67,7 +67,7 @@ struct MethodFamily {
   /// targets, and ground truth does not use the names of the targets.
   bool findsTargets() const { return targets == TargetSource::Images; }
   /// Returns whether masks show the pixels that have the color of a target.
-  bool masksColors() const { return targets == TargetSource::Color; }
+  bool hasColorMasks() const { return targets == TargetSource::Color; }
   /// Returns whether the method needs targets from the project, but none of `projectTargets` can be
   /// tracked.
   bool lacksTargets(const std::vector<Target>& projectTargets) const;

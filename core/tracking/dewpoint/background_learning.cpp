@@ -42,7 +42,7 @@ bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
   for (std::size_t k = 0; k < objects.targetCount(); ++k) {
     const TrackHypothesis* const best = objects[k].track.confidentHypothesis();
     const SphereEstimate& estimate = estimates[k];
-    if (best == nullptr || !best->hasRim() || !best->outlineFound || !objects[k].isBall() ||
+    if (best == nullptr || !best->hasRim() || !best->wasOutlineFound || !objects[k].isBall() ||
         best->logLikelihoodRatio <
             TrackHypothesis::kMostlyVisibleShare * best->fullyVisibleLogLikelihoodRatio ||
         !estimate.valid || estimate.existenceProbability < kSurelyThere ||

@@ -41,7 +41,7 @@ TEST(LiveFrameFiller, ALateCameraShowsItsLastImage) {
 TEST(LiveFrameFiller, ASilentCameraIsMissing) {
   LiveFrameFiller filler;
   filler.filled(trackedFrame(1.0, true, true));
-  const double young = LiveFrameFiller::kMaxImageAge;
+  const double young = LiveFrameFiller::kMaxImageAgeSeconds;
   EXPECT_NE(frameOf(filler.filled(trackedFrame(1.0 + 0.9 * young, true, false)), 1), nullptr);
   EXPECT_EQ(frameOf(filler.filled(trackedFrame(1.0 + young, true, false)), 1), nullptr);
   EXPECT_EQ(frameOf(filler.filled(trackedFrame(0.5, true, false)), 1), nullptr); // begun anew

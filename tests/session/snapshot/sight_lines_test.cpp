@@ -71,7 +71,7 @@ const PointClick kCenterOfLeft{0, {79.5, 59.5}}; // where both cameras look
 
 TEST(SightLines, TheRayOfAClickGoesThroughTheOtherImage) {
   const TrackSnapshot snapshot = heldBall();
-  const auto lines = clickedRay(snapshot, kCenterOfLeft, 1);
+  const auto lines = clickedRayLines(snapshot, kCenterOfLeft, 1);
   ASSERT_EQ(lines.size(), 1U);
   double low = 1e9;
   double high = -1e9;
@@ -85,10 +85,10 @@ TEST(SightLines, TheRayOfAClickGoesThroughTheOtherImage) {
 }
 
 TEST(SightLines, NoRayInTheImageOfTheClickOrWithoutACamera) {
-  EXPECT_TRUE(clickedRay(heldBall(), kCenterOfLeft, 0).empty());
-  EXPECT_TRUE(clickedRay(heldBall(), kCenterOfLeft, 2).empty());
-  EXPECT_TRUE(clickedRay(heldBall(), {2, {79.5, 59.5}}, 1).empty());
-  EXPECT_TRUE(clickedRay({}, kCenterOfLeft, 1).empty());
+  EXPECT_TRUE(clickedRayLines(heldBall(), kCenterOfLeft, 0).empty());
+  EXPECT_TRUE(clickedRayLines(heldBall(), kCenterOfLeft, 2).empty());
+  EXPECT_TRUE(clickedRayLines(heldBall(), {2, {79.5, 59.5}}, 1).empty());
+  EXPECT_TRUE(clickedRayLines({}, kCenterOfLeft, 1).empty());
   EXPECT_TRUE(clickedRayEnds(heldBall(), {-1, {79.5, 59.5}}, test::kBall).empty());
 }
 

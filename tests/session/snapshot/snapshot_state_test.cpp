@@ -112,18 +112,18 @@ TEST(SnapshotState, TheTargetToExplainIsTheChosenOneOrTheFirstInTrouble) {
 
 TEST(SnapshotState, OnlyAHeldTargetWithinTheImageIsInView) {
   TrackSnapshot snapshot = snapshotOf({TargetStatus::Searching, TargetStatus::Held});
-  ASSERT_NE(heldTargetInView(snapshot, 0), nullptr);
-  EXPECT_EQ(heldTargetInView(snapshot, 0)->target.name, "2");
-  EXPECT_EQ(heldTargetInView(snapshot, 2), nullptr);
+  ASSERT_NE(trackedTargetInView(snapshot, 0), nullptr);
+  EXPECT_EQ(trackedTargetInView(snapshot, 0)->target.name, "2");
+  EXPECT_EQ(trackedTargetInView(snapshot, 2), nullptr);
   SphereEstimate behind;
   behind.mean = Eigen::Vector3d(0.0, -0.8, 0.1); // of the left camera
   snapshot.targets[1].estimate = behind;
-  EXPECT_EQ(heldTargetInView(snapshot, 0), nullptr);
+  EXPECT_EQ(trackedTargetInView(snapshot, 0), nullptr);
   BoxEstimate box;
   box.camera = 1; // a box is in its own camera only
   snapshot.targets[1].estimate = box;
-  EXPECT_EQ(heldTargetInView(snapshot, 0), nullptr);
-  EXPECT_NE(heldTargetInView(snapshot, 1), nullptr);
+  EXPECT_EQ(trackedTargetInView(snapshot, 0), nullptr);
+  EXPECT_NE(trackedTargetInView(snapshot, 1), nullptr);
 }
 
 TEST(SnapshotState, AClickMeetsTheNearestPersonWhoseHullIsThere) {

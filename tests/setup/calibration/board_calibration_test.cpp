@@ -150,7 +150,7 @@ TEST(BoardCalibration, OnlyTheFramesOfARangeAreSearched) {
 TEST(BoardCalibration, FramesBetweenThoseLookedAtArePassedOver) {
   const Recorded recorded;
   BoardCalibrationRequest wish = recorded.wish();
-  wish.frameLimit = 5; // every third frame
+  wish.maxSearchedFrames = 5; // every third frame
   wish.floorFrame = 7;
   const auto source = recorded.open();
   const auto seen = findBoards(recorded.project, *source, wish);

@@ -175,7 +175,7 @@ TEST(BoardGuide, TakesWhatAPersonAsksForAndGoesOn) {
   EXPECT_EQ(guide.skipToPoses().phase, Phase::Poses);
   guide.step(*room.frames(room.shown(16, BoardTilt::Flat, 0.5)));
   EXPECT_EQ(guide.captureNow().rig.instants, 1);
-  EXPECT_EQ(guide.state().cameras[1].pairViews, 1);
+  EXPECT_EQ(guide.state().cameras[1].pairViewCount, 1);
   EXPECT_FALSE(guide.state().floorFrame);
   guide.step(*room.frames(room.shown(10, BoardTilt::Flat, 0.5)));
   EXPECT_EQ(guide.captureFloor().floorFrame, 2);
@@ -188,13 +188,13 @@ TEST(BoardGuide, AllThatWasTakenIsCalibratedFrom) {
   wish.board.instants = 17;
   wish.board.floorFrame = 3; // of a recording: live, the floor is what was shown
   BoardGuideState state;
-  const BoardCalibrationRequest without = requestForCaptured(wish, state);
+  const BoardCalibrationRequest without = requestForCapturedViews(wish, state);
   EXPECT_EQ(without.views, 60); // as many as the guidance takes of a lens, not 30 of them
   EXPECT_FALSE(without.floorFrame);
   EXPECT_EQ(without.instants, 17);
   state.floorFrame = 42;
   wish.board.views = 80;
-  const BoardCalibrationRequest onFloor = requestForCaptured(wish, state);
+  const BoardCalibrationRequest onFloor = requestForCapturedViews(wish, state);
   EXPECT_EQ(onFloor.views, 80); // more are never too many
   EXPECT_EQ(onFloor.floorFrame, 42);
 }

@@ -50,13 +50,13 @@ TEST(WandCollector, DropsAndCountsWhatItCannotHold) {
   const cv::Mat large(3000, 4000, CV_8UC3, cv::Scalar(60, 60, 60));
   set->frames = {std::make_shared<const Frame>(Frame{0, timeStamp(0.0), large}), nullptr};
   WandCollector collector(2, pink());
-  for (std::size_t k = 0; k < 3 * WandCollector::kMaxWaiting; ++k) {
+  for (std::size_t k = 0; k < 3 * WandCollector::kMaxWaitingFrameSets; ++k) {
     collector.offer(set);
   }
   const auto state = collector.state();
   EXPECT_GT(state.dropped, 0);
   EXPECT_LE(state.waiting,
-            static_cast<std::int64_t>(WandCollector::kMaxWaiting) + 1); // and the one looked at
+            static_cast<std::int64_t>(WandCollector::kMaxWaitingFrameSets) + 1); // and the one looked at
 }
 
 TEST(FrameTap, IsGivenEveryFrameTakenOnce) {

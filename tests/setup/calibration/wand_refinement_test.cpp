@@ -44,14 +44,14 @@ TEST(WandRefinement, WhatTheFormerCamerasExplainAsWellIsNotNeeded) {
   WandRefinement refinement = refinedTo(0.003);
   refinement.accuracy->heldOut = 100;
   refinement.accuracy->heldOutPx = 0.4;
-  EXPECT_FALSE(isUnneeded(refinement)); // not compared
+  EXPECT_FALSE(isUnnecessary(refinement)); // not compared
   refinement.beforePx = 0.5;
-  EXPECT_FALSE(isUnneeded(refinement));
+  EXPECT_FALSE(isUnnecessary(refinement));
   EXPECT_FALSE(isDoubtful(refinement));
   refinement.beforePx = 0.35;
-  EXPECT_TRUE(isUnneeded(refinement));
+  EXPECT_TRUE(isUnnecessary(refinement));
   EXPECT_TRUE(isDoubtful(refinement));
-  EXPECT_NE(unneededText(refinement).find("0.35 px"), std::string::npos);
+  EXPECT_NE(unnecessaryText(refinement).find("0.35 px"), std::string::npos);
 }
 
 /// A refinement of calibrated cameras, whose new positions are known to 6 mm.
@@ -60,7 +60,7 @@ WandRefinement ofCalibratedCameras() {
   refinement.accuracy->heldOut = 100;
   refinement.accuracy->heldOutPx = 0.4;
   refinement.accuracy->cameras = {{0.004, 0.001}, {0.006, 0.001}};
-  refinement.beforeCalibrated = true;
+  refinement.wasCalibratedBefore = true;
   refinement.beforePx = 0.7; // worse than the new ones, but not as of a camera that was moved
   return refinement;
 }
@@ -71,7 +71,7 @@ TEST(WandRefinement, CamerasThatWereKnownBetterAreKept) {
   refinement.beforeError = 0.0015;
   EXPECT_TRUE(isKnownBetter(refinement));
   EXPECT_TRUE(isDoubtful(refinement));
-  EXPECT_FALSE(isUnneeded(refinement));
+  EXPECT_FALSE(isUnnecessary(refinement));
   EXPECT_EQ(knownBetterText(refinement),
             "the old camera positions are known more accurately (+-1.5 mm) than the new ones (+-6 "
             "mm): keep the old ones");
@@ -93,7 +93,7 @@ TEST(WandRefinement, CamerasThatTheImagesContradictAreReplaced) {
   EXPECT_FALSE(isKnownBetter(refinement));
   refinement = ofCalibratedCameras();
   refinement.beforeError = 0.0015;
-  refinement.beforeCalibrated = false; // placed by hand
+  refinement.wasCalibratedBefore = false; // placed by hand
   EXPECT_FALSE(isKnownBetter(refinement));
 }
 

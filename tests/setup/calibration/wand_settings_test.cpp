@@ -72,11 +72,11 @@ TEST(WandSettings, OptionsSayWhatWasDecided) {
   wish.distance = 1.5;
   wish.findOffsets = true;
   wish.initialPositionError = 0.3;
-  wish.onlySelectedFrames = true;
+  wish.usesOnlySelectedFrames = true;
   const std::vector<MarkedInstant> instants{
       at(1.0, WandEvent::Floor), at(2.0, WandEvent::DistanceFrom), at(3.0, WandEvent::DistanceTo),
       at(4.0, WandEvent::Floor), at(5.0, WandEvent::FallBegins),   at(5.5, WandEvent::FallEnds)};
-  const WandOptions options = toOptions(wish, instants, withBalls(1), FrameSpan{10, 99});
+  const WandOptions options = toWandOptions(wish, instants, withBalls(1), FrameSpan{10, 99});
   EXPECT_EQ(options.targets, std::vector<std::string>{"a"});
   ASSERT_TRUE(options.distance);
   EXPECT_EQ(options.distance->meters, 1.5);
@@ -95,12 +95,12 @@ TEST(WandSettings, AStickLeavesOutWhatIsOfOneBall) {
   wish.stick = true;
   wish.length = 0.7;
   wish.size = WandScaleSource::Diameter;
-  EXPECT_EQ(toOptions(wish, {}, withBalls(2)).stickLength, 0.7);
-  EXPECT_FALSE(toOptions(wish, {}, withBalls(2)).fromDiameter);
+  EXPECT_EQ(toWandOptions(wish, {}, withBalls(2)).stickLength, 0.7);
+  EXPECT_FALSE(toWandOptions(wish, {}, withBalls(2)).usesBallDiameter);
   wish.stick = false;
-  EXPECT_EQ(toOptions(wish, {}, withBalls(2)).stickLength, 0.0);
-  EXPECT_TRUE(toOptions(wish, {}, withBalls(2)).fromDiameter);
-  EXPECT_FALSE(toOptions(wish, {}, withBalls(2), FrameSpan{3, 4}).endFrame); // not asked for
+  EXPECT_EQ(toWandOptions(wish, {}, withBalls(2)).stickLength, 0.0);
+  EXPECT_TRUE(toWandOptions(wish, {}, withBalls(2)).usesBallDiameter);
+  EXPECT_FALSE(toWandOptions(wish, {}, withBalls(2), FrameSpan{3, 4}).endFrame); // not asked for
 }
 
 TEST(WandSettings, OnlyTheFloorIsTouchedOften) {

@@ -121,11 +121,11 @@ TEST(ClickLearningResult, ExcludesWhatWasFoundAndTakenAway) {
   const auto without = setup::withoutSample(lesson->samples, 1);
   ASSERT_EQ(without.size(), 2U);
   EXPECT_TRUE(without[1].excluded && !without[1].found);
-  EXPECT_TRUE(setup::anyClicked(without));
+  EXPECT_TRUE(setup::hasClickedSample(without));
   const auto again = learnFromClicks(scene.rig, {scene.images, {}, 0}, without);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->samples, without);
-  EXPECT_FALSE(setup::anyClicked(setup::withoutSample(without, 0)));
+  EXPECT_FALSE(setup::hasClickedSample(setup::withoutSample(without, 0)));
 }
 
 // Two bands of one color: the second is learned beside the first, which is neither it nor what it

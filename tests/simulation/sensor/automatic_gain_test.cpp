@@ -60,7 +60,7 @@ TEST(AutomaticGain, FollowsTheLightSlowly) {
 TEST(AutomaticGain, HuntsWhenItsMeterIsMisled) {
   AutomaticGain control;
   control.huntingStops = 0.3;
-  control.huntingPeriod = 4.0;
+  control.huntingPeriodSeconds = 4.0;
   control.exposure.deadband = 0.0;
   const GainCurve curve =
       automaticGains(control, std::vector<Eigen::Vector3d>(480, Eigen::Vector3d::Zero()), 30.0);

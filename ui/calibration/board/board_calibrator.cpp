@@ -126,7 +126,7 @@ void BoardCalibrator::applyResult(const std::shared_ptr<Computed>& computed, boo
   if (mirrored_.cause != MirroredVideos::Cause::None) {
     Q_EMIT mirroredVideosFound();
   } else if (proposal_) {
-    Q_EMIT boardProposed(!computed->searchedAll);
+    Q_EMIT boardProposed(!computed->hasSearchedAll);
   }
   if (!computed->outcome) {
     failure_ = errorText(computed->outcome.error());
@@ -160,7 +160,7 @@ void BoardCalibrator::calibrateRecording(bool suggestBoardFirst) {
           return findBoards(inputs.project, *inputs.source, request.board, progress)
               .and_then([&](const BoardDetections& seen) {
                 computed.otherBoard = seen.otherBoard;
-                computed.searchedAll = seen.searchedAll;
+                computed.hasSearchedAll = seen.hasSearchedAll;
                 computed.mirrored = mirroredVideos(seen);
                 return calibrateFromBoards(inputs.project, seen, request.board, request.goal,
                                            progress);
@@ -298,7 +298,7 @@ void BoardCalibrator::finish() {
   setWatching(false);
   const auto state = guide();
   compute(
-      [project = project(), seen = state->seen, request = requestForCaptured(request_, *state),
+      [project = project(), seen = state->seen, request = requestForCapturedViews(request_, *state),
        goal = request_.goal](const CalibrationProgress& progress) {
         return Computed{calibrateFromBoards(project, *seen, request, goal, progress)};
       },

@@ -213,7 +213,7 @@ QString visibilityText(const BoardGuideState::PerCamera& camera) {
 }
 
 QString positionAccuracyText(const BoardGuideState::PerCamera& camera) {
-  const QString views = QString::number(camera.pairViews);
+  const QString views = QString::number(camera.pairViewCount);
   return camera.positionSigma
              ? BoardText::tr("%1 views, position accuracy %2")
                    .arg(views, lengthText(*camera.positionSigma, LengthScale::Millimeters, 2))

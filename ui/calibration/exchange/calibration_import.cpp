@@ -252,7 +252,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   if (made->matchedByOrder) {
     lines << tr("The calibration uses other camera names. The cameras were matched by order.");
   }
-  if (made->lensOnly) {
+  if (made->hasOnlyIntrinsics) {
     lines << tr("The file contains no pose. Only the intrinsics are imported; the camera keeps its "
                 "current pose.");
   }

@@ -115,7 +115,7 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
 
 void WandCalibrator::startWaving() {
   Session* session = dependencies_.session();
-  const auto colors = wandColors(project(), toOptions(settings_, touchedInstants_, project()));
+  const auto colors = wandColors(project(), toWandOptions(settings_, touchedInstants_, project()));
   if (session == nullptr) {
     return;
   }
@@ -181,7 +181,7 @@ void WandCalibrator::refine() {
   const auto selected = selectedRange
                             ? std::optional(FrameSpan{selectedRange->first, selectedRange->last})
                             : std::nullopt;
-  const WandOptions options = toOptions(settings_, touchedInstants_, project(), selected);
+  const WandOptions options = toWandOptions(settings_, touchedInstants_, project(), selected);
   refinement_.reset();
   failure_.clear();
   applied_ = false;

@@ -130,7 +130,7 @@ void WandForm::connectFields() {
   check(offsets_, &WandSettings::findOffsets);
   check(focal_, &WandSettings::findFocal);
   check(distortion_, &WandSettings::findDistortion);
-  check(onlyRange_, &WandSettings::onlySelectedFrames);
+  check(onlyRange_, &WandSettings::usesOnlySelectedFrames);
 }
 
 void WandForm::edit(const std::function<void(WandSettings&)>& change) {
@@ -175,7 +175,7 @@ void WandForm::refresh() {
   offsets_->setChecked(settings.findOffsets);
   focal_->setChecked(settings.findFocal);
   distortion_->setChecked(settings.findDistortion);
-  onlyRange_->setChecked(settings.onlySelectedFrames && calibrator_.hasSelectedRange());
+  onlyRange_->setChecked(settings.usesOnlySelectedFrames && calibrator_.hasSelectedRange());
   onlyRange_->setEnabled(calibrator_.hasSelectedRange());
   for (QWidget* field :
        std::initializer_list<QWidget*>{otherLabel_, other_, lengthLabel_, length_}) {

@@ -190,12 +190,12 @@ void WandOutcome::showOutcome() {
                        .arg(lengthText(found->options.initialPositionError,
                                        LengthScale::Centimeters, 1));
     }
-    if (isUnneeded(*found)) {
+    if (isUnnecessary(*found)) {
       notes << QStringLiteral("⚠ ") +
                    tr("The previous calibration fits the images as well as the new one. Keep the "
                       "previous one, or wave longer and through more of the volume.");
     }
-    if (isKnownBetter(*found) && !isUnneeded(*found)) {
+    if (isKnownBetter(*found) && !isUnnecessary(*found)) {
       notes << QStringLiteral("⚠ ") + knownBetterMessage(*found);
     }
     for (const MotionGap& gap : found->gaps) {

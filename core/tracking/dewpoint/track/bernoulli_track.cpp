@@ -119,7 +119,7 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
     double factor =
         measurementUpdate(hypothesis, observation, particleCount(hypothesis), key, team);
     factor -= evidenceBeyondSaturation(hypothesis);
-    hypothesis.oneCameraOnly =
+    hypothesis.onlyOneCameraSees =
         observation.cameraCount() > 1 &&
         observation.countCamerasInView(hypothesis.position(), hypothesis.velocity()) == 1;
     logMasses.push_back(std::log(std::max(priorProbability(hypothesis, observation), 1e-300)) +
@@ -131,11 +131,11 @@ double BernoulliTrack::priorProbability(TrackHypothesis& hypothesis,
                                         SphereObservation& observation) const {
   observation.setRadius(hypothesis.radius);
   if (observation.showsRim(hypothesis.position(), hypothesis.velocity())) {
-    hypothesis.rimSeen = true;
+    hypothesis.wasRimSeen = true;
     hypothesis.secondsSinceRim = 0.0;
   }
   // A part of something that stands still looks the same in every frame, and counts once.
-  return hypothesis.rimSeen ? hypothesis.probability
+  return hypothesis.wasRimSeen ? hypothesis.probability
                             : std::min(hypothesis.probability,
                                        birthProbability(hypothesis.position(), hypothesis.radius));
 }
@@ -236,8 +236,8 @@ TrackHypothesis BernoulliTrack::createHypothesis(const OutlineFit& fit,
       observation.logLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
   hypothesis.fullyVisibleLogLikelihoodRatio =
       observation.fullyVisibleLogLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
-  hypothesis.outlineFound = true;
-  hypothesis.rimSeen = observation.showsRim(fit.center, Eigen::Vector3d::Zero());
+  hypothesis.wasOutlineFound = true;
+  hypothesis.wasRimSeen = observation.showsRim(fit.center, Eigen::Vector3d::Zero());
   hypothesis.sizeMisfit = radiusPrior_.isTrusted() ? fit.sizeMisfit : 0.0;
   hypothesis.measurement = {fit.center, fit.covariance};
   drawParticles(hypothesis, observation, settings_.minParticles, key, team);
@@ -256,7 +256,7 @@ void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius
   hypotheses_.assign(1, createHypothesis(fit, observation, key, team));
   hypotheses_.front().probability = kInitialProbability;
   hypotheses_.front().provenProbability = kInitialProbability;
-  hypotheses_.front().rimSeen = true;
+  hypotheses_.front().wasRimSeen = true;
 }
 
 void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& observation,
@@ -265,7 +265,7 @@ void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& obser
   TrackHypothesis hypothesis = newHypothesis(position, radius, radiusPrior_.logVariance());
   hypothesis.probability = kInitialProbability;
   hypothesis.provenProbability = kInitialProbability;
-  hypothesis.rimSeen = true;
+  hypothesis.wasRimSeen = true;
   hypothesis.givenCovariance = position.covariance;
   drawPrior(hypothesis, settings_.maxParticles, key, team);
   predicted_.assign(1, hypothesis);
@@ -310,7 +310,7 @@ void BernoulliTrack::resolveIdentity(bool identicalTargets) {
   std::erase_if(predicted_, dropped);
 }
 
-void BernoulliTrack::suppressBest() {
+void BernoulliTrack::suppressBestHypothesis() {
   if (!hypotheses_.empty()) {
     hypotheses_.front().probability *= 1e-3;
     mergeAndPrune(hypotheses_);

@@ -88,7 +88,7 @@ public:
   void resolveIdentity(bool identicalTargets);
   /// Multiplies the probability of the most likely hypothesis by 0.001, because another object was
   /// found at its position.
-  void suppressBest();
+  void suppressBestHypothesis();
 
   const Target& target() const { return target_; }
   const std::optional<WorldBox>& bounds() const { return bounds_; }
@@ -112,7 +112,7 @@ private:
   void updateHypotheses(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
                         std::vector<double>& logMasses);
   /// Returns the prior probability of a hypothesis, before the images of this frame are used.
-  /// Stores in the hypothesis whether the images show its rim (TrackHypothesis::rimSeen). A
+  /// Stores in the hypothesis whether the images show its rim (TrackHypothesis::wasRimSeen). A
   /// hypothesis that may be part of a larger object gets at most the probability of a birth.
   double priorProbability(TrackHypothesis& hypothesis, SphereObservation& observation) const;
   /// Returns the probability that an absent target appears at this position, or so close to it that

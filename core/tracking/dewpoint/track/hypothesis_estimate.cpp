@@ -66,7 +66,7 @@ SphereEstimate estimateFrom(const TrackHypothesis& hypothesis, double identityAm
                             const SystematicErrors& errors, const Eigen::Matrix3d& ofShape) {
   SphereEstimate result = momentsOf(hypothesis.states, hypothesis.weights);
   result.covariance = hypothesis.gaussian.covariance.topLeftCorner<3, 3>();
-  if (hypothesis.outlineFound) {
+  if (hypothesis.wasOutlineFound) {
     result.measurement = hypothesis.measurement;
   }
   const double near = probabilityNearby(hypothesis);

@@ -150,13 +150,13 @@ double RegionTrack::measure(State& state, RegionObservation& observation) const 
   const Gaussian6::Matrix wide =
       hypothesis.gaussian.covariance + hypothesis.processNoise.gatingCovariance();
   const PreparedGaussian3 gate({hypothesis.position(), wide.topLeftCorner<3, 3>()});
-  hypothesis.outlineFound =
+  hypothesis.wasOutlineFound =
       fit.found && gate.squaredDistance(fit.ellipsoid.center) <= kGate * kGate;
   const double fill = state.fill > 0.0 ? state.fill : kPriorFill;
   hypothesis.logLikelihoodRatio = logLikelihoodRatio(state.views, fill);
   hypothesis.fullyVisibleLogLikelihoodRatio = fullyVisible(state.views);
-  hypothesis.oneCameraOnly = observation.cameraCount() > 1 && viewsInView(state.views) == 1;
-  if (hypothesis.outlineFound) {
+  hypothesis.onlyOneCameraSees = observation.cameraCount() > 1 && viewsInView(state.views) == 1;
+  if (hypothesis.wasOutlineFound) {
     accept(state, fit);
     for (const RegionMeasurement& view : state.views) {
       if (view.region && view.visible > 0.5) {
@@ -167,7 +167,7 @@ double RegionTrack::measure(State& state, RegionObservation& observation) const 
   }
   if (hypothesis.logLikelihoodRatio >
           TrackHypothesis::kPartlyVisibleShare * hypothesis.fullyVisibleLogLikelihoodRatio &&
-      hypothesis.outlineFound) {
+      hypothesis.wasOutlineFound) {
     hypothesis.processNoise.recordSeen();
   } else {
     hypothesis.processNoise.recordUnseen();
@@ -204,7 +204,7 @@ void RegionTrack::update(RegionObservation& observation,
     const double before = std::clamp(hypothesis.probability, kMinAbsence, 1.0 - kMinAbsence);
     const double odds = std::log(before / (1.0 - before)) + measure(*state_, observation);
     hypothesis.probability = probabilityFromLogOdds(odds);
-    if (hypothesis.oneCameraOnly) {
+    if (hypothesis.onlyOneCameraSees) {
       hypothesis.probability = std::min(hypothesis.probability, hypothesis.provenProbability);
     } else {
       hypothesis.provenProbability = hypothesis.probability;
@@ -238,7 +238,7 @@ void RegionTrack::search(RegionObservation& observation,
     const TrackHypothesis& found = state.hypothesis;
     const double density =
         searchPrior_.birthDensity(found.position(), settings_.searchSize, bounds_);
-    if (!found.outlineFound || found.oneCameraOnly || density <= 0.0 ||
+    if (!found.wasOutlineFound || found.onlyOneCameraSees || density <= 0.0 ||
         found.logLikelihoodRatio < kMinLogLikelihoodRatio) {
       continue;
     }

@@ -278,7 +278,7 @@ void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const
   motion.predict(hypothesis.gaussian);
   hypothesis.givenCovariance.reset();
   // One camera alone does not tell a larger target from a nearer one.
-  if (hypothesis.logRadiusVariance > 0.0 && !hypothesis.oneCameraOnly &&
+  if (hypothesis.logRadiusVariance > 0.0 && !hypothesis.onlyOneCameraSees &&
       hypothesis.logRadiusVariance < kWidestRadius * kWidestRadius) {
     hypothesis.logRadiusVariance += kRadiusDrift * kRadiusDrift;
   }
@@ -361,9 +361,9 @@ double measurementUpdate(TrackHypothesis& hypothesis, SphereObservation& observa
   const Prediction prediction(hypothesis);
   const OutlineMeasurement found = findOutline(hypothesis, observation, prediction, team);
   const OutlineFit& fit = found.fit;
-  hypothesis.outlineFound = found.accepted;
+  hypothesis.wasOutlineFound = found.accepted;
   hypothesis.logLikelihoodRatio = found.logLikelihoodRatio;
-  if (!hypothesis.outlineFound) {
+  if (!hypothesis.wasOutlineFound) {
     const double factor = weightPrediction(hypothesis, observation, key, team);
     hypothesis.fullyVisibleLogLikelihoodRatio =
         observation.fullyVisibleLogLikelihoodRatio(hypothesis.position(), hypothesis.velocity());

@@ -131,10 +131,10 @@ TEST_F(BernoulliTrackTest, AnOccupiedPositionIsRemovedUnlessItIsLikelierThanNot)
 
 TEST_F(BernoulliTrackTest, WhatIsSuppressedHasAThousandthLeft) {
   initializeAt();
-  track_.suppressBest();
+  track_.suppressBestHypothesis();
   EXPECT_NEAR(probability(), 0.98e-3, 1e-15);
   track_.restart({}, 2);
-  track_.suppressBest(); // nothing to suppress
+  track_.suppressBestHypothesis(); // nothing to suppress
   EXPECT_EQ(track_.best(), nullptr);
 }
 
