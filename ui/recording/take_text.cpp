@@ -110,7 +110,7 @@ QString preRollText(const TakeStatus& take) {
 QString replayText(const ReplayComparison& found) {
   const auto number = [](std::int64_t frame) { return QString::number(frame + 1); };
   QStringList parts;
-  if (found.framesBefore > 0) {
+  if (found.framesBeforeTake > 0) {
     parts += QCoreApplication::translate(
         "TakeText", "The run began before the take, so the run cannot be tracked again from its "
                     "beginning. To avoid this, restart the run while you record.");

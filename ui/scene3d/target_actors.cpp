@@ -106,7 +106,7 @@ void TargetActors::showLinesOfSight(const std::vector<SightLine>& lines) {
     if (line.sees) {
       seen.push_back({line.from, line.to});
     } else {
-      const auto strokes = dashes(line.from, line.to, kSightDashes);
+      const auto strokes = dashedLine(line.from, line.to, kSightDashes);
       hidden.insert(hidden.end(), strokes.begin(), strokes.end());
     }
   }

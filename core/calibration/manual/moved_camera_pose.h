@@ -20,7 +20,7 @@ struct PointSighting {
   double sigmaPixels = 1.0;
 };
 
-/// KnowledgeLevel about a camera motion before the sightings are used.
+/// Knowledge about a camera motion before the sightings are used.
 struct CameraMotionPrior {
   /// Rotation measured from the background, as in CameraRotation; radians.
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();

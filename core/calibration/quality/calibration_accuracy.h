@@ -12,7 +12,7 @@
 
 namespace dewpoint::calibration {
 
-/// KnowledgeLevel about the accuracy of a calibration that is not part of its adjustment.
+/// Knowledge about the accuracy of a calibration that is not part of its adjustment.
 struct AccuracyPriors {
   double scaleSigma = 0.0; ///< relative standard deviation of the scale; 0: exact, or unknown
   bool scaleKnown =

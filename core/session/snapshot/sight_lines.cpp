@@ -79,7 +79,7 @@ std::vector<Eigen::Vector3d> clickedRayEnds(const TrackSnapshot& snapshot, const
   return {ray->origin, ray->origin + length * ray->direction};
 }
 
-std::vector<std::vector<Eigen::Vector3d>> dashes(const Eigen::Vector3d& from,
+std::vector<std::vector<Eigen::Vector3d>> dashedLine(const Eigen::Vector3d& from,
                                                  const Eigen::Vector3d& to, int count) {
   std::vector<std::vector<Eigen::Vector3d>> strokes;
   for (int k = 0; k < count; ++k) {

@@ -38,7 +38,7 @@ std::vector<Eigen::Vector3d> clickedRayEnds(const TrackSnapshot& snapshot, const
                                             const Eigen::Vector3d& position);
 
 /// Returns a dashed line: `count` dashes from one point to another, with gaps of the same length.
-std::vector<std::vector<Eigen::Vector3d>> dashes(const Eigen::Vector3d& from,
+std::vector<std::vector<Eigen::Vector3d>> dashedLine(const Eigen::Vector3d& from,
                                                  const Eigen::Vector3d& to, int count);
 
 } // namespace dewpoint::session

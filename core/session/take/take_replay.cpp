@@ -208,7 +208,7 @@ void countIncomplete(const std::vector<StoredSet>& sets, ReplayComparison& compa
     const auto isThere = [](const auto& image) { return image && image->number >= 0; };
     hasBegun = hasBegun || std::ranges::any_of(set.images, isThere);
     if (!hasBegun) {
-      ++comparison.framesBefore;
+      ++comparison.framesBeforeTake;
       continue;
     }
     ++comparison.frames;
@@ -294,7 +294,7 @@ Result<ReplayComparison> compareReplay(const fs::path& take, int threads,
   }
   comparison.hasTimeBudget = hasTimeBudget(project->parameters);
   countIncomplete(*sets, comparison);
-  if (comparison.framesBefore == 0) {
+  if (comparison.framesBeforeTake == 0) {
     if (const Status tracked = replaySets(*project, *sets, live, threads, progress, comparison);
         !tracked) {
       return tl::make_unexpected(tracked.error());
@@ -305,10 +305,10 @@ Result<ReplayComparison> compareReplay(const fs::path& take, int threads,
 
 std::vector<std::string> describeReplay(const ReplayComparison& found) {
   std::vector<std::string> lines;
-  if (found.framesBefore > 0) {
+  if (found.framesBeforeTake > 0) {
     lines.push_back(fmt::format("The run began {} frames before the take, so it cannot be tracked "
                                 "again from its beginning.",
-                                found.framesBefore));
+                                found.framesBeforeTake));
   } else if (found.isSame()) {
     lines.push_back(fmt::format("Same in all {} frames, to the last bit.", found.frames));
   } else if (found.differing > 0) {

@@ -19,7 +19,7 @@ struct ReplayComparison {
   std::int64_t frames = 0; ///< live frames in the take
   /// Number of live frames before the first one whose images are in the take. If it is not 0,
   /// nothing is compared, because tracking depends on all frames since the start of the run.
-  std::int64_t framesBefore = 0;
+  std::int64_t framesBeforeTake = 0;
   std::int64_t compared = 0; ///< frames that were tracked again and compared
   /// Compared frames in which the estimate of at least one target differs.
   std::int64_t differing = 0;
@@ -33,7 +33,7 @@ struct ReplayComparison {
 
   /// Returns whether all frames were compared and their results are bit-identical.
   bool isSame() const {
-    return compared > 0 && compared == frames && differing == 0 && framesBefore == 0;
+    return compared > 0 && compared == frames && differing == 0 && framesBeforeTake == 0;
   }
 };
 

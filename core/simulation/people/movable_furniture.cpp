@@ -21,12 +21,12 @@ BodyPart boxPart(const Vector3f& center, const Vector3f& halfSize, const Vector3
 } // namespace
 
 FurniturePose MovableFurniture::at(double time) const {
-  const auto after = std::ranges::upper_bound(way, time, {}, &FurniturePose::time);
-  if (after == way.begin()) {
-    return way.front();
+  const auto after = std::ranges::upper_bound(waypoints, time, {}, &FurniturePose::time);
+  if (after == waypoints.begin()) {
+    return waypoints.front();
   }
-  if (after == way.end()) {
-    return way.back();
+  if (after == waypoints.end()) {
+    return waypoints.back();
   }
   const FurniturePose& before = *(after - 1);
   const double part = (time - before.time) / (after->time - before.time);

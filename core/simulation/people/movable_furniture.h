@@ -26,7 +26,7 @@ struct MovableFurniture {
   /// Poses in order of time; there must be at least one. The furniture moves smoothly from each
   /// pose to the next. Before the time of the first pose, it stays at the first pose. After the
   /// time of the last pose, it stays at the last pose.
-  std::vector<FurniturePose> way;
+  std::vector<FurniturePose> waypoints;
   double reach = 0.3; ///< radius of a circle on the floor that encloses the furniture, meters
 
   /// Returns the pose at a time in seconds.

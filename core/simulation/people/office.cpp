@@ -41,7 +41,7 @@ cv::Mat OfficeRenderer::renderLight(std::size_t camera, std::int64_t frame, cv::
   people.reserve(scene_.people.size() + scene_.furniture.size());
   const double time = scene_.timeOf(frame);
   for (const auto& walker : scene_.people) {
-    people.push_back(walker.presentAt(time) ? bodyParts(walker, time)
+    people.push_back(walker.isPresentAt(time) ? bodyParts(walker, time)
                                             : std::vector<simulation::BodyPart>{});
   }
   for (const MovableFurniture& piece : scene_.furniture) {
@@ -69,7 +69,7 @@ cv::Mat OfficeRenderer::silhouette(std::size_t camera, std::int64_t frame,
                                    std::size_t person) const {
   const double time = scene_.timeOf(frame);
   const auto& walker = scene_.people.at(person);
-  return wholeSilhouette(*views_.at(camera), walker.presentAt(time)
+  return wholeSilhouette(*views_.at(camera), walker.isPresentAt(time)
                                                  ? bodyParts(walker, time)
                                                  : std::vector<simulation::BodyPart>{});
 }
@@ -93,7 +93,7 @@ cv::Mat OfficeRenderer::backgroundImage(std::size_t camera) const {
 
 bool OfficeRenderer::isInsideOffice(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
-  return walker.presentAt(time) &&
+  return walker.isPresentAt(time) &&
          walker.position(time).cwiseAbs().maxCoeff() < double{kOfficeHalfSize};
 }
 

@@ -49,15 +49,15 @@ struct Walker {
   std::string name;
   double height = kReferenceHeight; ///< meters
   Clothes clothes;
-  std::vector<Waypoint> way;
+  std::vector<Waypoint> waypoints;
   std::vector<PostureChange> postures; ///< in order of time; empty: always standing
-  std::optional<CarriedObject> load;
+  std::optional<CarriedObject> carriedObject;
   /// Time from which on the person is present, seconds.
   double presentFrom = -std::numeric_limits<double>::infinity();
   /// Time from which on the person is no longer present, seconds.
   double presentUntil = std::numeric_limits<double>::infinity();
 
-  bool presentAt(double time) const { return time >= presentFrom && time < presentUntil; }
+  bool isPresentAt(double time) const { return time >= presentFrom && time < presentUntil; }
   /// Returns the point on the floor (world x and y, meters) below the center of the body at a time
   /// (seconds). The point lies on the path through the waypoints, whose corners are rounded.
   Eigen::Vector2d position(double time) const;

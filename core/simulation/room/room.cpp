@@ -90,7 +90,7 @@ void castSolid(const Solid& solid, const Vector3f& origin, const Vector3f& direc
                RoomHit& hit) {
   const Vector3f relative = origin - solid.center;
   const float along = relative.dot(direction);
-  if (relative.squaredNorm() - along * along > solid.bound * solid.bound) {
+  if (relative.squaredNorm() - along * along > solid.boundingRadius * solid.boundingRadius) {
     return;
   }
   const Vector3f o = toSolidFrame(solid, relative);
@@ -122,7 +122,7 @@ float shade(const Vector3f& point, const Vector3f& normal, float lit, const Vect
 }
 
 Room::Room(Furnishing furnishing, const RoomDesign& design) {
-  const Material plaster = design.walls.value_or(Material{Pattern::Plaster, rgb(226, 219, 203)});
+  const Material plaster = design.wallMaterial.value_or(Material{Pattern::Plaster, rgb(226, 219, 203)});
   Furniture furniture;
   switch (furnishing) {
   case Furnishing::Hall:

@@ -70,7 +70,7 @@ enum class Furnishing {
 /// Modifications of a furnished room.
 struct RoomDesign {
   Furniture additionalFurniture; ///< furniture in addition to the furniture of the Furnishing
-  std::optional<Material> walls; ///< material of the walls, if it differs from the default
+  std::optional<Material> wallMaterial; ///< material of the walls, if it differs from the default
   /// Lamp position, if it differs from the default; world frame, meters.
   std::optional<Vector3f> lamp;
 };

@@ -20,7 +20,7 @@ struct ShadowCaster {
   float lampRadius = 0.0F;
   /// Smallest half width of the shadow's soft edge; applies to a ball close to the floor.
   float minBlur = 0.0F;
-  float highest = 0.0F; ///< only points up to this height (world z) count as floor
+  float maxFloorHeight = 0.0F; ///< only points up to this height (world z) count as floor
 };
 
 /// Calls `shade(row, column, pixel, covered, blur)` for each pixel of `area` that shows the floor
@@ -41,7 +41,7 @@ void forEachShadedPixel(const RoomView& view, const cv::Rect& area, const Shadow
       const Eigen::Vector3f way = caster.lamp - point;
       const float length = way.norm();
       const float along = (caster.center - point).dot(way) / length;
-      if (point.z() > caster.highest || along <= 0.0F) {
+      if (point.z() > caster.maxFloorHeight || along <= 0.0F) {
         continue;
       }
       const float aside = ((caster.center - point) - along / length * way).norm();

@@ -57,7 +57,7 @@ struct StageBody {
   /// Returns the radius (meters) of a sphere around the object. For a body made of parts, this
   /// sphere contains only the body's ball.
   double boundingRadius() const { return box ? halfSize.norm() : radius; }
-  bool presentAt(double time) const { return !present || present(time); }
+  bool isPresentAt(double time) const { return !present || present(time); }
   /// Returns the scaled parts at a time (seconds), relative to the path. The result is empty if the
   /// object has no parts.
   std::vector<MovingPart> partsAt(double time) const;
@@ -92,9 +92,9 @@ struct Stage {
   std::uint64_t seed = 1; ///< seed of the sensor noise
   std::vector<StageBody> bodies;
   std::vector<std::shared_ptr<const RoomView>> views; ///< one per camera
-  std::vector<MovedCamera> moves;
+  std::vector<MovedCamera> movedCameras;
   std::function<Light(std::size_t camera, double time)> light; ///< empty: full light
-  std::vector<cv::Mat> unevenness; ///< CV_32FC3 gain per pixel, one per camera; empty: even light
+  std::vector<cv::Mat> illuminationGains; ///< CV_32FC3 gain per pixel, one per camera; empty: even light
   double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds =
       kDefaultExposureSeconds;      ///< exposure time of cameras without a sensor model, seconds
@@ -113,11 +113,11 @@ struct Stage {
   float floorHeight = 0.0F; ///< world z of the floor on which people walk, meters
   /// Images of all views, including those of moved cameras, under the illumination; empty if the
   /// illumination is the default.
-  std::vector<RelitView> relit;
+  std::vector<RelitView> relitViews;
 };
 
-/// Computes Stage::relit from the stage's illumination and views. Call this function after changing
-/// the illumination, `views` or `moves`.
+/// Computes Stage::relitViews from the stage's illumination and views. Call this function after changing
+/// the illumination, `views` or `movedCameras`.
 void prepareLight(Stage& stage);
 
 /// Returns the brightness that a camera's automatic control measures at a time (seconds), per

@@ -35,7 +35,7 @@ Vector3f clothColor(const Cloth& cloth, const Vector3f& first, const Vector3f& p
     second = valueNoise(position / cloth.width) > 0.0F;
     break;
   }
-  return second ? cloth.second : first;
+  return second ? cloth.secondColor : first;
 }
 
 } // namespace dewpoint::simulation

@@ -17,7 +17,7 @@ enum class ClothPattern {
 struct Cloth {
   ClothPattern pattern = ClothPattern::Plain;
   /// Second color. The first color is stored with the part of the body that wears the cloth.
-  Vector3f second{0.0F, 0.0F, 0.0F};
+  Vector3f secondColor{0.0F, 0.0F, 0.0F};
   float width = 0.06F; ///< width of a band, field or spot, meters
 };
 

@@ -35,7 +35,7 @@ struct Solid {
   Material material;
   float cosine = 1.0F; ///< cosine of `yaw`
   float sine = 0.0F;   ///< sine of `yaw`
-  float bound = 0.0F;  ///< radius of a sphere around the solid, meters
+  float boundingRadius = 0.0F; ///< radius of a sphere around the solid, meters
 };
 
 /// Creates a solid, including the fields that are derived from its size and rotation. Lengths are

@@ -102,7 +102,7 @@ TEST(SightLines, TheRayOfAClickEndsAQuarterBeyondThePosition) {
 }
 
 TEST(SightLines, DashesBeginAndEndWithAStroke) {
-  const auto strokes = dashes(Eigen::Vector3d::Zero(), {9.0, 0.0, 0.0}, 5);
+  const auto strokes = dashedLine(Eigen::Vector3d::Zero(), {9.0, 0.0, 0.0}, 5);
   ASSERT_EQ(strokes.size(), 5U);
   EXPECT_DOUBLE_EQ(strokes[1][0].x(), 2.0);
   EXPECT_DOUBLE_EQ(strokes[1][1].x(), 3.0);

@@ -124,7 +124,7 @@ TEST_F(TakeReplayTest, ARunThatBeganEarlierCannotBeCompared) {
   record();
   track(10);
   const ReplayComparison comparison = compare();
-  EXPECT_GE(comparison.framesBefore, 5);
+  EXPECT_GE(comparison.framesBeforeTake, 5);
   EXPECT_EQ(comparison.compared, 0);
   EXPECT_FALSE(comparison.isSame());
   EXPECT_NE(allSentences(comparison).find("before the take"), std::string::npos);

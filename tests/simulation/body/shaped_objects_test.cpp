@@ -68,7 +68,7 @@ TEST(ShapedObjects, AGrippingHandTouchesTheBall) {
 TEST(ShapedObjects, AShirtIsTrunkAndArms) {
   simulation::Walker walker;
   walker.clothes.shirt = kPinkBody;
-  walker.way = {{0.0, {-1.0, 0.2}}, {2.0, {1.0, 0.2}}};
+  walker.waypoints = {{0.0, {-1.0, 0.2}}, {2.0, {1.0, 0.2}}};
   const auto parts = simulation::shirtOnPerson(walker, 1.0);
   EXPECT_EQ(std::ranges::count_if(parts, &MovingPart::target), 5);
   const auto volume = simulation::targetVolume(parts);

@@ -30,7 +30,7 @@ const RoomView& exposureView() {
 PeopleAt passingAt(double speed) {
   return [speed](double time) {
     Walker walker;
-    walker.way = {{-10.0, {-10.0 * speed, 1.0}}, {10.0, {10.0 * speed, 1.0}}};
+    walker.waypoints = {{-10.0, {-10.0 * speed, 1.0}}, {10.0, {10.0 * speed, 1.0}}};
     return std::vector<std::vector<BodyPart>>{bodyParts(walker, time)};
   };
 }

@@ -16,7 +16,7 @@ using simulation::Walker;
 Walker standingAtOrigin(double height) {
   Walker walker;
   walker.height = height;
-  walker.way = {{0.0, {0.0, 0.0}}};
+  walker.waypoints = {{0.0, {0.0, 0.0}}};
   return walker;
 }
 
@@ -108,7 +108,7 @@ TEST(Posture, ChangesSmoothly) {
 
 TEST(Walker, HoldsABoxBeforeTheChest) {
   Walker walker = standingAtOrigin(1.75);
-  walker.load = simulation::CarriedObject();
+  walker.carriedObject = simulation::CarriedObject();
   const auto parts = bodyParts(walker, 0.0);
   ASSERT_EQ(parts.size(), 13U);
   const BodyPart& box = parts.back();
@@ -122,8 +122,8 @@ TEST(Walker, HoldsABoxBeforeTheChest) {
 
 TEST(Walker, CarriesABagBesideTheRightLeg) {
   Walker walker = standingAtOrigin(1.75);
-  walker.load = simulation::CarriedObject();
-  walker.load->kind = simulation::CarriedObject::Kind::Bag;
+  walker.carriedObject = simulation::CarriedObject();
+  walker.carriedObject->kind = simulation::CarriedObject::Kind::Bag;
   const BodyPart bag = bodyParts(walker, 0.0).back();
   EXPECT_LT(bag.center.y(), -0.2F); // the walker faces x, so y is to the left
   EXPECT_LT(bag.center.z(), 0.9F);
@@ -132,16 +132,16 @@ TEST(Walker, CarriesABagBesideTheRightLeg) {
 TEST(Cloth, HasTwoColorsInStripes) {
   const simulation::Vector3f first(1.0F, 2.0F, 3.0F);
   simulation::Cloth cloth;
-  cloth.second = {7.0F, 8.0F, 9.0F};
+  cloth.secondColor = {7.0F, 8.0F, 9.0F};
   cloth.width = 0.1F;
   EXPECT_EQ(clothColor(cloth, first, {0.0F, 0.0F, 0.15F}), first); // plain
   cloth.pattern = simulation::ClothPattern::Stripes;
   EXPECT_EQ(clothColor(cloth, first, {0.0F, 0.0F, 0.05F}), first);
-  EXPECT_EQ(clothColor(cloth, first, {0.3F, 0.2F, 0.15F}), cloth.second);
-  EXPECT_EQ(clothColor(cloth, first, {0.3F, 0.2F, -0.05F}), cloth.second);
+  EXPECT_EQ(clothColor(cloth, first, {0.3F, 0.2F, 0.15F}), cloth.secondColor);
+  EXPECT_EQ(clothColor(cloth, first, {0.3F, 0.2F, -0.05F}), cloth.secondColor);
   cloth.pattern = simulation::ClothPattern::Checks;
   EXPECT_EQ(clothColor(cloth, first, {0.05F, 0.15F, 0.15F}), first); // fields 0 + 1 + 1
-  EXPECT_EQ(clothColor(cloth, first, {0.05F, 0.05F, 0.15F}), cloth.second);
+  EXPECT_EQ(clothColor(cloth, first, {0.05F, 0.05F, 0.15F}), cloth.secondColor);
 }
 
 } // namespace

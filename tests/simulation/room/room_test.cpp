@@ -40,7 +40,7 @@ TEST(RoomDesign, AddsFurnitureWallsAndALamp) {
   RoomDesign design;
   design.additionalFurniture.add(Shape::Box, {0.5F, 0.5F, 0.35F}, {0.1F, 0.1F, 0.1F},
                                  {Pattern::Plain, rgb(250, 10, 10)});
-  design.walls = Material{Pattern::Plain, rgb(10, 10, 250)};
+  design.wallMaterial = Material{Pattern::Plain, rgb(10, 10, 250)};
   design.lamp = Vector3f{0.5F, -1.0F, 1.5F};
   const Room room(Furnishing::Desk, design);
   EXPECT_EQ(room.lamp(), *design.lamp);

@@ -208,7 +208,7 @@ TEST(Stage, PeopleWalkBehindBodies) {
   const cv::Mat empty = renderStage(stage, 0, 1.0, 0);
   Walker walker;
   walker.height = 1.75;
-  walker.way = {{0.0, {0.3, 1.75}}, {2.0, {0.7, 1.75}}};
+  walker.waypoints = {{0.0, {0.3, 1.75}}, {2.0, {0.7, 1.75}}};
   stage.people = {walker};
   stage.floorHeight = -0.75F;
   const cv::Mat with = renderStage(stage, 0, 1.0, 0);

@@ -117,10 +117,10 @@ bool walking(ScenarioDraft& draft) {
   walker.height = draws.uniform(1.6, 1.9);
   const double chest = kChest * walker.height / simulation::kReferenceHeight;
   for (int i = 0; i < kMaxDrawAttempts; ++i) {
-    walker.way.clear();
+    walker.waypoints.clear();
     for (const double time : {-1.0, 1.5, 4.0, 7.0}) {
       const Eigen::Vector3d position = draws.pointInBox({-1.2, -1.0, 0.0}, {1.2, 1.4, 0.0});
-      walker.way.push_back({time, position.head<2>()});
+      walker.waypoints.push_back({time, position.head<2>()});
     }
     const simulation::Path path = [walker, chest](double time) -> Eigen::Vector3d {
       const Eigen::Vector2d foot = walker.position(time);

@@ -38,7 +38,7 @@ Trajectory truthOf(const ScenarioDraft& draft, std::vector<TargetExtent>& extent
       sample.position = now.position;
       extents.push_back(now.extent);
       sample.cameras = static_cast<int>(draft.rig.size());
-      sample.valid = body.presentAt(sample.time);
+      sample.valid = body.isPresentAt(sample.time);
       truth.samples.push_back(std::move(sample));
     }
   }

@@ -28,7 +28,7 @@ bool isWalkable(const Vector2d& position) {
 }
 
 bool isPathFree(const Walker& walker) {
-  return std::ranges::all_of(walker.way,
+  return std::ranges::all_of(walker.waypoints,
                              [](const Waypoint& point) { return isWalkable(point.position); });
 }
 
@@ -56,7 +56,7 @@ void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange,
     Walker walker = numberedWalker(k + 1);
     const Vector2d position = middle + (k == 0 ? -0.5 : 0.5) * gap;
     const Vector2d& pace = velocity.at(static_cast<std::size_t>(k));
-    walker.way = {{kAppearTime, position - kHalf * pace},
+    walker.waypoints = {{kAppearTime, position - kHalf * pace},
                   {nearest + kHalf, position + kHalf * pace}};
     scenario.scene.people.push_back(walker);
   }
@@ -77,7 +77,7 @@ void addMeetingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, R
     // Not quite the way they came.
     const double aside = draws.uniform(-0.4, 0.4);
     const Vector2d back = reach * (way + aside * Vector2d(-way.y(), way.x()));
-    walker.way = {{kAppearTime, middle + reach * way},
+    walker.waypoints = {{kAppearTime, middle + reach * way},
                   {arrive, middle + 0.5 * gap * way},
                   {arrive + stay, middle + 0.5 * gap * way},
                   {arrive + stay + reach, middle + back}};
@@ -101,7 +101,7 @@ void addAccompanyingPeople(PeopleScenario& scenario, RandomDraws& draws) {
     const double side = k == 0 ? -1.0 : 1.0;
     const Vector2d near = 0.5 * side * gap * aside;
     const Vector2d far = draws.uniform(0.9, 1.2) * side * aside;
-    walker.way = {{kAppearTime, middle - (together + 0.5) * along + far},
+    walker.waypoints = {{kAppearTime, middle - (together + 0.5) * along + far},
                   {join, middle - together * along + near},
                   {part, middle + together * along + near},
                   {part + 1.3, middle + (together + 0.5) * along + far}};
@@ -115,7 +115,7 @@ void addDistantPeople(PeopleScenario& scenario, RandomDraws& draws) {
   for (int k = 0; k < 2; ++k) {
     Walker walker = numberedWalker(k + 1);
     const double side = k == 0 ? -1.0 : 1.0;
-    walker.way = {{kAppearTime, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}},
+    walker.waypoints = {{kAppearTime, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}},
                   {kAppearTime + 4.0, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}}};
     scenario.scene.people.push_back(walker);
   }
@@ -140,10 +140,10 @@ void addVisitors(PeopleScenario& scenario, RandomDraws& draws) {
     const double pace = draws.uniform(0.9, 1.2);
     const Vector2d inside(draws.uniform(-0.9, 0.9), draws.uniform(-0.9, 0.9));
     double time = start;
-    walker.way.push_back({time, in[0]});
+    walker.waypoints.push_back({time, in[0]});
     for (const Vector2d& position : {in[1], inside, out[1], out[0]}) {
-      time += (position - walker.way.back().position).norm() / pace;
-      walker.way.push_back({time, position});
+      time += (position - walker.waypoints.back().position).norm() / pace;
+      walker.waypoints.push_back({time, position});
     }
     scenario.timeAfterMeeting = std::max(scenario.timeAfterMeeting, time + 1.5);
     scenario.scene.people.push_back(walker);
