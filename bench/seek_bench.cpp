@@ -100,7 +100,7 @@ void show(Session& session, std::int64_t frame, Times& times) {
       seen = true;
       times.first.push_back(millisecondsSince(begin));
     }
-    if (snapshot->frame == frame && !snapshot->preview) {
+    if (snapshot->frame == frame && !snapshot->isPreview) {
       times.exact.push_back(millisecondsSince(begin));
       return;
     }

@@ -91,7 +91,7 @@ Broadcaster::Broadcaster(const BroadcastInputs& inputs, std::vector<Line> lines,
 Broadcaster::~Broadcaster() = default;
 
 void Broadcaster::offer(TrackSnapshotPtr snapshot) {
-  if (!snapshot || !snapshot->rig || !snapshot->frames || !snapshot->tracked || snapshot->past) {
+  if (!snapshot || !snapshot->rig || !snapshot->frames || !snapshot->tracked || snapshot->isPast) {
     return;
   }
   {

@@ -329,17 +329,17 @@ void RunDriver::setThreads(int wanted) {
 
 void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
   if (const auto viewed = playback_.viewedFrame()) {
-    snapshot.past = true;
+    snapshot.isPast = true;
     const auto shown = builder.fillFromPastFrame(run(), timeTravel(), *viewed, quickly, snapshot);
     if (shown) {
       return;
     }
     note(shown.error());
     playback_.returnToNewestFrame();
-    snapshot.past = false;
+    snapshot.isPast = false;
   }
   const bool isRecorded = playback_.head() == Playback::Head::Recorded;
-  builder.showCurrent(run(), current_.history(), isRecorded, snapshot);
+  builder.fillFromCurrentFrame(run(), current_.history(), isRecorded, snapshot);
 }
 
 void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
@@ -347,7 +347,7 @@ void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot
   if (current_.exists()) {
     showFrame(builder, quickly, snapshot);
   }
-  playback_.notePublished(snapshot.preview,
+  playback_.notePublished(snapshot.isPreview,
                           current_.exists() && builder.lacksMaps(run(), snapshot));
   snapshot.state = playback_.playState();
   snapshot.rerun = playback_.rerunRange();

@@ -216,13 +216,13 @@ void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& 
 }
 
 void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot) const {
-  if (options_.shapes) {
+  if (options_.withShapes) {
     addShapes(snapshot);
   }
   if (!snapshot.frames) {
     return;
   }
-  if (!snapshot.preview) {
+  if (!snapshot.isPreview) {
     addHistograms(run, snapshot);
   }
   // Of targets that were found nobody knows which true ones they are.
@@ -232,12 +232,12 @@ void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot)
     }
   }
   // A target without a color has no mask.
-  if (options_.masks && !snapshot.preview && snapshot.family.hasColorMasks()) {
+  if (options_.withMasks && !snapshot.isPreview && snapshot.family.hasColorMasks()) {
     snapshot.masks = colorMasks(snapshot);
   }
 }
 
-void SnapshotBuilder::showCurrent(const TrackingRun& run, const History* history, bool isRecorded,
+void SnapshotBuilder::fillFromCurrentFrame(const TrackingRun& run, const History* history, bool isRecorded,
                                   TrackSnapshot& snapshot) const {
   snapshot.frames = run.frames();
   snapshot.frame = run.frames() ? run.frames()->index : -1;
@@ -257,7 +257,7 @@ void SnapshotBuilder::showCurrent(const TrackingRun& run, const History* history
 
 Status SnapshotBuilder::fillFromPastFrame(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
                                  bool quickly, TrackSnapshot& snapshot) const {
-  auto frames = quickly ? travel.previewAt(frame, snapshot.preview) : travel.frames(frame);
+  auto frames = quickly ? travel.previewAt(frame, snapshot.isPreview) : travel.frames(frame);
   if (!frames) {
     return tl::make_unexpected(frames.error());
   }
@@ -279,7 +279,7 @@ void SnapshotBuilder::fillFromDefinition(const RunDefinition& definition, TrackS
   snapshot.seed = definition.seed;
 }
 
-Status SnapshotBuilder::describe(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
+Status SnapshotBuilder::fillFromAnyFrame(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
                                  const TimeTravel::ShouldContinue& shouldContinue,
                                  TrackSnapshot& snapshot) const {
   if (!shouldContinue()) {
@@ -288,7 +288,7 @@ Status SnapshotBuilder::describe(const TrackingRun& run, TimeTravel& travel, std
   if (travel.nearest(frame) != frame) {
     return failure(ErrorCode::NotFound, "", "", fmt::format("frame {}", frame));
   }
-  snapshot.past = true; // as it was recorded, so that the current frame looks like the others
+  snapshot.isPast = true; // as it was recorded, so that the current frame looks like the others
   if (const Status shown = fillFromPastFrame(run, travel, frame, false, snapshot); !shown) {
     return shown;
   }
@@ -302,22 +302,22 @@ Status SnapshotBuilder::describe(const TrackingRun& run, TimeTravel& travel, std
 
 bool SnapshotBuilder::requestsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
   return run.definition()->family().hasMotionMasks
-             ? (options_.masks || options_.maps) && snapshot.frames != nullptr
-             : options_.maps && snapshot.tracked;
+             ? (options_.withMasks || options_.withMaps) && snapshot.frames != nullptr
+             : options_.withMaps && snapshot.tracked;
 }
 
 bool SnapshotBuilder::lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
-  return snapshot.past && snapshot.tracked && !snapshot.preview && requestsMaps(run, snapshot);
+  return snapshot.isPast && snapshot.tracked && !snapshot.isPreview && requestsMaps(run, snapshot);
 }
 
 void SnapshotBuilder::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const {
   const auto* const finding = run.capability<PeopleFinding>();
-  if (finding != nullptr && options_.masks) {
+  if (finding != nullptr && options_.withMasks) {
     snapshot.masks = motionMasks(run, *finding);
     snapshot.masksShowMotion = true;
   }
   const auto* const motion = run.capability<MotionMapping>();
-  if (motion != nullptr && options_.maps) {
+  if (motion != nullptr && options_.withMaps) {
     snapshot.motionMaps = motionMaps(run, *motion);
   }
   const auto* const mapping = run.capability<LikelihoodMapping>();

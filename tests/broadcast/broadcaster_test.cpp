@@ -63,7 +63,7 @@ TEST(Broadcaster, SendsEachNewFrameOnce) {
     auto untracked = trackedFrame(0);
     untracked->tracked = false;
     auto past = trackedFrame(0);
-    past->past = true;
+    past->isPast = true;
     (*broadcaster)->offer(nullptr);
     (*broadcaster)->offer(std::make_shared<TrackSnapshot>()); // before the first frame
     (*broadcaster)->offer(untracked);

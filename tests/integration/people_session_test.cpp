@@ -136,7 +136,7 @@ TEST(PeopleSession, ShowsThePeopleOfThen) {
   ASSERT_TRUE(eventually(
       [&] { return session.newest()->frame == 70 && !session.newest()->masks.empty(); }));
   TrackSnapshotPtr then = session.newest();
-  EXPECT_TRUE(then->past);
+  EXPECT_TRUE(then->isPast);
   ASSERT_EQ(then->targets.size(), 2U); // as many rows as the run has, whoever was there
   const auto sample = std::ranges::find_if(
       all.samples, [](const auto& one) { return one.frame == 70 && one.target == "person 1"; });
@@ -302,7 +302,7 @@ TEST(PeopleSession, AnotherMethodWhileLookingBackLearnsTheRoomFromTheBeginning) 
       const auto snapshot = session.newest();
       return (snapshot->family.targets == TargetSource::Images) == people && !snapshot->rerun &&
              snapshot->frame == 65 &&
-             snapshot->past; // the moment that was looked at is shown again
+             snapshot->isPast; // the moment that was looked at is shown again
     });
   };
   Project other = officeProject();

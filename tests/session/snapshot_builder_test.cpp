@@ -26,7 +26,7 @@ void iterateTo(Session& session, std::int64_t frame) {
 TrackSnapshotPtr shown(Session& session, std::int64_t frame) {
   session.showFrame(frame);
   EXPECT_TRUE(
-      eventually([&] { return session.newest()->frame == frame && !session.newest()->preview; }));
+      eventually([&] { return session.newest()->frame == frame && !session.newest()->isPreview; }));
   return session.newest();
 }
 
@@ -97,8 +97,8 @@ TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
   ASSERT_EQ(then->frame, 20);
   iterateTo(session, 21);
   const TrackSnapshotPtr later = shown(session, 20);
-  EXPECT_FALSE(then->past);
-  EXPECT_TRUE(later->past);
+  EXPECT_FALSE(then->isPast);
+  EXPECT_TRUE(later->isPast);
   EXPECT_TRUE(then->tracked && later->tracked);
   EXPECT_EQ(then->iterations, later->iterations);
   ASSERT_EQ(then->masks.size(), later->masks.size());
@@ -139,7 +139,7 @@ TEST(SnapshotBuilder, AFrameIsDescribedWithoutBeingShown) {
   EXPECT_EQ(session.newest(), before); // nothing was published
   EXPECT_EQ((*past)->frame, 12);
   EXPECT_TRUE((*past)->tracked && (*current)->tracked);
-  EXPECT_FALSE((*later)->tracked || (*past)->preview);
+  EXPECT_FALSE((*later)->tracked || (*past)->isPreview);
   EXPECT_EQ((*past)->masks.size(), 2U);
   EXPECT_NE((*later)->frames, nullptr);
   const TrackSnapshotPtr shown12 = shown(session, 12);

@@ -58,7 +58,7 @@ CameraOverlay shownOverlay(const TrackSnapshot& snapshot, int camera, std::size_
                            const CameraViewOptions& look) {
   CameraOverlay overlay = cameraOverlay(snapshot, camera, snapshot.targets[target]);
   if (!look.bestShown) {
-    overlay.best.reset();
+    overlay.bestParticle.reset();
   }
   return overlay;
 }

@@ -72,8 +72,8 @@ void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePl
           {at + QPointF(0, -7), at + QPointF(7, 0), at + QPointF(0, 7), at + QPointF(-7, 0)}));
     });
   }
-  if (overlay.best) {
-    const QPointF at = placed(overlay.best->x(), overlay.best->y(), placement);
+  if (overlay.bestParticle) {
+    const QPointF at = placed(overlay.bestParticle->x(), overlay.bestParticle->y(), placement);
     // A triangle: another shape than the cross of the mean and the diamond of the truth.
     withHalo(painter, color, 1.5, [&] {
       painter.drawPolygon(

@@ -266,7 +266,7 @@ void ColorPanel::keepAssessmentCurrent() {
   if (outlined_ && moved) {
     clearRegions();
   }
-  const bool stays = snapshot_->state != PlayState::Playing && !snapshot_->preview &&
+  const bool stays = snapshot_->state != PlayState::Playing && !snapshot_->isPreview &&
                      snapshot_->frame != assessedFrame_;
   if ((!assessed_ || stays) && !assessSoon_->isActive() && picker_->isEnabled()) {
     assessSoon_->start();

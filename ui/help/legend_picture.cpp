@@ -71,7 +71,7 @@ CameraOverlay overlayOf(LegendSign sign, const QPointF& ball) {
     overlay.truth = center;
     break;
   case LegendSign::Best:
-    overlay.best = center;
+    overlay.bestParticle = center;
     break;
   case LegendSign::Ray:
   case LegendSign::Mask:

@@ -42,7 +42,7 @@ bool BackgroundImageTaker::canCapture(int camera) const {
 
 cv::Mat BackgroundImageTaker::shownImage(int camera) const {
   const auto row = static_cast<std::size_t>(std::max(0, camera));
-  const bool any = snapshot_ && !snapshot_->preview && snapshot_->frames &&
+  const bool any = snapshot_ && !snapshot_->isPreview && snapshot_->frames &&
                    row < snapshot_->frames->frames.size() && snapshot_->frames->frames[row];
   return any ? snapshot_->frames->frames[row]->image : cv::Mat();
 }

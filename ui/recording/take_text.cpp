@@ -118,20 +118,20 @@ QString replayText(const ReplayComparison& found) {
     parts += QCoreApplication::translate(
                  "TakeText",
                  "Tracking the take gives exactly the results of the live run in all %1 frames.")
-                 .arg(found.frames);
+                 .arg(found.liveFrames);
   } else {
     parts += QCoreApplication::translate(
                  "TakeText",
                  "%1 of %2 frames differ from the live run, the first one is frame %3. Positions "
                  "differ by up to %4.")
-                 .arg(found.differing)
-                 .arg(found.frames)
-                 .arg(number(found.firstDifference.value_or(0)), lengthText(found.largestDistance));
+                 .arg(found.differingFrames)
+                 .arg(found.liveFrames)
+                 .arg(number(found.firstDifferingFrame.value_or(0)), lengthText(found.largestDistance));
   }
-  if (found.incomplete > 0) {
+  if (found.incompleteFrames > 0) {
     parts += QCoreApplication::translate("TakeText",
                                          "Images of %1 frames were dropped, the first in frame %2.")
-                 .arg(found.incomplete)
+                 .arg(found.incompleteFrames)
                  .arg(number(found.firstIncompleteFrame.value_or(0)));
   }
   for (const ResultRange& range : found.otherSettings) {

@@ -373,7 +373,7 @@ void SessionController::startAfterBoxDrawn(bool isFirstBox) {
   }
   // From a frame that was tracked already it is tracked again by itself, up to where the run
   // stands; at the end there is nothing to play.
-  const bool again = shown_->past && shown_->frame <= shown_->history.head;
+  const bool again = shown_->isPast && shown_->frame <= shown_->history.head;
   const auto hasBox = [](const Target& one) { return one.box.has_value(); };
   const bool only =
       std::ranges::count_if(document_.project().targets, hasBox) == 1 && shown_->history.head <= 0;

@@ -109,11 +109,11 @@ Timeline* installTimeline(const Workbench& bench) {
                    });
   QObject::connect(&bench.session, &SessionController::snapshotChanged, timeline,
                    [bench, timeline](const TrackSnapshotPtr& snapshot) {
-                     bench.action("actionNow")->setEnabled(snapshot && snapshot->past);
+                     bench.action("actionNow")->setEnabled(snapshot && snapshot->isPast);
                      if (snapshot) {
                        bench.selection.setCurrentFrame(snapshot->frame,
                                                        timeline->model().secondsOf(snapshot->frame),
-                                                       snapshot->past);
+                                                       snapshot->isPast);
                      }
                    });
   QObject::connect(timeline, &Timeline::menuRequested, timeline,

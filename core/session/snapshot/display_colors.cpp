@@ -171,11 +171,11 @@ std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& s
   std::vector<std::optional<LabColor>> chosen(own); // as seen on the decisive ground
   std::vector<DisplayColor> colors(sources.size());
   for (std::size_t k = 0; k < own; ++k) {
-    if (sources[k].fixed) {
-      chosen[k] = labColor(*sources[k].fixed);
-      colors[k] = *sources[k].fixed;
-    } else if (!sources[k].learned.empty()) {
-      if (const auto middle = centralColor(sources[k].learned[0])) {
+    if (sources[k].fixedColor) {
+      chosen[k] = labColor(*sources[k].fixedColor);
+      colors[k] = *sources[k].fixedColor;
+    } else if (!sources[k].learnedColors.empty()) {
+      if (const auto middle = centralColor(sources[k].learnedColors[0])) {
         chosen[k] = labColor(legibleColor(*middle, kDecisive));
         colors[k] = legibleColor(*middle, ground);
       }
@@ -184,7 +184,7 @@ std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& s
   // All of a group that look alike give way, so that none of them depends on their order.
   const auto before = chosen;
   for (std::size_t k = 0; k < own; ++k) {
-    for (std::size_t other = 0; other < own && !sources[k].fixed; ++other) {
+    for (std::size_t other = 0; other < own && !sources[k].fixedColor; ++other) {
       if (other != k && before[k] && before[other] &&
           areLabsSimilar(before[k]->lab, before[other]->lab)) {
         chosen[k].reset();
@@ -211,7 +211,7 @@ std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& s
         break;
       }
     }
-    colors[k] = k >= own && sources[k].fixed ? *sources[k].fixed : palette[index];
+    colors[k] = k >= own && sources[k].fixedColor ? *sources[k].fixedColor : palette[index];
   }
   return colors;
 }

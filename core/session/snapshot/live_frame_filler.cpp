@@ -3,8 +3,8 @@
 
 namespace dewpoint::session {
 
-TrackSnapshotPtr LiveFrameFiller::filled(const TrackSnapshotPtr& snapshot) {
-  const bool live = snapshot && snapshot->frames && !snapshot->frameCount && !snapshot->past;
+TrackSnapshotPtr LiveFrameFiller::withMissingImages(const TrackSnapshotPtr& snapshot) {
+  const bool live = snapshot && snapshot->frames && !snapshot->frameCount && !snapshot->isPast;
   if (!live) {
     return snapshot;
   }

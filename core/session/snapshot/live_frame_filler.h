@@ -15,7 +15,7 @@ class LiveFrameFiller {
 public:
   /// Returns the snapshot for display. In a live run, cameras without an image get their last one
   /// (and its mask) if it is younger than kMaxImageAgeSeconds. Other snapshots are returned unchanged.
-  TrackSnapshotPtr filled(const TrackSnapshotPtr& snapshot);
+  TrackSnapshotPtr withMissingImages(const TrackSnapshotPtr& snapshot);
 
   static constexpr double kMaxImageAgeSeconds = 0.5; ///< seconds
 

@@ -18,7 +18,7 @@ struct SightLine {
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
   /// True if the camera confirms at least a part of the target. Otherwise, the target is hidden
   /// from this camera.
-  bool sees = true;
+  bool seesTarget = true;
 };
 
 /// Returns one line of sight for each camera in whose image the estimate lies. Cameras without an

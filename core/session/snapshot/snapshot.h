@@ -76,9 +76,9 @@ struct RerunState {
 /// Statistics of how well a run meets its time budget per iteration (parameter `time_budget`),
 /// since the budget was set or the run began.
 struct BudgetStatistics {
-  double milliseconds = 0.0;   ///< time budget per iteration; 0: none
+  double budgetMilliseconds = 0.0; ///< time budget per iteration; 0: none
   std::int64_t iterations = 0; ///< number of iterations
-  std::int64_t late = 0;       ///< number of iterations that took longer than the budget
+  std::int64_t lateIterations = 0;       ///< number of iterations that took longer than the budget
 };
 
 /// Everything that views can show of one frame. Immutable once published.
@@ -100,11 +100,11 @@ struct TrackSnapshot {
   /// State of each camera, only for methods for people; empty for other methods.
   std::vector<PeopleCameraState> peopleCameras;
   std::int64_t frame = -1; ///< number of the frame shown
-  bool past = false;       ///< the frame shown is not the current frame of the run
+  bool isPast = false;     ///< the frame shown is not the current frame of the run
   bool tracked = false;    ///< the frame shown was tracked
   /// True if the images are small previews, scaled up. The full images follow immediately, unless
   /// another frame is requested.
-  bool preview = false;
+  bool isPreview = false;
   HistoryState history;            ///< other frames that can be shown
   std::optional<RerunState> rerun; ///< set while past frames are tracked again
   std::optional<std::int64_t> frameCount;
@@ -147,7 +147,7 @@ struct IterationRecord {
   Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero();
   int particleCount = 0;
   double existenceProbability = 0.0; ///< over all cameras
-  bool held = false;                 ///< see isHeld()
+  bool isHeld = false;               ///< see isHeld()
   /// Likelihood, existence probability and visible fraction per camera, in the order of the cameras
   /// in the rig; empty if the method does not compute them.
   std::vector<CameraEvidence> cameras = {};

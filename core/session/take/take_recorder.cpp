@@ -92,7 +92,7 @@ Result<std::unique_ptr<TakeRecorder>> TakeRecorder::start(const Project& project
   for (std::size_t k = 0; k < take->project_.cameras.size() && k < feeds.size(); ++k) {
     const ProjectCamera& camera = take->project_.cameras[k];
     take->recordings_.push_back(std::make_unique<StreamRecording>(
-        feeds[k], StreamFiles{camera.location, camera.times}, options.raw, zero,
+        feeds[k], StreamFiles{camera.location, camera.times}, options.rawStorage, zero,
         cameraField(camera.camera.name), take->begin_));
   }
   take->watch_ =

@@ -21,7 +21,7 @@ namespace dewpoint::session {
 
 /// Options for recording a take.
 struct TakeOptions {
-  RawStorage raw = RawStorage::Jpeg;
+  RawStorage rawStorage = RawStorage::Jpeg;
   std::string notes = {}; ///< free text, kept in take.json
   /// Number of the take; if not set, the next one after all takes in the folder.
   std::optional<int> number = std::nullopt;

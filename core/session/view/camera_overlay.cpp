@@ -101,7 +101,7 @@ void addPlace(const Camera& camera, const TargetSnapshot& target, Eigen::Index s
     }
   }
   if (const auto best = bestParticleOf(target.estimate)) {
-    overlay.best = projector.project(*best);
+    overlay.bestParticle = projector.project(*best);
   }
   if (target.truth) {
     overlay.truth = projector.project(*target.truth);

@@ -4,7 +4,7 @@
 namespace dewpoint::session {
 
 CameraMotionStage stageOf(const CameraMotionReport& report, double now) {
-  if (report.isBack) {
+  if (report.isBackInPose) {
     return CameraMotionStage::Back;
   }
   if (report.newPose) {
@@ -19,7 +19,7 @@ CameraMotionMessages::update(const std::vector<CameraMotionReport>& reports, dou
   NewMessages news;
   if (reports.size() < count_) {
     reported_.clear();
-    news.withdrawn = true;
+    news.withdrawsEarlier = true;
   }
   count_ = reports.size();
   for (const CameraMotionReport& report : reports) {

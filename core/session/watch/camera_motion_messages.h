@@ -37,7 +37,7 @@ public:
     CameraMotionStage stage = CameraMotionStage::Waiting;
   };
   struct NewMessages {
-    bool withdrawn = false; ///< earlier messages no longer apply
+    bool withdrawsEarlier = false; ///< earlier messages no longer apply
     std::vector<Item> items;
   };
 

@@ -23,7 +23,7 @@ using test::sameBits;
 constexpr std::int64_t kTravelFrames = 90;
 
 bool shows(const Session& session, std::int64_t frame) {
-  return eventually([&] { return session.newest()->frame == frame && !session.newest()->preview; });
+  return eventually([&] { return session.newest()->frame == frame && !session.newest()->isPreview; });
 }
 
 bool samePixels(const FrameSet& a, const FrameSet& b) {
@@ -80,7 +80,7 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
     ASSERT_TRUE(shows(session, frame));
     const auto now = session.newest();
     const auto then = seen[frame];
-    EXPECT_TRUE(now->past);
+    EXPECT_TRUE(now->isPast);
     EXPECT_TRUE(now->tracked);
     EXPECT_EQ(now->state, PlayState::Paused);
     EXPECT_EQ(now->history.head, kTravelFrames - 1);
@@ -108,7 +108,7 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
   }
   session.returnToNewestFrame();
   ASSERT_TRUE(shows(session, kTravelFrames - 1));
-  EXPECT_FALSE(session.newest()->past);
+  EXPECT_FALSE(session.newest()->isPast);
   EXPECT_EQ(session.trajectory().samples.size(),
             std::size_t{kTravelFrames}); // looking changes nothing
 }
@@ -232,7 +232,7 @@ TEST(TimeTravel, AnUntrackedPartIsShownAndTrackedFrom) {
   session.showFrame(50);
   ASSERT_TRUE(shows(session, 50));
   EXPECT_FALSE(session.newest()->tracked);
-  EXPECT_TRUE(session.newest()->past);
+  EXPECT_TRUE(session.newest()->isPast);
   EXPECT_TRUE(samePixels(*session.newest()->frames, *DrawnRecording::frame(50)));
   EXPECT_EQ(session.newest()->targets.at(0).particles.rows(), 0);
   const Trajectory played = playedToTheEnd(session);

@@ -29,7 +29,7 @@ double luminance(const DisplayColor& color) {
 TEST(DisplayColors, APinkBallIsPink) {
   // The range of the simulated ball.
   const ColorRange pink{320.0, 352.0, 0.25, 0.65, 0.15, 0.90};
-  const auto colors = displayColors({{.learned = pink}}, DisplayBackground::Light);
+  const auto colors = displayColors({{.learnedColors = pink}}, DisplayBackground::Light);
   ASSERT_EQ(colors.size(), 1U);
   EXPECT_GT(colors[0][0], colors[0][2] + 0.1); // red above blue above green
   EXPECT_GT(colors[0][2], colors[0][1] + 0.1);
@@ -48,7 +48,7 @@ TEST(DisplayColors, GrayAndManyHuesAreNoColor) {
   EXPECT_FALSE(centralColor(ColorRange{}).has_value());
   EXPECT_FALSE(centralColor({0.0, 360.0, 0.2, 1.0, 0.0, 1.0}).has_value());
   EXPECT_FALSE(centralColor({100.0, 120.0, 0.0, 0.6, 0.2, 0.8}).has_value());
-  const auto colors = displayColors({{}, {.learned = ColorRange{}}}, DisplayBackground::Dark);
+  const auto colors = displayColors({{}, {.learnedColors = ColorRange{}}}, DisplayBackground::Dark);
   EXPECT_EQ(colors[0], palette()[0]);
   EXPECT_EQ(colors[1], palette()[1]);
 }
@@ -75,9 +75,9 @@ TEST(DisplayColors, EachReadsOnItsGround) {
 }
 
 TEST(DisplayColors, TargetsThatLookAlikeHaveColorsOfThePalette) {
-  const auto colors = displayColors({{.learned = rangeAbout(330.0)},
-                                     {.learned = rangeAbout(120.0)},
-                                     {.learned = rangeAbout(334.0)}},
+  const auto colors = displayColors({{.learnedColors = rangeAbout(330.0)},
+                                     {.learnedColors = rangeAbout(120.0)},
+                                     {.learnedColors = rangeAbout(334.0)}},
                                     DisplayBackground::Light);
   EXPECT_EQ(colors[0], palette()[0]);
   EXPECT_GT(colors[1][1], colors[1][0]); // stays green
@@ -88,16 +88,16 @@ TEST(DisplayColors, TargetsThatLookAlikeHaveColorsOfThePalette) {
 TEST(DisplayColors, PeopleKeepTheirs) {
   const DisplayColor identity(0.1, 0.2, 0.9);
   const auto colors =
-      displayColors({{.fixed = identity}, {.fixed = identity}}, DisplayBackground::Dark);
+      displayColors({{.fixedColor = identity}, {.fixedColor = identity}}, DisplayBackground::Dark);
   EXPECT_EQ(colors[0], identity);
   EXPECT_EQ(colors[1], identity);
 }
 
 TEST(DisplayColors, ATargetHasOneHueOnEveryGround) {
   // Two blues that differ in lightness, and two targets without a color.
-  const std::vector<DisplayColorSource> sources{{.learned = rangeAbout(220.0, 0.5, 0.2)},
-                                                {.learned = rangeAbout(220.0, 0.5, 0.8)},
-                                                {.learned = rangeAbout(120.0)},
+  const std::vector<DisplayColorSource> sources{{.learnedColors = rangeAbout(220.0, 0.5, 0.2)},
+                                                {.learnedColors = rangeAbout(220.0, 0.5, 0.8)},
+                                                {.learnedColors = rangeAbout(120.0)},
                                                 {},
                                                 {}};
   const auto image = displayColors(sources, DisplayBackground::Image);
@@ -128,8 +128,8 @@ TEST(DisplayColors, MoreTargetsThanThePaletteHasStillHaveOneEach) {
 
 TEST(DisplayColors, OfManyTargetsTheFirstOnesKeepTheirColors) {
   std::vector<DisplayColorSource> sources(kMaxOwnColors + 2);
-  sources.front().learned = rangeAbout(120.0);
-  sources.back().learned = rangeAbout(120.0); // too many to compare
+  sources.front().learnedColors = rangeAbout(120.0);
+  sources.back().learnedColors = rangeAbout(120.0); // too many to compare
   const auto colors = displayColors(sources, DisplayBackground::Light);
   EXPECT_EQ(colors.front(), legibleColor(*centralColor(rangeAbout(120.0)), DisplayBackground::Light));
   EXPECT_EQ(colors.back(), palette()[(kMaxOwnColors + 1) % palette().size()]);

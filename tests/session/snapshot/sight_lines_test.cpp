@@ -27,7 +27,7 @@ TEST(SightLines, EachCameraSeesAHeldTarget) {
   const auto lines = sightLines(snapshot, snapshot.targets[0]);
   ASSERT_EQ(lines.size(), 2U);
   for (const SightLine& line : lines) {
-    EXPECT_TRUE(line.sees);
+    EXPECT_TRUE(line.seesTarget);
     EXPECT_EQ(line.from, (*snapshot.rig)[static_cast<std::size_t>(line.camera)].center());
     EXPECT_EQ(line.to, test::kBall);
   }
@@ -38,8 +38,8 @@ TEST(SightLines, ReasonsSayWhereItIsHidden) {
   snapshot.targets[0].cameraReports = {{CameraStatus::Hidden}, {CameraStatus::PartlyHidden}};
   auto lines = sightLines(snapshot, snapshot.targets[0]);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_FALSE(lines[0].sees);
-  EXPECT_TRUE(lines[1].sees);
+  EXPECT_FALSE(lines[0].seesTarget);
+  EXPECT_TRUE(lines[1].seesTarget);
   snapshot.targets[0].cameraReports = {{CameraStatus::NoImage}, {CameraStatus::OutOfView}};
   EXPECT_TRUE(sightLines(snapshot, snapshot.targets[0]).empty());
 }
@@ -51,7 +51,7 @@ TEST(SightLines, EvidenceStandsForReasonsThatAreNotGiven) {
   const auto lines = sightLines(snapshot, snapshot.targets[0]);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].camera, 0);
-  EXPECT_FALSE(lines[0].sees);
+  EXPECT_FALSE(lines[0].seesTarget);
 }
 
 TEST(SightLines, NothingBesideTheImagesOrWithoutAPosition) {

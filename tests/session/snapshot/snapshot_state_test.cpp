@@ -46,7 +46,7 @@ TEST(SnapshotState, WithoutImagesTargetsOrTrackingThereIsNothingToJudge) {
   EXPECT_EQ(trackingState(snapshot), TrackingState::NoImages);
   EXPECT_EQ(trackingState(snapshotOf({})), TrackingState::NoTarget);
   TrackSnapshot past = snapshotOf({TargetStatus::Held});
-  past.past = true;
+  past.isPast = true;
   past.tracked = false;
   EXPECT_EQ(trackingState(past), TrackingState::NotTracked);
 }

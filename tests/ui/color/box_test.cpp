@@ -102,7 +102,7 @@ void BoxTest::lookingBackShowsTheBoxAsItWas() {
   clickAt(MovingPatch{}.box(0).center());
   QVERIFY(isTrackedTo(20));
   window_->selection().requestFrame(0);
-  QVERIFY(waitFor([this] { return window_->shown()->frame == 0 && window_->shown()->past; }));
+  QVERIFY(waitFor([this] { return window_->shown()->frame == 0 && window_->shown()->isPast; }));
   QVERIFY(hasBox());
   QCOMPARE(first()->box()->box, window_->document().project().targets[0].box->box);
 }

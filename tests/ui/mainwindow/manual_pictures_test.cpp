@@ -159,7 +159,7 @@ void ManualPicturesTest::showFrame(qint64 frame) {
   }
   pause();
   window_->selection().requestFrame(frame);
-  QVERIFY(waitFor([&] { return shown().frame == frame && !shown().preview; }));
+  QVERIFY(waitFor([&] { return shown().frame == frame && !shown().isPreview; }));
 }
 
 void ManualPicturesTest::clickAt(int camera, const Eigen::Vector3d& world) {

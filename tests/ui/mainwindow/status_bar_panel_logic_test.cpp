@@ -73,10 +73,10 @@ TEST_F(StatusBarPanelTest, TheRateIsThatOfNewFrames) {
   snapshot.framesPerSecond = 30.0;
   show(snapshot);
   EXPECT_EQ(rate(), QStringLiteral("30.0 fps"));
-  snapshot.past = true; // shown again
+  snapshot.isPast = true; // shown again
   show(snapshot);
   EXPECT_TRUE(rate().isEmpty());
-  snapshot.past = false;
+  snapshot.isPast = false;
   snapshot.framesPerSecond = 0.0; // not known yet
   show(snapshot);
   EXPECT_TRUE(rate().isEmpty());

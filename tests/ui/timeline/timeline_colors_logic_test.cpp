@@ -16,7 +16,7 @@ constexpr QSize kTimelineSize(400, 120);
 TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
   TimelineModel model;
   model.targets = {QStringLiteral("green ball"), QStringLiteral("box")};
-  model.colors = {{.learned = ColorRange{108.0, 132.0, 0.4, 0.6, 0.4, 0.6}}, {}};
+  model.colors = {{.learnedColors = ColorRange{108.0, 132.0, 0.4, 0.6, 0.4, 0.6}}, {}};
   TimelineScale scale;
   scale.setExtent(0, 49);
   scale.setPixels(100.0, 300.0);

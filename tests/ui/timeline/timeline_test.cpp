@@ -78,7 +78,7 @@ void TimelineTest::scrubbingShowsThatFrameInAllViews() {
   QTest::mouseMove(timeline_, timeline_->positionOf(12));
   QVERIFY(showsFrame(12));
   QTest::mouseRelease(timeline_, Qt::LeftButton, {}, timeline_->positionOf(12));
-  QVERIFY(shown().past);
+  QVERIFY(shown().isPast);
   QVERIFY(shown().tracked);
   QCOMPARE(shown().frames->index, 12);
   QVERIFY(shown().targets.front().particles.rows() > 0);
@@ -90,7 +90,7 @@ void TimelineTest::scrubbingShowsThatFrameInAllViews() {
               .contains(QStringLiteral("13"))); // people count from 1
   trigger("actionNow");
   QVERIFY(showsFrame(kTracked - 1));
-  QVERIFY(!shown().past);
+  QVERIFY(!shown().isPast);
   QCOMPARE(picture("cameraView0"), now);
   // The same moment again is the same picture.
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(12));
@@ -139,7 +139,7 @@ void TimelineTest::aNewNameIsShownAtOnceWhileLookingBack() {
   QVERIFY(waitFor([&] { return timeline_->model().targets == QStringList{name}; }));
   QVERIFY(waitFor([&] { return find<QLabel>("plotTarget")->text() == name; }));
   QVERIFY(showsFrame(12));
-  QVERIFY(shown().past);
+  QVERIFY(shown().isPast);
 }
 
 void TimelineTest::trackingAgainReplacesWhatFollows() {
@@ -150,7 +150,7 @@ void TimelineTest::trackingAgainReplacesWhatFollows() {
   QVERIFY(window_->document().setParameter("acceleration_sigma", 1.5));
   trigger("actionRerun");
   QVERIFY(
-      waitFor([this] { return !shown().past && !shown().rerun && shown().frame == kTracked - 1; }));
+      waitFor([this] { return !shown().isPast && !shown().rerun && shown().frame == kTracked - 1; }));
   QVERIFY(shown().state == PlayState::Paused);
   QVERIFY(std::get<SphereEstimate>(shown().targets.front().estimate).mean !=
           last); // other parameters
@@ -161,7 +161,7 @@ void TimelineTest::trackingAgainReplacesWhatFollows() {
   QVERIFY(showsFrame(19));
   trigger("actionRerun");
   QVERIFY(
-      waitFor([this] { return !shown().past && !shown().rerun && shown().frame == kTracked - 1; }));
+      waitFor([this] { return !shown().isPast && !shown().rerun && shown().frame == kTracked - 1; }));
   QVERIFY(std::get<SphereEstimate>(shown().targets.front().estimate).mean == last);
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(20));
   QVERIFY(showsFrame(20));

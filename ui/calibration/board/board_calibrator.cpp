@@ -88,7 +88,7 @@ void BoardCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const bool first = shownFrame_ < 0;
   shownFrame_ = snapshot ? snapshot->frame : -1;
   liveFrames_ = live ? snapshot->frames : nullptr;
-  if (live && watching_ && !snapshot->past && snapshot->frames != lastWatchedFrames_) {
+  if (live && watching_ && !snapshot->isPast && snapshot->frames != lastWatchedFrames_) {
     lastWatchedFrames_ = snapshot->frames;
     watch_->show(snapshot->frames);
   }
