@@ -119,13 +119,13 @@ BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, boo
                                                      {"8", IntrinsicsModel::EightCoefficients},
                                                      {"fisheye", IntrinsicsModel::Fisheye}},
                                                     "model", model);
-  arguments.request.pixels = chosen<PixelShape>({{"measured", PixelShape::Measured},
+  arguments.request.pixelShape = chosen<PixelShape>({{"measured", PixelShape::Measured},
                                                  {"square", PixelShape::Square},
                                                  {"free", PixelShape::Free}},
                                                 "pixels", pixels);
   arguments.request.maxSearchedFrames = maxSearchedFrames;
-  arguments.request.views = views;
-  arguments.request.instants = instants;
+  arguments.request.maxViews = views;
+  arguments.request.maxInstants = instants;
   arguments.request.floorFrame = worldFrame;
   arguments.request.refineIntrinsics = refineLenses;
   return calibrateWithBoard(handle, arguments, progress);

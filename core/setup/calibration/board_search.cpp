@@ -104,7 +104,7 @@ std::size_t boardViewsOf(const BoardDetections& seen) {
 int imagesSearched(const BoardDetections& seen) {
   int count = 0;
   for (const auto& camera : seen.cameras) {
-    count += camera.searched;
+    count += camera.searchedImages;
   }
   return count;
 }
@@ -168,7 +168,7 @@ void detectAll(const BoardDetector& detector, DetectionEffort effort, const Fram
     }
     camera.width = frames.frames[k]->image.cols;
     camera.height = frames.frames[k]->image.rows;
-    ++camera.searched;
+    ++camera.searchedImages;
     if (found[k]) {
       camera.views.push_back({fmt::format("frame {}", frames.index), frames.index, *found[k]});
     } else {
@@ -276,7 +276,7 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
   const auto keep = evenlySpacedFrames(static_cast<std::int64_t>(pictures.size()), kBoardProposalFrames);
   for (const auto& file : pictures) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
-                        static_cast<double>(camera.searched) /
+                        static_cast<double>(camera.searchedImages) /
                             static_cast<double>(pictures.size()))) {
       return canceled();
     }
@@ -284,7 +284,7 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
     if (!picture) {
       return tl::make_unexpected(picture.error());
     }
-    if (camera.searched == 0) {
+    if (camera.searchedImages == 0) {
       camera.width = picture->cols;
       camera.height = picture->rows;
     }
@@ -294,14 +294,14 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
                                  picture->rows, camera.width, camera.height));
     }
     if (auto found = detector.detect(*picture, effort)) {
-      camera.views.push_back({file.filename().string(), camera.searched, std::move(*found)});
+      camera.views.push_back({file.filename().string(), camera.searchedImages, std::move(*found)});
     } else {
-      missed.add(0, file.filename().string(), camera.searched, *picture, camera);
+      missed.add(0, file.filename().string(), camera.searchedImages, *picture, camera);
     }
-    if (std::ranges::binary_search(keep, static_cast<std::int64_t>(camera.searched))) {
+    if (std::ranges::binary_search(keep, static_cast<std::int64_t>(camera.searchedImages))) {
       kept.keep(0, *picture);
     }
-    ++camera.searched;
+    ++camera.searchedImages;
   }
   if (const auto added =
           addOtherBoards(where, kept, detector.board(), progress, seen).and_then([&] {

@@ -18,7 +18,7 @@ public:
   /// `explained`: true if explain() is to find reasons, which takes time for each image.
   MissedImages(std::size_t cameras, bool explained) : images_(cameras), explained_(explained) {}
 
-  /// Adds an image of the camera with index `index` to PerCamera::missed of `camera`. `file` is
+  /// Adds an image of the camera with index `index` to PerCamera::missedImages of `camera`. `file` is
   /// empty for a frame of a recording.
   void add(std::size_t index, std::string file, std::int64_t instant, const cv::Mat& image,
            BoardDetections::PerCamera& camera);

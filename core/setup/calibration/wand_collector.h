@@ -42,9 +42,9 @@ public:
 
   struct State {
     double seconds = 0.0; ///< time from the first frame set to the newest one
-    std::int64_t searched = 0;
-    std::int64_t waiting = 0; ///< accepted, but not yet searched
-    std::int64_t dropped = 0;
+    std::int64_t searchedFrameSets = 0;
+    std::int64_t waitingFrameSets = 0; ///< accepted, but not yet searched
+    std::int64_t droppedFrameSets = 0;
     std::vector<CameraSightings> cameras;
   };
   State state() const;

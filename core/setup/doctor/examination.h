@@ -66,7 +66,7 @@ struct Examination {
   }
   /// Returns whether there is a finding of this kind.
   bool has(FindingKind kind) const;
-  bool hasProblem() const { return worstOf(findings) == FindingLevel::Problem; }
+  bool hasProblem() const { return worstLevelOf(findings) == FindingLevel::Problem; }
   /// Returns the name of a camera for use in sentences: "camera 'left'".
   std::string nameOf(std::size_t camera) const;
 };

@@ -194,7 +194,7 @@ const FindingTexts& textsOf(FindingKind kind) {
   return *std::ranges::find(kFindingTexts, kind, &FindingTexts::kind);
 }
 
-FindingLevel worstOf(const std::vector<Finding>& findings) {
+FindingLevel worstLevelOf(const std::vector<Finding>& findings) {
   return worstLevel(findings, &Finding::level);
 }
 

@@ -105,7 +105,7 @@ struct Finding {
 };
 
 /// Returns the worst level of findings; Ok if there are none.
-FindingLevel worstOf(const std::vector<Finding>& findings);
+FindingLevel worstLevelOf(const std::vector<Finding>& findings);
 
 /// Returns a text of findingTexts() (`words`) with `values` in place of the placeholders. The
 /// result begins with a capital letter.

@@ -44,10 +44,10 @@ TEST(Finding, PlacesAreFilledOnceAndSentencesBeginWithACapital) {
 }
 
 TEST(Finding, TheWorstDecides) {
-  EXPECT_EQ(worstOf({}), FindingLevel::Ok);
-  EXPECT_EQ(worstOf({{FindingKind::ProjectRead}, {FindingKind::LengthsDiffer}}),
+  EXPECT_EQ(worstLevelOf({}), FindingLevel::Ok);
+  EXPECT_EQ(worstLevelOf({{FindingKind::ProjectRead}, {FindingKind::LengthsDiffer}}),
             FindingLevel::Note);
-  EXPECT_EQ(worstOf({{FindingKind::RatesDiffer}, {FindingKind::ProjectRead}}),
+  EXPECT_EQ(worstLevelOf({{FindingKind::RatesDiffer}, {FindingKind::ProjectRead}}),
             FindingLevel::Problem);
 }
 

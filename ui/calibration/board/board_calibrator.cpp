@@ -62,9 +62,9 @@ void BoardCalibrator::setRequest(const BoardGuideRequest& request) {
 BoardPreferences BoardCalibrator::preferences() const {
   return {QString::fromStdString(boardText(request_.board.board)),
           static_cast<int>(request_.board.model),
-          request_.goal.lenses,
-          request_.goal.poses,
-          request_.lenses.requestedProjectionPx,
+          request_.goal.estimatesLenses,
+          request_.goal.estimatesPoses,
+          request_.lensGuidance.requestedProjectionPx,
           request_.requiredPositionSigma};
 }
 
@@ -77,9 +77,9 @@ void BoardCalibrator::loadPreferences() {
     request_.board.board = *board;
   }
   request_.board.model = static_cast<IntrinsicsModel>(std::clamp(kept.lensModel, 0, 2));
-  request_.goal.lenses = kept.lenses;
-  request_.goal.poses = kept.positions || !request_.goal.lenses;
-  request_.lenses.requestedProjectionPx = kept.lensAccuracy;
+  request_.goal.estimatesLenses = kept.lenses;
+  request_.goal.estimatesPoses = kept.positions || !request_.goal.estimatesLenses;
+  request_.lensGuidance.requestedProjectionPx = kept.lensAccuracy;
   request_.requiredPositionSigma = kept.positionAccuracy;
 }
 
@@ -286,7 +286,7 @@ void BoardCalibrator::stop() {
 
 bool BoardCalibrator::hasViews() const {
   const auto state = guide();
-  return state->seen && std::ranges::any_of(state->seen->cameras, [](const auto& camera) {
+  return state->detections && std::ranges::any_of(state->detections->cameras, [](const auto& camera) {
            return !camera.views.empty();
          });
 }
@@ -298,7 +298,7 @@ void BoardCalibrator::finish() {
   setWatching(false);
   const auto state = guide();
   compute(
-      [project = project(), seen = state->seen, request = requestForCapturedViews(request_, *state),
+      [project = project(), seen = state->detections, request = requestForCapturedViews(request_, *state),
        goal = request_.goal](const CalibrationProgress& progress) {
         return Computed{calibrateFromBoards(project, *seen, request, goal, progress)};
       },

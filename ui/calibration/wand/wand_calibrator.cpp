@@ -29,7 +29,7 @@ double partOf(const WandCalibrationProgress& work) {
 /// Everything that was collected, also what still waits to be looked at.
 std::vector<std::vector<MarkerObservation>> allViews(const WandCollector& collector,
                                                      const BackgroundJob::Progress& progress) {
-  while (collector.state().waiting > 0 && progress(-1.0)) {
+  while (collector.state().waitingFrameSets > 0 && progress(-1.0)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return collector.views();
