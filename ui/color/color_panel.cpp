@@ -106,7 +106,7 @@ void ColorPanel::connectLearner() {
   connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
   connect(learner_, &ColorLearner::lessonReady, this,
           [this](const setup::ClickLearningResult& lesson) {
-            found_ = lesson.found;
+            found_ = lesson.outlines;
             shownRadius_ = lesson.radius;
             isPart_ = lesson.part.has_value();
           });

@@ -99,7 +99,7 @@ void printCameras(const WandRefinement& refinement) {
              options.findFocal ? "   focal" : "");
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
-    const PoseShift shift = poseShift(refinement.before[c], camera);
+    const PoseShift shift = poseShift(refinement.camerasBefore[c], camera);
     fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9.2f} {:>11.2f}", camera.name, result.views[c],
                result.dropped[c],
                result.views[c] > 0 ? fmt::format("{:.3f}", result.cameraMedianResidualPx[c]) : "-",
@@ -178,11 +178,11 @@ int calibrate(WandCommandOptions options) {
   printDecisions(options.wand, result->result);
   printAccuracyOf(*result);
   for (const FarOffCamera& camera : farOffCameras(*result)) {
-    fmt::print("note: {}\n", farOffText(camera, result->before));
+    fmt::print("note: {}\n", farOffText(camera, result->camerasBefore));
   }
   const CameraRig& cameras = result->result.cameras;
   for (const MotionGap& gap : result->gaps) {
-    fmt::print("note: {}\n", motionGapText(gap, result->before));
+    fmt::print("note: {}\n", motionGapText(gap, result->camerasBefore));
   }
   const std::optional<std::string> kept = isUnnecessary(*result) ? std::optional(unnecessaryText(*result))
                                           : isKnownBetter(*result)

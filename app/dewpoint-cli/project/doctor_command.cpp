@@ -58,7 +58,7 @@ void printJson(const std::vector<Finding>& findings) {
     const FindingTexts& words = textsOf(finding.kind);
     list.push_back({{"level", levelName(words.level)},
                     {"check", std::string(words.name)},
-                    {"what", fillPlaceholders(words.what, finding.values)},
+                    {"what", fillPlaceholders(words.sentence, finding.values)},
                     {"file", finding.file},
                     {"field", finding.field},
                     {"advice", fillPlaceholders(words.advice, finding.values)}});

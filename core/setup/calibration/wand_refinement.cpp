@@ -82,7 +82,7 @@ Result<WandRefinement> assessed(const Project& project, const WandOptions& optio
   refinement.accuracy = assessWand(*result, options.floorTimes);
   refinement.beforePx = errorBefore(options, before, *result);
   refinement.gaps = missingMotion(*result);
-  refinement.before = std::move(before);
+  refinement.camerasBefore = std::move(before);
   refinement.result = std::move(*result);
   addRecords(project, refinement);
   return refinement;
@@ -176,8 +176,8 @@ std::string knownBetterText(const WandRefinement& refinement) {
 std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement) {
   const CameraRig& after = refinement.result.cameras;
   std::vector<PoseShift> shifts;
-  for (std::size_t k = 0; k < std::min(after.size(), refinement.before.size()); ++k) {
-    shifts.push_back(poseShift(refinement.before[k], after[k]));
+  for (std::size_t k = 0; k < std::min(after.size(), refinement.camerasBefore.size()); ++k) {
+    shifts.push_back(poseShift(refinement.camerasBefore[k], after[k]));
   }
   std::vector<FarOffCamera> found;
   for (std::size_t k = 0; shifts.size() >= kLeastCamerasToCompare && k < shifts.size(); ++k) {
@@ -245,7 +245,7 @@ std::vector<BoardCoverage> coverageOf(const WandResult& result) {
 
 std::string htmlText(const WandRefinement& refinement) {
   WandReport report;
-  report.before = refinement.before;
+  report.before = refinement.camerasBefore;
   report.result = refinement.result;
   report.accuracy = refinement.accuracy
                         ? accuracySummary(*refinement.accuracy)
@@ -253,7 +253,7 @@ std::string htmlText(const WandRefinement& refinement) {
   report.coverage = coverageOf(refinement.result);
   report.offsetsFound = refinement.options.findOffsets;
   for (const MotionGap& gap : refinement.gaps) {
-    report.notices.push_back(motionGapText(gap, refinement.before));
+    report.notices.push_back(motionGapText(gap, refinement.camerasBefore));
   }
   return htmlText(report);
 }

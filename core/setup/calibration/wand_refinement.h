@@ -16,17 +16,17 @@ namespace dewpoint::setup {
 /// A wand calibration, with everything that the command line and the window report about it.
 struct WandRefinement {
   WandOptions options;
-  CameraRig before; ///< cameras of the project before the calibration
+  CameraRig camerasBefore; ///< cameras of the project before the calibration
   WandResult result;
   Result<CalibrationAccuracy> accuracy; ///< accuracy, or the reason why there is none
-  /// Root mean square reprojection error of the same image points with the cameras `before`,
+  /// Root mean square reprojection error of the same image points with the cameras `camerasBefore`,
   /// pixels. Empty if anything besides poses and intrinsics was estimated: time offsets, the scale,
   /// or the floor.
   std::optional<double> beforePx = std::nullopt;
-  /// True if the poses of all cameras in `before` were measured or read from a file, and have not
+  /// True if the poses of all cameras in `camerasBefore` were measured or read from a file, and have not
   /// been changed since then.
   bool wasCalibratedBefore = false;
-  /// Largest recorded error of the camera positions in `before` (PoseRecord::error), meters; empty
+  /// Largest recorded error of the camera positions in `camerasBefore` (PoseRecord::error), meters; empty
   /// if no error is recorded.
   std::optional<double> beforeError = std::nullopt;
   /// Kinds of motion that the recording lacks; see missingMotion().

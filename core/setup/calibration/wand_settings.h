@@ -19,12 +19,12 @@ enum class WandScaleSource {
 
 /// The user's choices for a wand calibration, as entered. They may not be valid yet.
 struct WandSettings {
-  bool stick = false; ///< true: two balls on a stick; false: one ball
-  std::string ball;   ///< name of the target that is the ball; empty: the project's first target
-  /// Name of the target at the other end of the stick; empty: the first target that is not `ball`.
-  std::string other;
-  double length = 0.5; ///< distance between the centers of the balls on the stick, meters
-  WandScaleSource size = WandScaleSource::Cameras; ///< source of the scale if the wand is one ball
+  bool usesStick = false; ///< true: two balls on a stick; false: one ball
+  std::string ballTarget;   ///< name of the target that is the ball; empty: the project's first target
+  /// Name of the target at the other end of the stick; empty: the first target that is not `ballTarget`.
+  std::string secondBallTarget;
+  double stickLength = 0.5; ///< distance between the centers of the balls on the stick, meters
+  WandScaleSource scaleSource = WandScaleSource::Cameras; ///< source of the scale if the wand is one ball
   /// For WandScaleSource::Distance: distance between the two touched positions, meters.
   double distance = 1.0;
   bool findOffsets = false;
@@ -45,7 +45,7 @@ constexpr int kWandEventCount = 5;
 struct MarkedInstant {
   std::int64_t frame = 0;
   double seconds = 0.0;
-  WandEvent role = WandEvent::Floor;
+  WandEvent event = WandEvent::Floor;
 
   bool operator==(const MarkedInstant&) const = default;
 };

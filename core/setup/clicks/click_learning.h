@@ -35,7 +35,7 @@ struct FoundOutline {
 struct ClickLearningResult {
   LearnedColor color;
   std::vector<ColorSample> samples; ///< the clicked samples, then those found in other images
-  std::vector<FoundOutline> found;  ///< outlines found in the displayed images
+  std::vector<FoundOutline> outlines; ///< outlines found in the displayed images
   /// Radius in meters, as Counterparts::radius; empty if nothing was found in the displayed images.
   std::optional<double> radius;
   /// Centers of the target in the displayed images, for the first click whose object was also found

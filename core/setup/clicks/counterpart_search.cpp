@@ -123,7 +123,7 @@ bool CounterpartSearch::isPossible(double depth) const {
   return depth > 0.0 && radius >= kLeastRadius && radius <= kMostRadius &&
          (!limits_.volume || limits_.volume->contains(object_.positionAt(depth), radius)) &&
          (limits_.radius <= 0.0 ||
-          std::abs(std::log(radius / limits_.radius)) < ClickedObject::kReach * kLogRadiusSigma);
+          std::abs(std::log(radius / limits_.radius)) < ClickedObject::kSearchSigmas * kLogRadiusSigma);
 }
 
 bool CounterpartSearch::isInView(std::size_t camera, const Eigen::Vector3d& position) const {
@@ -148,7 +148,7 @@ double CounterpartSearch::weigh(std::size_t camera, const RayRegion& region,
       sigma * sigma * Eigen::Matrix2d::Identity() + alongRay * alongRay.transpose();
   const Eigen::Vector2d off = region.center - *pixel;
   const double expectedArea = std::numbers::pi * radiusPx * radiusPx;
-  return kRegionPrior + kColorWeight * region.logRatio - 0.5 * off.dot(covariance.inverse() * off) +
+  return kRegionPrior + kColorWeight * region.meanLogRatio - 0.5 * off.dot(covariance.inverse() * off) +
          gauss(std::log(region.area / expectedArea) / kLogAreaSigma);
 }
 
@@ -232,7 +232,7 @@ void CounterpartSearch::decide(std::size_t camera, const std::vector<double>& pr
       std::vector<std::vector<cv::Point>> outlines;
       cv::findContours(regions[i].mask.clone(), outlines, cv::RETR_EXTERNAL,
                        cv::CHAIN_APPROX_SIMPLE);
-      counterparts.found.push_back(*taken);
+      counterparts.samples.push_back(*taken);
       counterparts.outlines.push_back(outlines.front());
       counterparts.centers.push_back({sample.camera, regions[i].center});
       counterparts.undecided[camera].release();
@@ -274,7 +274,7 @@ Counterparts CounterpartSearch::result() const {
   for (std::size_t camera = 0; camera < rig_.size(); ++camera) {
     decide(camera, probabilities(camera, hypotheses), counterparts);
   }
-  if (!counterparts.found.empty()) {
+  if (!counterparts.samples.empty()) {
     counterparts.centers.push_back({static_cast<int>(object_.camera), object_.center});
     counterparts.radius = radiusOf(*std::ranges::max_element(hypotheses, {}, &Hypothesis::logOdds));
   }
@@ -297,11 +297,11 @@ Counterparts findCounterparts(const CameraRig& rig, const std::vector<cv::Mat>& 
     return nothing;
   }
   Counterparts counterparts = CounterpartSearch(rig, images, *object, sample, limits).result();
-  if (counterparts.found.empty() && limits.radius > 0.0) {
+  if (counterparts.samples.empty() && limits.radius > 0.0) {
     CounterpartLimits anySize = limits;
     anySize.radius = 0.0;
     Counterparts others = CounterpartSearch(rig, images, *object, sample, anySize).result();
-    return others.found.empty() ? counterparts : others;
+    return others.samples.empty() ? counterparts : others;
   }
   return counterparts;
 }

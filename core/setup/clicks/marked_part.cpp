@@ -184,10 +184,10 @@ std::optional<MarkedPart> locatePart(const CameraRig& rig, const std::vector<cv:
   std::vector<MarkRay> rays;
   MarkedPart part;
   for (const PartMark& mark : marks) {
-    const Camera& camera = rig.at(static_cast<std::size_t>(mark.whole.camera));
+    const Camera& camera = rig.at(static_cast<std::size_t>(mark.wholeObject.camera));
     if (const auto ray = Unprojector(camera).ray(mark.center)) {
       rays.push_back({*ray, mark.radiusPx / meanFocalLength(camera)});
-      part.clicks.push_back({mark.whole.camera, mark.center});
+      part.clicks.push_back({mark.wholeObject.camera, mark.center});
     }
   }
   std::optional<Gaussian3> position;

@@ -44,7 +44,7 @@ struct RayPoint {
 std::vector<RayPoint> imageOfRay(const ClickedObject& object, const Camera& camera,
                                  const std::function<bool(double depth)>& isPossible) {
   const Projector projector(camera);
-  const double margin = ClickedObject::kReach * ClickedObject::kDirectionSigma * meanFocalLength(camera);
+  const double margin = ClickedObject::kSearchSigmas * ClickedObject::kDirectionSigma * meanFocalLength(camera);
   const auto isNearImage = [&](const Eigen::Vector2d& pixel) {
     return pixel.x() > -margin && pixel.y() > -margin &&
            pixel.x() < camera.intrinsics.width + margin &&
@@ -103,7 +103,7 @@ void addSpotsAcross(const RayPoint& point, const Eigen::Vector2d& along, const C
   const Eigen::Vector2d across(-along.y(), along.x());
   const double step = std::max(1.0, kSpotStepRadii * point.radiusPx);
   const double sigma = ClickedObject::centerSigma(camera, point.radiusPx);
-  const int count = static_cast<int>(std::ceil(ClickedObject::kReach * sigma / step));
+  const int count = static_cast<int>(std::ceil(ClickedObject::kSearchSigmas * sigma / step));
   const int half = std::max(1, static_cast<int>(std::lround(kSpotHalfRadii * point.radiusPx)));
   for (int k = -count; k <= count; ++k) {
     const Eigen::Vector2d exact = point.pixel + k * step * across;
@@ -140,7 +140,7 @@ cv::Mat maskNear(const std::vector<RayPoint>& points, const Camera& camera) {
   cv::Mat mask = cv::Mat::zeros(camera.intrinsics.height, camera.intrinsics.width, CV_8UC1);
   for (const RayPoint& point : points) {
     const double reach =
-        ClickedObject::kReach * ClickedObject::centerSigma(camera, point.radiusPx) + point.radiusPx;
+        ClickedObject::kSearchSigmas * ClickedObject::centerSigma(camera, point.radiusPx) + point.radiusPx;
     cv::circle(mask,
                {static_cast<int>(std::lround(point.pixel.x())),
                 static_cast<int>(std::lround(point.pixel.y()))},
@@ -173,7 +173,7 @@ std::optional<RayRegion> grow(const Spot& spot, const cv::Mat& image, const cv::
   region.mask = cv::Mat::zeros(image.size(), CV_8UC1);
   grown.copyTo(region.mask(part));
   region.center = centerOf(region.mask);
-  region.logRatio = likelihood.meanLogRatio(image, near, region.mask);
+  region.meanLogRatio = likelihood.meanLogRatio(image, near, region.mask);
   return region;
 }
 

@@ -23,10 +23,10 @@ struct ClickedObject {
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of its region, pixels
   Ray ray;                                          ///< ray through the center, world frame
   double radiusPx = 0.0; ///< radius of a circle with the region's area, pixels
-  double focal = 0.0;    ///< focal length of the camera, pixels
+  double focalLengthPx = 0.0;    ///< focal length of the camera, pixels
 
   /// Returns the radius in meters at a depth in meters along the ray.
-  double radiusAt(double depth) const { return radiusPx * depth / focal; }
+  double radiusAt(double depth) const { return radiusPx * depth / focalLengthPx; }
   Eigen::Vector3d positionAt(double depth) const { return ray.origin + depth * ray.direction; }
   double depthOf(const Eigen::Vector3d& position) const {
     return (position - ray.origin).dot(ray.direction);
@@ -46,7 +46,7 @@ struct ClickedObject {
   static constexpr double kCenterSigmaRadii = 0.35;
   /// Largest distance, in standard deviations, at which regions are searched for. It covers 99.7 %
   /// of a normal distribution.
-  static constexpr double kReach = 3.0;
+  static constexpr double kSearchSigmas = 3.0;
 };
 
 /// Returns the geometric mean of both focal lengths, in pixels.
@@ -64,7 +64,7 @@ struct RayRegion {
   cv::Mat mask; ///< CV_8UC1 of the image's size, 255 inside the region
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of the region, pixels
   double area = 0.0;                                ///< number of pixels in the region
-  double logRatio = 0.0; ///< mean of OtherCameraLikelihood over the pixels of the region, nats
+  double meanLogRatio = 0.0; ///< mean of OtherCameraLikelihood over the pixels of the region, nats
 };
 
 /// Returns at most eight regions of another camera's image (CV_8UC3) that may show the object. They

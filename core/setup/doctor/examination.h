@@ -36,8 +36,8 @@ struct ExaminationOptions {
 /// Data about the recording of one camera.
 struct CameraFootage {
   bool isOpen = false; ///< true if the recording can be read
-  std::int64_t frames = 0;
-  double rate = 0.0; ///< frame rate given in the recording; 0: not given
+  std::int64_t frameCount = 0;
+  double framesPerSecond = 0.0; ///< frame rate given in the recording; 0: not given
   cv::Size size;     ///< image size after the rotation
   std::vector<std::int64_t> sequenceNumbers = {};
   std::vector<cv::Mat> images = {}; ///< first, middle and last image, CV_8UC3, after the rotation

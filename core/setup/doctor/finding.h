@@ -85,7 +85,7 @@ struct FindingTexts {
   FindingKind kind;
   std::string_view name; ///< identifier for programs, for example "recording-missing"
   FindingLevel level;
-  std::string_view what;
+  std::string_view sentence; ///< what was found
   std::string_view advice; ///< recommended action; empty if there is nothing to do
 };
 

@@ -79,7 +79,7 @@ void checkVolume(Examination& examination) {
 void checkCorrectionFrames(Examination& examination) {
   std::int64_t end = 0;
   for (const CameraFootage& footage : examination.footage) {
-    end = std::max(end, footage.frames);
+    end = std::max(end, footage.frameCount);
   }
   const auto isLate = [end](const auto& one) { return one.frame >= end; };
   const auto late = std::ranges::count_if(examination.project.corrections, isLate) +

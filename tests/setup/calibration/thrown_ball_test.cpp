@@ -109,7 +109,7 @@ TEST(ThrownBall, HalfHiddenByHandsMakesNothingWorse) {
     const auto refinement = refineFromViews(project, thrown(truth, seed, 5.0), {});
     ASSERT_TRUE(refinement) << sentence(refinement.error());
     EXPECT_GT(worstPosition(refinement->result.cameras, truth),
-              3.0 * worstPosition(refinement->before, truth)); // so it must not be applied
+              3.0 * worstPosition(refinement->camerasBefore, truth)); // so it must not be applied
     EXPECT_TRUE(isUnnecessary(*refinement) || isKnownBetter(*refinement));
     EXPECT_TRUE(isDoubtful(*refinement));
     ASSERT_FALSE(refinement->gaps.empty());

@@ -103,7 +103,7 @@ WandRefinement rotatedBy(const std::vector<double>& degrees) {
   for (std::size_t k = 0; k < degrees.size(); ++k) {
     Camera camera;
     camera.name = "camera " + std::to_string(k + 1);
-    refinement.before.push_back(camera);
+    refinement.camerasBefore.push_back(camera);
     camera.cameraFromWorld.linear() =
         Eigen::AngleAxisd(degrees[k] * kDegree, Eigen::Vector3d::UnitX()).toRotationMatrix();
     refinement.result.cameras.push_back(camera);
@@ -116,11 +116,11 @@ TEST(WandRefinement, ACameraThatWasFarOffIsNamed) {
   const auto found = farOffCameras(refinement);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].camera, 1U);
-  EXPECT_NE(farOffText(found[0], refinement.before)
+  EXPECT_NE(farOffText(found[0], refinement.camerasBefore)
                 .find("camera 2 was far off: the refinement "
                       "rotates it by 2.1 degrees"),
             std::string::npos)
-      << farOffText(found[0], refinement.before);
+      << farOffText(found[0], refinement.camerasBefore);
 }
 
 TEST(WandRefinement, CamerasThatAllMoveAlikeAreNotNamed) {

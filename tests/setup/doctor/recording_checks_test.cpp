@@ -12,7 +12,7 @@ TEST_F(RecordingChecks, NothingIsWrongWithASoundProject) {
   EXPECT_EQ(worstLevelOf(all), FindingLevel::Ok) << linesOf(all);
   const Finding fine = found(FindingKind::RecordingFine);
   EXPECT_EQ(fine.field, "camera 1.images");
-  EXPECT_EQ(fillPlaceholders(textsOf(fine.kind).what, fine.values),
+  EXPECT_EQ(fillPlaceholders(textsOf(fine.kind).sentence, fine.values),
             "'camera 1' has 12 frames of 320 x 240 pixels, no rate stated.");
 }
 

@@ -219,12 +219,12 @@ void WandCalibrator::applyResult(Result<WandRefinement> outcome) {
 }
 
 void WandCalibrator::apply() {
-  if (!refinement_ || applied_ || refinement_->before.size() != project().cameras.size()) {
+  if (!refinement_ || applied_ || refinement_->camerasBefore.size() != project().cameras.size()) {
     return;
   }
   dependencies_.manual.storeEarlierCameras(EarlierCameras::WandRefinement);
   const auto edited = dependencies_.document.edit(
-      settings_.stick ? tr("Refine cameras with a wand") : tr("Refine cameras with a ball"),
+      settings_.usesStick ? tr("Refine cameras with a wand") : tr("Refine cameras with a ball"),
       [this](Project& project) { project = withRefinement(std::move(project), *refinement_); });
   applied_ = edited.has_value();
   failure_ = edited ? QString() : errorText(edited.error());
