@@ -146,7 +146,7 @@ void bindResults(py::module_& module) {
       .def_readonly("format", &CalibrationImport::formatTitle, "The name of the format.")
       .def_readonly("decisions", &CalibrationImport::decisions,
                     "The assumptions about units, axes and directions, in sentences.")
-      .def_readonly("matched_by_order", &CalibrationImport::matchedByOrder,
+      .def_readonly("matched_by_order", &CalibrationImport::wasMatchedByOrder,
                     "Whether the cameras were matched by order because no names match.")
       .def_readonly("lens_only", &CalibrationImport::hasOnlyIntrinsics,
                     "Whether the file has no poses, so that those of the project are kept.")

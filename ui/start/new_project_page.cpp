@@ -378,7 +378,7 @@ void NewProjectPage::finish(const Result<CreatedProject>& result) {
     return;
   }
   QString note;
-  if (result->matchedByOrder) {
+  if (result->wasMatchedByOrder) {
     note = tr("The calibration uses other camera names. The cameras were matched by order.");
   }
   QStringList names;

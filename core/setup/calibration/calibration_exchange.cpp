@@ -143,7 +143,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
   result.formatTitle = (*calibrationFormat(read->format))->title;
   result.decisions = read->decisions;
   result.decisions.insert(result.decisions.end(), made->decisions.begin(), made->decisions.end());
-  result.matchedByOrder = made->matchedByOrder;
+  result.wasMatchedByOrder = made->wasMatchedByOrder;
   result.hasOnlyIntrinsics = !read->hasPoses;
   CameraRig rig = rigOf(made->project);
   for (std::size_t k = 0; k < rig.size(); ++k) {

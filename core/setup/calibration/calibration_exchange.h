@@ -42,7 +42,7 @@ struct CalibrationImport {
   std::vector<std::string> decisions; ///< full sentences: units, axes, directions
   std::vector<ImportedCamera> cameras;
   /// True if no name in the file matched a camera, so that cameras were matched by order.
-  bool matchedByOrder = false;
+  bool wasMatchedByOrder = false;
   /// True if the file has no poses, so that the poses in the project were kept.
   bool hasOnlyIntrinsics = false;
   /// Likely mistakes in the calibration: two cameras with the same pose, or another unit

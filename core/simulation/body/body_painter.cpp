@@ -35,7 +35,7 @@ const Vector3f& lampOf(const Body& body) {
 /// The color of a matte surface of a body in the light that falls on it.
 Vector3f litColor(const Body& body, const Vector3f& point, const Vector3f& normal) {
   if (body.light != nullptr) {
-    return body.light->at(point, normal).cwiseProduct(body.color);
+    return body.light->lightAt(point, normal).cwiseProduct(body.color);
   }
   return shade(point, normal, 1.0F) * body.color;
 }
@@ -67,7 +67,7 @@ std::optional<float> hitSphere(const Body& body, const Vector3f& origin,
 }
 
 Share sample(const RoomView& view, const Body& body, const Vector3f& direction, float limit) {
-  if (!body.box) {
+  if (!body.isBox) {
     const auto distance = hitSphere(body, view.center, direction);
     if (!distance || *distance >= limit) {
       return {};
@@ -99,7 +99,7 @@ Share sample(const RoomView& view, const Body& body, const Vector3f& direction, 
 }
 
 bool onEdge(const RoomView& view, const Body& body, int column, int row) {
-  if (body.box) {
+  if (body.isBox) {
     return true;
   }
   const Vector3f way = body.center - view.center;
@@ -141,7 +141,7 @@ void addInstant(const RoomView& view, const Body& body, const cv::Rect& area,
 void castShadow(const RoomView& view, const Body& body, const cv::Rect& rows, cv::Mat& image) {
   // Only the shadow on the desk (z = 0) is drawn; a sphere around it bounds its pixels.
   const Vector3f lamp = lampOf(body);
-  if (body.box || body.center.z() + body.radius >= lamp.z() || body.center.z() < 0.0F) {
+  if (body.isBox || body.center.z() + body.radius >= lamp.z() || body.center.z() < 0.0F) {
     return;
   }
   const Vector3f spot = lamp + (body.center - lamp) * (lamp.z() / (lamp.z() - body.center.z()));
@@ -158,7 +158,7 @@ void castShadow(const RoomView& view, const Body& body, const cv::Rect& rows, cv
 /// The light that comes from a point of a body of parts; `light` is that of the body.
 Vector3f partColor(const SurfacePoint& seen, const LightField* light) {
   const Vector3f& lamp = light != nullptr ? light->illumination->lamp : kLampPosition;
-  const float gloss = seen.gloss.at(seen.normal, (lamp - seen.point).normalized(), seen.direction);
+  const float gloss = seen.gloss.highlightAt(seen.normal, (lamp - seen.point).normalized(), seen.direction);
   if (light != nullptr) { // it is the sensor that cuts
     return light->at(seen.point, seen.normal).cwiseProduct(seen.color) + Vector3f::Constant(gloss);
   }

@@ -16,7 +16,7 @@ namespace dewpoint::simulation {
 /// Moving object at one time: a ball, a box of any orientation, or an object made of parts. World
 /// frame, meters.
 struct Body {
-  bool box = false;
+  bool isBox = false;
   Vector3f center;
   float radius = 0.0F;                 ///< radius of the ball, or of a sphere around the box
   Vector3f color;                      ///< BGR in full light, [0, 255]

@@ -20,7 +20,7 @@ BodyPart boxPart(const Vector3f& center, const Vector3f& halfSize, const Vector3
 
 } // namespace
 
-FurniturePose MovableFurniture::at(double time) const {
+FurniturePose MovableFurniture::poseAt(double time) const {
   const auto after = std::ranges::upper_bound(waypoints, time, {}, &FurniturePose::time);
   if (after == waypoints.begin()) {
     return waypoints.front();
@@ -35,7 +35,7 @@ FurniturePose MovableFurniture::at(double time) const {
 }
 
 std::vector<BodyPart> furnitureParts(const MovableFurniture& furniture, double time) {
-  const FurniturePose stands = furniture.at(time);
+  const FurniturePose stands = furniture.poseAt(time);
   const Eigen::Matrix3f worldFromOwn =
       Eigen::AngleAxisf(static_cast<float>(stands.yaw), Vector3f::UnitZ()).toRotationMatrix();
   const Vector3f foot{static_cast<float>(stands.position.x()),

@@ -30,7 +30,7 @@ struct MovableFurniture {
   double reach = 0.3; ///< radius of a circle on the floor that encloses the furniture, meters
 
   /// Returns the pose at a time in seconds.
-  FurniturePose at(double time) const;
+  FurniturePose poseAt(double time) const;
 };
 
 /// Returns the parts of a piece of furniture at a time (seconds), in the world frame.

@@ -100,7 +100,7 @@ bool OfficeRenderer::isInsideOffice(std::size_t person, double time) const {
 Eigen::Vector3d OfficeRenderer::bodyCenter(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
   const Eigen::Vector2d position = walker.position(time);
-  return {position.x(), position.y(), 0.5 * walker.top(time)};
+  return {position.x(), position.y(), 0.5 * walker.topHeight(time)};
 }
 
 } // namespace dewpoint::simulation

@@ -234,7 +234,7 @@ void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>&
   Canvas canvas(view, image, nullptr);
   paintAll(people, canvas,
            [&](const Vector3f& point, const Vector3f& normal, const Vector3f& color) -> Vector3f {
-             return light.field.at(point, normal).cwiseProduct(color);
+             return light.field.lightAt(point, normal).cwiseProduct(color);
            });
 }
 

@@ -228,7 +228,7 @@ Eigen::Vector2d Walker::position(double time) const {
   return sum / kSamples;
 }
 
-double Walker::top(double time) const {
+double Walker::topHeight(double time) const {
   if (jointAnglesAt(postures, time).isUpright()) {
     return height;
   }

@@ -63,7 +63,7 @@ struct Walker {
   Eigen::Vector2d position(double time) const;
   /// Returns the height of the top of the head above the floor, in meters, at a time in seconds.
   /// The result is `height` for a standing person.
-  double top(double time) const;
+  double topHeight(double time) const;
 };
 
 /// Height of an adult's head as a fraction of the body height: 0.25 m of 1.75 m. Drawing manuals

@@ -56,7 +56,7 @@ float shadowAt(const MovingShadow& shadow, const Vector3f& point, double time) {
   return shadow.depth * (1.0F - t * t * (3.0F - 2.0F * t));
 }
 
-Vector3f LightField::at(const Vector3f& point, const Vector3f& normal) const {
+Vector3f LightField::lightAt(const Vector3f& point, const Vector3f& normal) const {
   const Illumination& here = *illumination;
   const float lit = here.shadow ? 1.0F - shadowAt(*here.shadow, point, time) : 1.0F;
   const float room = here.roomGain * shade(point, normal, lit, here.lamp);

@@ -66,7 +66,7 @@ struct LightField {
 
   /// Returns the light (BGR, 1 is full light) on a matte surface at `point` (world, meters) with
   /// unit normal `normal`.
-  Vector3f at(const Vector3f& point, const Vector3f& normal) const;
+  Vector3f lightAt(const Vector3f& point, const Vector3f& normal) const;
 };
 
 /// Image of a room at rest under an illumination, without the moving shadow.

@@ -152,7 +152,7 @@ Room::Room(Furnishing furnishing, const RoomDesign& design) {
   lamp_ = design.lamp.value_or(lamp_);
 }
 
-RoomHit Room::cast(const Vector3f& origin, const Vector3f& direction) const {
+RoomHit Room::castRay(const Vector3f& origin, const Vector3f& direction) const {
   RoomHit hit;
   castBox(origin - walls_.center, direction, walls_.halfSize, true, hit);
   hit.solid = &walls_;

@@ -82,7 +82,7 @@ public:
   explicit Room(Furnishing furnishing, const RoomDesign& design = {});
 
   /// Returns the first intersection of a ray with the room; `direction` is a unit vector.
-  RoomHit cast(const Vector3f& origin, const Vector3f& direction) const;
+  RoomHit castRay(const Vector3f& origin, const Vector3f& direction) const;
   /// Returns the color of the room at the point `hit`, where a ray hits the room. Whether this
   /// point is in shadow is tested for one point on the lamp. Different values of `jitter` select
   /// different points on the lamp.

@@ -96,14 +96,14 @@ void RoomView::renderRoom(const Room& room) {
       if (directions[pixel].isZero(0.0F)) {
         continue;
       }
-      distances[pixel] = room.cast(center, directions[pixel]).distance;
+      distances[pixel] = room.castRay(center, directions[pixel]).distance;
       Vector3f color = Vector3f::Zero();
       for (int sample = 0; sample < kSide * kSide; ++sample) {
         const auto [right, down] = subpixelOffset(sample, kSide);
         const Vector3f ray = direction(column, row, right, down);
         const auto jitter =
             static_cast<std::uint32_t>(pixel) * 4U + static_cast<std::uint32_t>(sample);
-        const ShadedColor sight = room.shadedColorOf(center, ray, room.cast(center, ray), jitter);
+        const ShadedColor sight = room.shadedColorOf(center, ray, room.castRay(center, ray), jitter);
         color += sight.color / (kSide * kSide);
         lit[pixel] += sight.lit / (kSide * kSide);
       }

@@ -30,7 +30,7 @@ std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3
   bodies.reserve(stage.bodies.size());
   for (const StageBody& body : stage.bodies) {
     const Eigen::Vector3d center = body.path(time);
-    bodies.push_back({body.box,
+    bodies.push_back({body.isBox,
                       (rotated ? rotatedAbout(eye, rotation, center) : center).cast<float>(),
                       static_cast<float>(body.boundingRadius()), body.color.cast<float>(),
                       body.halfSize.cast<float>(), body.axes.cast<float>(), body.isPresentAt(time)});
@@ -42,7 +42,7 @@ std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3
 
 std::shared_ptr<const RoomView> viewAt(const Stage& stage, std::size_t camera, double time) {
   for (const MovedCamera& move : stage.movedCameras) {
-    if (move.camera == camera && time >= move.since) {
+    if (move.camera == camera && time >= move.movedAt) {
       return move.view;
     }
   }
@@ -96,7 +96,7 @@ cv::Mat exposed(const Stage& stage, std::size_t camera, double time, const Senso
   const auto shown = viewAt(stage, camera, time);
   const RoomView& view = *shown;
   const Light light = stage.light ? stage.light(camera, time) : Light{};
-  if (light.dark) {
+  if (light.isDark) {
     return cv::Mat::zeros(view.height, view.width, CV_32FC3);
   }
   const Eigen::Matrix3d rotation = rotationAt(sensor.drift, time);
@@ -150,7 +150,7 @@ Eigen::Vector3d meteredBrightnessStops(const Stage& stage, std::size_t camera, d
   /// Stops of linear light per stop of gray level: the inverse of the tone curve's power.
   constexpr double kStopsPerLevelStop = 1.0 / kToneCurveExponent;
   const Light light = stage.light ? stage.light(camera, time) : Light{};
-  if (light.dark) {
+  if (light.isDark) {
     return Eigen::Vector3d::Constant(kDarkStops);
   }
   constexpr double kLeastGain = 1e-3; // of levels: has a logarithm

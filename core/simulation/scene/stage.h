@@ -35,7 +35,7 @@ using PartsPath = std::function<std::vector<MovingPart>(double)>;
 /// patch or an occluder.
 struct StageBody {
   std::string name;
-  bool box = false;
+  bool isBox = false;
   /// Radius of the ball, meters. For a body made of parts, this is the radius of the ball that the
   /// body contains.
   double radius = kDefaultBallRadius;
@@ -56,7 +56,7 @@ struct StageBody {
 
   /// Returns the radius (meters) of a sphere around the object. For a body made of parts, this
   /// sphere contains only the body's ball.
-  double boundingRadius() const { return box ? halfSize.norm() : radius; }
+  double boundingRadius() const { return isBox ? halfSize.norm() : radius; }
   bool isPresentAt(double time) const { return !present || present(time); }
   /// Returns the scaled parts at a time (seconds), relative to the path. The result is empty if the
   /// object has no parts.
@@ -66,14 +66,14 @@ struct StageBody {
 /// Light that one camera receives at one time.
 struct Light {
   Eigen::Vector3d gain = Eigen::Vector3d::Ones(); ///< gain per channel, BGR; 1 is full light
-  bool dark = false;                              ///< no light at all
+  bool isDark = false;                            ///< no light at all
 };
 
-/// Camera whose pose changes once, at the time `since`. `view` shows the room at rest from the new
+/// Camera whose pose changes once, at the time `movedAt`. `view` shows the room at rest from the new
 /// pose.
 struct MovedCamera {
   std::size_t camera = 0;
-  double since = 0.0; ///< time of the change, seconds
+  double movedAt = 0.0; ///< time of the change, seconds
   std::shared_ptr<const RoomView> view;
 };
 

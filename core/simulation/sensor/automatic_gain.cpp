@@ -33,14 +33,14 @@ std::vector<double> loopCorrections(const ControlLoop& loop, std::span<const dou
     const auto lag = static_cast<std::size_t>(loop.lagFrames);
     const std::size_t measured = frame > lag ? frame - lag : 0;
     const double error = disturbance[measured] + result[measured];
-    if (std::abs(error) > loop.deadband) {
+    if (std::abs(error) > loop.deadbandStops) {
       now = std::clamp(now - loop.speed * error, -loop.limit, loop.limit);
     }
   }
   return result;
 }
 
-CameraGain GainCurve::at(double time) const {
+CameraGain GainCurve::gainAt(double time) const {
   if (gainPerFrame.empty()) {
     return {};
   }
@@ -55,7 +55,7 @@ GainCurve automaticGains(const AutomaticGain& control, std::span<const Eigen::Ve
   std::vector<double> metered;
   metered.reserve(lightStops.size());
   for (std::size_t frame = 0; frame < lightStops.size(); ++frame) {
-    const double angle = turn * static_cast<double>(frame) + control.huntingPhase;
+    const double angle = turn * static_cast<double>(frame) + control.huntingPhaseRadians;
     metered.push_back(lightStops[frame][1] - control.exposureOffsetStops +
                       control.huntingStops * std::sin(angle));
   }

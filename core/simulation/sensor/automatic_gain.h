@@ -16,7 +16,7 @@ namespace dewpoint::simulation {
 struct ControlLoop {
   double speed = 0.15;    ///< fraction of the error corrected per frame; 0: no control
   int lagFrames = 2;      ///< number of frames from a measurement to its effect
-  double deadband = 0.03; ///< errors below this value are not corrected; stops
+  double deadbandStops = 0.03; ///< errors below this value are not corrected; stops
   double limit = 1.5;     ///< limit of the correction in both directions, stops
 };
 
@@ -39,7 +39,7 @@ struct GainCurve {
   double framesPerSecond = kDefaultFrameRate;
   std::vector<CameraGain> gainPerFrame; ///< empty: all gains are 1
   /// Returns the gains at a time in seconds.
-  CameraGain at(double time) const;
+  CameraGain gainAt(double time) const;
 };
 
 /// Automatic exposure and white balance of one camera. In the first frame, both are settled for the
@@ -53,7 +53,7 @@ struct AutomaticGain {
   /// that enter and leave the image.
   double huntingStops = 0.0;
   double huntingPeriodSeconds = 4.0; ///< period of this error, seconds
-  double huntingPhase = 0.0;  ///< phase of this error, radians
+  double huntingPhaseRadians = 0.0;  ///< phase of this error, radians
   /// Constant error of blue and red, stops.
   Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero();
 };

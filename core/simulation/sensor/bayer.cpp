@@ -30,7 +30,7 @@ int channelAt(int row, int column) {
 
 } // namespace
 
-cv::Mat mosaic(const cv::Mat& linear) {
+cv::Mat bayerMosaic(const cv::Mat& linear) {
   CV_Assert(linear.type() == CV_32FC3);
   cv::Mat raw(linear.size(), CV_32FC1);
   for (int row = 0; row < linear.rows; ++row) {

@@ -20,14 +20,14 @@ void multiplyRows(cv::Mat& image, const std::vector<float>& gains) {
 /// From the light on the sensor to levels (CV_32FC3) before the last noise and rounding.
 cv::Mat processed(const cv::Mat& light, const SensorModel& model, double time,
                   const RandomStream& stream) {
-  const CameraGain gain = model.gains.at(time);
+  const CameraGain gain = model.gains.gainAt(time);
   cv::Mat linear = blurred(linearImage(light), model.psfSigmaPx);
   if (model.flicker.depth > 0.0) {
     multiplyRows(linear, rowGains(model.flicker, model.shutter, linear.rows, time));
   }
   linear *= gain.exposure;
   if (model.noise.fullWellElectrons > 0.0) {
-    cv::Mat raw = mosaic(linear);
+    cv::Mat raw = bayerMosaic(linear);
     addPixelNoise(raw, model.noise, gain.exposure, stream);
     linear = demosaiced(raw);
   }

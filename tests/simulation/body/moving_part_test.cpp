@@ -173,9 +173,9 @@ TEST(SurfacePattern, AHighlightIsWhereTheLampIsMirrored) {
   const simulation::Gloss gloss{400.0F, 20.0F};
   // Lamp and camera both straight above: mirrored at the top.
   const Vector3f down{0.0F, 0.0F, -1.0F};
-  EXPECT_NEAR(gloss.at(Vector3f::UnitZ(), Vector3f::UnitZ(), down), 400.0F, 0.01F);
+  EXPECT_NEAR(gloss.highlightAt(Vector3f::UnitZ(), Vector3f::UnitZ(), down), 400.0F, 0.01F);
   const Vector3f aside{std::sin(0.3F), 0.0F, std::cos(0.3F)};
-  EXPECT_NEAR(gloss.at(aside, Vector3f::UnitZ(), down), 400.0F * std::pow(std::cos(0.3F), 20.0F),
+  EXPECT_NEAR(gloss.highlightAt(aside, Vector3f::UnitZ(), down), 400.0F * std::pow(std::cos(0.3F), 20.0F),
               0.1F);
 }
 

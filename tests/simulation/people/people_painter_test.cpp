@@ -131,7 +131,7 @@ TEST(PeoplePainter, MovedFurnitureIsWhereItIsAtTheTime) {
   cabinet.waypoints = {{1.0, {-0.6, 0.5}, 0.0}, {2.0, {0.6, 0.5}, 0.0}};
   scene.furniture = {cabinet};
   const OfficeRenderer renderer(scene, views());
-  EXPECT_LT((renderer.scene().furniture[0].at(1.5).position - Eigen::Vector2d(0.0, 0.5)).norm(),
+  EXPECT_LT((renderer.scene().furniture[0].poseAt(1.5).position - Eigen::Vector2d(0.0, 0.5)).norm(),
             1e-12);
   const cv::Mat left = renderer.backgroundImage(0);
   const cv::Mat right = renderer.render(0, 60);

@@ -249,7 +249,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   for (const std::string& decision : made->decisions) {
     lines << QString::fromStdString(decision);
   }
-  if (made->matchedByOrder) {
+  if (made->wasMatchedByOrder) {
     lines << tr("The calibration uses other camera names. The cameras were matched by order.");
   }
   if (made->hasOnlyIntrinsics) {

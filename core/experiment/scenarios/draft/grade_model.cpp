@@ -120,7 +120,7 @@ simulation::AutomaticGain drawAutomatic(const GradeModel& model, RandomDraws& dr
   automatic.initialErrorStops = draw(model.initialErrorStops, draws);
   automatic.huntingStops = draw(model.huntingStops, draws);
   automatic.huntingPeriodSeconds = draw(model.huntingPeriodSeconds, draws);
-  automatic.huntingPhase = draws.uniform(0.0, kFullTurn);
+  automatic.huntingPhaseRadians = draws.uniform(0.0, kFullTurn);
   automatic.whiteBalanceStops[0] = draw(model.whiteBalanceStops, draws);
   automatic.whiteBalanceStops[1] = draw(model.whiteBalanceStops, draws);
   return automatic;

@@ -142,7 +142,7 @@ ScenarioDraft wildDraft(const ScenarioRecipe& recipe, std::uint64_t seed, int at
 /// Makes the balls as small as the grade wants them: what was placed for larger ones stays clear.
 void shrinkBalls(ScenarioDraft& draft) {
   for (simulation::StageBody& body : draft.stage.bodies) {
-    if (!body.box) {
+    if (!body.isBox) {
       body.radius *= draft.radiusScale;
     }
   }

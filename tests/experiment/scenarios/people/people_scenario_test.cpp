@@ -116,13 +116,13 @@ TEST(PeopleScenario, WhoSitsHasAStoolAndRises) {
       EXPECT_GT(up, down);
       // Stays where it is as long as it is not upright.
       EXPECT_LT((walker.position(down) - walker.position(up)).norm(), 1e-9);
-      EXPECT_LT(walker.top(down), 0.8 * walker.height); // sitting: 0.77 of the height
-      EXPECT_EQ(walker.top(scenario.timeAfterMeeting), walker.height);
+      EXPECT_LT(walker.topHeight(down), 0.8 * walker.height); // sitting: 0.77 of the height
+      EXPECT_EQ(walker.topHeight(scenario.timeAfterMeeting), walker.height);
       EXPECT_GT(walker.postures[0].time, scenario.timeBeforeMeeting);
     }
     ASSERT_EQ(scenario.scene.furniture.size(), 1U);
     const auto& stool = scenario.scene.furniture[0];
-    EXPECT_LT((stool.at(0.0).position - people[0].position(people[0].postures[1].time)).norm(),
+    EXPECT_LT((stool.poseAt(0.0).position - people[0].position(people[0].postures[1].time)).norm(),
               1e-9);
   }
 }
@@ -169,9 +169,9 @@ TEST(PeopleScenario, FurnitureIsMovedAfterPeopleHaveAppeared) {
   for (const PeopleScenario& scenario : drawn("furniture-moved")) {
     ASSERT_EQ(scenario.scene.furniture.size(), 2U);
     for (const auto& piece : scenario.scene.furniture) {
-      EXPECT_EQ(piece.at(0.0).position, piece.at(kAppearTime).position);
+      EXPECT_EQ(piece.poseAt(0.0).position, piece.poseAt(kAppearTime).position);
       const Eigen::Vector2d way =
-          piece.at(scenario.timeAfterMeeting).position - piece.at(0.0).position;
+          piece.poseAt(scenario.timeAfterMeeting).position - piece.poseAt(0.0).position;
       EXPECT_GT(way.norm(), 0.79); // 0.8 to 1.5 m
       EXPECT_LT(piece.waypoints.back().time, scenario.timeAfterMeeting);
     }
