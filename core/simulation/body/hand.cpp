@@ -86,7 +86,7 @@ std::vector<MovingPart> partlyClosedHand(double closed, const Vector3f& color) {
   const Eigen::Vector3d across = (down + Eigen::Vector3d(0.56, -0.42, 0.0)).normalized();
   addFinger({-0.01, 0.9 * kPalmWide, 0.0}, thumb, across, 0.85, 0.7);
   for (MovingPart& part : parts) {
-    part.target = true;
+    part.belongsToTarget = true;
   }
   return parts;
 }

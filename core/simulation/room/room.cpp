@@ -195,7 +195,7 @@ ShadedColor Room::shadedColorOf(const Vector3f& origin, const Vector3f& directio
   const Pattern pattern =
       isWall && hit.normal.z() > 0.5F ? Pattern::Floor : hit.solid->material.pattern;
   const Vector3f position = isWall ? point : toSolidFrame(*hit.solid, point - hit.solid->center);
-  const Vector3f color = texture(pattern, hit.solid->material.color, position);
+  const Vector3f color = textureColor(pattern, hit.solid->material.color, position);
   const float light = shade(point, hit.normal, lit, lamp_);
   const float dark = shade(point, hit.normal, 0.0F, lamp_);
   return {(light * color).cwiseMin(255.0F), 1.0F - dark / light};

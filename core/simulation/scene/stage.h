@@ -126,7 +126,7 @@ void prepareLight(Stage& stage);
 /// rest; moving objects are ignored. Complete darkness counts as kDarkStops.
 Eigen::Vector3d meteredBrightnessStops(const Stage& stage, std::size_t camera, double time);
 /// Result of meteredBrightnessStops() in complete darkness, in stops: a sixteenth of the nominal
-/// light. Chosen so that a camera cannot compensate for it (ControlLoop::limit).
+/// light. Chosen so that a camera cannot compensate for it (ControlLoop::maxCorrectionStops).
 inline constexpr double kDarkStops = -4.0;
 
 /// Renders the image (CV_8UC3, BGR) of one camera with the exposure centered on `time` (seconds).

@@ -34,7 +34,7 @@ std::vector<double> loopCorrections(const ControlLoop& loop, std::span<const dou
     const std::size_t measured = frame > lag ? frame - lag : 0;
     const double error = disturbance[measured] + result[measured];
     if (std::abs(error) > loop.deadbandStops) {
-      now = std::clamp(now - loop.speed * error, -loop.limit, loop.limit);
+      now = std::clamp(now - loop.speed * error, -loop.maxCorrectionStops, loop.maxCorrectionStops);
     }
   }
   return result;

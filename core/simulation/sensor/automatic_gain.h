@@ -17,7 +17,7 @@ struct ControlLoop {
   double speed = 0.15;    ///< fraction of the error corrected per frame; 0: no control
   int lagFrames = 2;      ///< number of frames from a measurement to its effect
   double deadbandStops = 0.03; ///< errors below this value are not corrected; stops
-  double limit = 1.5;     ///< limit of the correction in both directions, stops
+  double maxCorrectionStops = 1.5;     ///< limit of the correction in both directions, stops
 };
 
 /// Returns the corrections with which the loop compensates for a disturbance, such as a change of

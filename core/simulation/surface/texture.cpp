@@ -70,7 +70,7 @@ float valueNoise(const Vector3f& position) {
   return mix(front, back, s.z());
 }
 
-Vector3f texture(Pattern pattern, const Vector3f& color, const Vector3f& position) {
+Vector3f textureColor(Pattern pattern, const Vector3f& color, const Vector3f& position) {
   switch (pattern) {
   case Pattern::Wood: {
     const float tone = woodTone(position);

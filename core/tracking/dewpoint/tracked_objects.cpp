@@ -95,7 +95,7 @@ std::vector<std::size_t> TrackedObjects::indicesByProbability() const {
   std::vector<std::size_t> order(objects_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto probability = [&](std::size_t k) {
-    const TrackHypothesis* best = objects_[k].track.best();
+    const TrackHypothesis* best = objects_[k].track.mostLikelyHypothesis();
     return best != nullptr ? best->probability : 0.0;
   };
   std::stable_sort(order.begin(), order.end(),
@@ -152,7 +152,7 @@ bool TrackedObjects::hasIdenticalTarget(std::size_t target) const {
 bool TrackedObjects::allTargetsVisible() const {
   return std::all_of(objects_.begin(), objects_.begin() + static_cast<std::ptrdiff_t>(targetCount_),
                      [](const TrackedObject& object) {
-                       const TrackHypothesis* best = object.track.best();
+                       const TrackHypothesis* best = object.track.mostLikelyHypothesis();
                        return best != nullptr && best->probability > kCertainProbability &&
                               isMostlyVisible(*best);
                      });
@@ -231,7 +231,7 @@ void TrackedObjects::suppressIfAtTarget(std::size_t distractor) {
 }
 
 std::vector<std::size_t> TrackedObjects::clearPositionOf(std::size_t target) {
-  const TrackHypothesis* const own = objects_[target].track.best();
+  const TrackHypothesis* const own = objects_[target].track.mostLikelyHypothesis();
   std::vector<std::size_t> changed;
   for (std::size_t k = objects_.size(); own->wasOutlineFound && k-- > 0;) {
     const TrackHypothesis* const other = objects_[k].track.confidentHypothesis();

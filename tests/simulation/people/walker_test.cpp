@@ -133,7 +133,7 @@ TEST(Cloth, HasTwoColorsInStripes) {
   const simulation::Vector3f first(1.0F, 2.0F, 3.0F);
   simulation::Cloth cloth;
   cloth.secondColor = {7.0F, 8.0F, 9.0F};
-  cloth.width = 0.1F;
+  cloth.patternWidth = 0.1F;
   EXPECT_EQ(clothColor(cloth, first, {0.0F, 0.0F, 0.15F}), first); // plain
   cloth.pattern = simulation::ClothPattern::Stripes;
   EXPECT_EQ(clothColor(cloth, first, {0.0F, 0.0F, 0.05F}), first);

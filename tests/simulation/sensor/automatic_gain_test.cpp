@@ -38,8 +38,8 @@ TEST(AutomaticGain, HasSettledBeforeTheRunButForItsError) {
   EXPECT_NEAR(curve.gainAt(0.0).exposure, std::exp2(-0.5), 1e-9);
   EXPECT_NEAR(curve.gainPerFrame.back().exposure, 0.5, 0.5 * 0.03);
   EXPECT_NEAR(curve.gainAt(0.0).whiteBalance[0], std::exp2(-0.3), 1e-9);
-  EXPECT_NEAR(curve.at(100.0).whiteBalance[2], std::exp2(-0.1), 1e-9);
-  EXPECT_EQ(curve.at(1.0).whiteBalance[1], 1.0);
+  EXPECT_NEAR(curve.gainAt(100.0).whiteBalance[2], std::exp2(-0.1), 1e-9);
+  EXPECT_EQ(curve.gainAt(1.0).whiteBalance[1], 1.0);
 }
 
 TEST(AutomaticGain, FollowsTheLightSlowly) {

@@ -95,7 +95,7 @@ bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handl
       const Eigen::Matrix3d rotation = spin.axesAt(time).transpose().cast<double>() * start;
       std::vector<MovingPart> parts = object(time);
       for (MovingPart& part : parts) {
-        part = moved(std::move(part), rotation, Eigen::Vector3d::Zero());
+        part = movedPart(std::move(part), rotation, Eigen::Vector3d::Zero());
       }
       return parts;
     };

@@ -171,7 +171,7 @@ simulation::Illumination drawIllumination(const GradeModel& model, const FaultCo
   shadow.direction = direction.cast<float>();
   shadow.speed = draw(model.shadowSpeed, draws);
   // It passes where the target begins at some time of the run.
-  shadow.start =
+  shadow.initialPosition =
       direction.dot(context.targetStart) - shadow.speed * draws.uniform(0.0, context.seconds);
   shadow.halfWidth = static_cast<float>(draw(model.shadowHalfWidth, draws));
   shadow.depth = static_cast<float>(draw(model.shadowDepth, draws));
@@ -217,7 +217,7 @@ SensingFaults randomFaults(const GradeModel& model, const FaultContext& context,
   SensingFaults faults;
   faults.illumination = drawIllumination(model, context, draws);
   simulation::Flicker flicker;
-  flicker.frequency = draws.coinFlip() ? 100.0 : 120.0; // twice that of the mains
+  flicker.frequencyHz = draws.coinFlip() ? 100.0 : 120.0; // twice that of the mains
   flicker.depth = draw(model.flickerDepth, draws);
   flicker.phase = draws.uniform(0.0, kFullTurn);
   for (std::size_t camera = 0; camera < context.cameras; ++camera) {

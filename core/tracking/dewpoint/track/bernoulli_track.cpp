@@ -58,7 +58,7 @@ void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
 }
 
 void BernoulliTrack::predict(double interval, const RandomKey& key) {
-  confidentBefore_ = confidentHypothesis() != nullptr ? confidentHypothesis()->stream : 0;
+  confidentBefore_ = confidentHypothesis() != nullptr ? confidentHypothesis()->streamNumber : 0;
   const ConstantVelocity motion{interval, settings_.accelerationSigma};
   const double survival = std::exp(-interval / settings_.survivalTime);
   for (TrackHypothesis& hypothesis : hypotheses_) {
@@ -99,7 +99,7 @@ void BernoulliTrack::update(SphereObservation& observation, const CandidateSourc
   removeImpossible(logMasses);
   if (createsHypotheses_ && mustSearch(hypotheses_, logMasses)) {
     if (confidentHypothesis() == nullptr) {
-      searchParticles_.update(searchPrior_, settings_.maxParticles, radiusPrior_.expected(),
+      searchParticles_.update(searchPrior_, settings_.maxParticles, radiusPrior_.expectedRadius(),
                               bounds_, observation, key, team);
     }
     addNewHypotheses(observation, search, occupied, key, team, logMasses);
@@ -150,7 +150,7 @@ void BernoulliTrack::removeImpossible(std::vector<double>& logMasses) {
   for (std::size_t k = before; k-- > 0;) {
     const TrackHypothesis& one = hypotheses_[k];
     if ((bounds_ && !bounds_->contains(one.position(), one.radius)) ||
-        !radiusPrior_.allows(one.radius)) {
+        !radiusPrior_.allowsRadius(one.radius)) {
       const auto at = static_cast<std::ptrdiff_t>(k);
       hypotheses_.erase(hypotheses_.begin() + at);
       logMasses.erase(logMasses.begin() + at);
@@ -185,7 +185,7 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
       return (other.position() - fit.center).norm() < fit.radius;
     });
     const double birth = birthProbability(fit.center, fit.radius);
-    if (known || !radiusPrior_.allows(fit.radius) || isOccupied(fit.center, fit.radius, occupied) ||
+    if (known || !radiusPrior_.allowsRadius(fit.radius) || isOccupied(fit.center, fit.radius, occupied) ||
         logLikelihoodRatio < kMinLogLikelihoodRatio || birth <= 0.0) {
       continue;
     }
@@ -216,7 +216,7 @@ void BernoulliTrack::scoreInitialHypotheses(SphereObservation& observation,
 TrackHypothesis BernoulliTrack::newHypothesis(const Gaussian3& position, double radius,
                                               double logRadiusVariance) {
   TrackHypothesis hypothesis;
-  hypothesis.stream = numbers_.next();
+  hypothesis.streamNumber = numbers_.next();
   hypothesis.radius = radius;
   hypothesis.logRadiusVariance = logRadiusVariance;
   hypothesis.gaussian.mean << position.mean, Eigen::Vector3d::Zero();
@@ -261,7 +261,7 @@ void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius
 
 void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& observation,
                              const RandomKey& key, ThreadTeam& team) {
-  const double radius = best() != nullptr ? best()->radius : radiusPrior_.expected();
+  const double radius = mostLikelyHypothesis() != nullptr ? mostLikelyHypothesis()->radius : radiusPrior_.expectedRadius();
   TrackHypothesis hypothesis = newHypothesis(position, radius, radiusPrior_.logVariance());
   hypothesis.probability = kInitialProbability;
   hypothesis.provenProbability = kInitialProbability;
@@ -305,7 +305,7 @@ void BernoulliTrack::resolveIdentity(bool identicalTargets) {
   }
   const auto dropped = [&](const TrackHypothesis& other) {
     return std::none_of(hypotheses_.begin(), hypotheses_.end(),
-                        [&](const TrackHypothesis& left) { return left.stream == other.stream; });
+                        [&](const TrackHypothesis& left) { return left.streamNumber == other.streamNumber; });
   };
   std::erase_if(predicted_, dropped);
 }
@@ -317,26 +317,26 @@ void BernoulliTrack::suppressBestHypothesis() {
   }
 }
 
-const TrackHypothesis* BernoulliTrack::best() const {
+const TrackHypothesis* BernoulliTrack::mostLikelyHypothesis() const {
   return hypotheses_.empty() ? nullptr : &hypotheses_.front();
 }
 
 const TrackHypothesis* BernoulliTrack::confidentHypothesis() const {
-  const TrackHypothesis* likeliest = best();
+  const TrackHypothesis* likeliest = mostLikelyHypothesis();
   return likeliest != nullptr && likeliest->probability > 0.5 ? likeliest : nullptr;
 }
 
 std::optional<OccupiedSphere> BernoulliTrack::expectedSphere() const {
-  if (const TrackHypothesis* likeliest = best()) {
+  if (const TrackHypothesis* likeliest = mostLikelyHypothesis()) {
     return OccupiedSphere{likeliest->position(), likeliest->radius};
   }
   const auto last = searchPrior_.lastPosition();
-  return last ? std::optional(OccupiedSphere{*last, radiusPrior_.expected()}) : std::nullopt;
+  return last ? std::optional(OccupiedSphere{*last, radiusPrior_.expectedRadius()}) : std::nullopt;
 }
 
 bool BernoulliTrack::hasJumped() const {
   if (confidentBefore_ == 0 || hypotheses_.empty() ||
-      hypotheses_.front().stream == confidentBefore_) {
+      hypotheses_.front().streamNumber == confidentBefore_) {
     return false;
   }
   const auto before = std::ranges::find(predicted_, confidentBefore_, &TrackHypothesis::stream);
@@ -345,12 +345,12 @@ bool BernoulliTrack::hasJumped() const {
 }
 
 SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
-  const TrackHypothesis* likeliest = best();
+  const TrackHypothesis* likeliest = mostLikelyHypothesis();
   if (likeliest == nullptr || likeliest->states.rows() == 0) {
     return sphereEstimateFrom(searchParticles_);
   }
   SphereEstimate result =
-      sphereEstimateFrom(*likeliest, identityAmbiguity_, settings_.errors, observation);
+      sphereEstimateFrom(*likeliest, identityAmbiguity_, settings_.systematicErrors, observation);
   const bool undecided = isUndecided(hypotheses_);
   result.ambiguous = undecided || identityAmbiguity_ >= kAmbiguousIdentity || hasJumped();
   if (undecided) {

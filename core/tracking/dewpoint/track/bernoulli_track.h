@@ -30,7 +30,7 @@ struct BernoulliTrackSettings {
   double accelerationSigma = 0.0;
   double survivalTime = 5.0; ///< seconds
   double searchSize = 4.0;   ///< meters
-  SystematicErrors errors;   ///< systematic errors included in estimates
+  SystematicErrors systematicErrors; ///< systematic errors included in estimates
 };
 
 /// Finds candidate positions of the target in the images of an observation; see
@@ -93,7 +93,7 @@ public:
   const Target& target() const { return target_; }
   const std::optional<WorldBox>& bounds() const { return bounds_; }
   /// Returns the most likely hypothesis, or null if there is no hypothesis.
-  const TrackHypothesis* best() const;
+  const TrackHypothesis* mostLikelyHypothesis() const;
   /// Returns the most likely hypothesis if its probability is above one half, otherwise null.
   const TrackHypothesis* confidentHypothesis() const;
   /// Returns all hypotheses, the most likely first.

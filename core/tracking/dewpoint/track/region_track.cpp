@@ -92,7 +92,7 @@ void RegionTrack::predict(double interval, const RandomKey& key) {
 RegionTrack::State RegionTrack::newState(const Gaussian3& position, const Eigen::Matrix3d& extent) {
   State state;
   TrackHypothesis& hypothesis = state.hypothesis;
-  hypothesis.stream = numbers_.next();
+  hypothesis.streamNumber = numbers_.next();
   hypothesis.gaussian.mean << position.mean, Eigen::Vector3d::Zero();
   hypothesis.gaussian.covariance.setZero();
   hypothesis.gaussian.covariance.topLeftCorner<3, 3>() = position.covariance;
@@ -288,7 +288,7 @@ SphereEstimate RegionTrack::estimate(const RegionObservation& observation) const
   const Eigen::Matrix3d ofShape =
       kShapeShare * kShapeShare * std::max(1.0, state.disagreement) * 0.25 * state.extent;
   SphereEstimate result =
-      estimateFrom(state.hypothesis, state.ambiguity, seeing, settings_.errors, ofShape);
+      estimateFrom(state.hypothesis, state.ambiguity, seeing, settings_.systematicErrors, ofShape);
   result.camerasSeeing = SphereObservation::camerasSeeing(cameras);
   result.cameras = std::move(cameras);
   result.extent = state.extent;

@@ -54,7 +54,7 @@ constexpr double kHeldRadius = 0.05;
 
 /// Index of its first particle in the random streams, which all hypotheses of a target share.
 std::uint32_t firstIndex(const TrackHypothesis& hypothesis) {
-  return hypothesis.stream << 20U;
+  return hypothesis.streamNumber << 20U;
 }
 
 double logSumOfTwo(double a, double b) {
@@ -111,7 +111,7 @@ double weightPrediction(TrackHypothesis& hypothesis, SphereObservation& observat
     if (effective < 0.5 * static_cast<double>(count)) {
       Ancestors ancestors;
       SystematicResampling().ancestors(
-          hypothesis.weights, count, key.streamOfPart(RandomPurpose::Resampling, hypothesis.stream),
+          hypothesis.weights, count, key.streamOfPart(RandomPurpose::Resampling, hypothesis.streamNumber),
           ancestors);
       hypothesis.states = Eigen::ArrayXXd(hypothesis.states(ancestors, Eigen::all));
       hypothesis.weights.setConstant(1.0 / static_cast<double>(count));

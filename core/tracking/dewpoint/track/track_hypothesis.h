@@ -62,7 +62,7 @@ struct TrackHypothesis {
   /// Predictions not yet applied to the particles. While the outline is found, new particles are
   /// drawn, and these predictions are never needed.
   std::vector<std::pair<ConstantVelocity, RandomStream>> pendingPredictions;
-  std::uint32_t stream = 0; ///< number that gives each hypothesis different random numbers
+  std::uint32_t streamNumber = 0; ///< number that gives each hypothesis different random numbers
 
   // Fractions of the fully visible log likelihood ratio. The values were chosen by judgment and not
   // measured (docs/method-dewpoint.md, sections 5 to 7).

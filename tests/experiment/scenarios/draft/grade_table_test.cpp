@@ -185,7 +185,7 @@ TEST(GradeTable, RunsAreDrawnFromAllOfIt) {
       const double red = colored.color[2] / colored.color[0];
       EXPECT_LT(red, 1.001 * redness(grade == Grade::Room ? 2700.0 : 2200.0));
       EXPECT_GT(red, 0.999 * redness(grade == Grade::Room ? 9000.0 : 12000.0));
-      const double frequency = run.cameras.front().sensor.flicker.frequency;
+      const double frequency = run.cameras.front().sensor.flicker.frequencyHz;
       EXPECT_TRUE(frequency == 100.0 || frequency == 120.0);
     }
   }

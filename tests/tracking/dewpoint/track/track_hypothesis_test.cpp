@@ -26,7 +26,7 @@ protected:
       }
     }
     hypothesis_.radius = 0.035;
-    hypothesis_.stream = 3;
+    hypothesis_.streamNumber = 3;
     hypothesis_.probability = 0.5;
     hypothesis_.gaussian.mean << drawn::kMiddle, 0.2, -0.1, 0.05;
     hypothesis_.gaussian.covariance.setZero();
@@ -86,7 +86,7 @@ TEST_F(TrackHypothesisTest, ParticlesDoNotDependOnThreadsButOnTheStream) {
   drawParticles(other, observation_, 1000, key_, three);
   EXPECT_TRUE((other.states == hypothesis_.states).all());
   EXPECT_TRUE((other.weights == hypothesis_.weights).all());
-  other.stream = 4;
+  other.streamNumber = 4;
   drawParticles(other, observation_, 1000, key_, team_);
   EXPECT_FALSE((other.states == hypothesis_.states).all());
 }
