@@ -35,12 +35,12 @@ std::string words(const CameraReport& report) {
   case CameraStatus::Hidden:
     return "hidden";
   case CameraStatus::Distractor:
-    return report.pixels >= 1.0 ? fmt::format("{:.0f} px away from a distractor", report.pixels)
+    return report.distancePx >= 1.0 ? fmt::format("{:.0f} px away from a distractor", report.distancePx)
                                 : "at a distractor";
   case CameraStatus::NoColor:
     return "no matching color";
   case CameraStatus::Elsewhere:
-    return fmt::format("color found {:.0f} px away", std::max(1.0, report.pixels));
+    return fmt::format("color found {:.0f} px away", std::max(1.0, report.distancePx));
   case CameraStatus::Unclear:
     return "right color, wrong shape";
   }

@@ -121,7 +121,7 @@ StepProgress progressOf(GuideStep step, const Project& project, const Calibratio
   case GuideStep::MeasuredLength:
     break;
   }
-  const auto& check = status.check;
+  const auto& check = status.lengthCheck;
   return check && check->measured > 0.0
              ? ofPart(true, std::abs(check->found / check->measured - 1.0))
              : ofPart(false);

@@ -48,7 +48,7 @@ struct CalibrationStatus {
   /// at least two cameras see them (WorldRecord::accuracyOutside).
   std::optional<double> accuracyOutside;
   /// Comparison of a measured with a calibrated length, if the user made one.
-  std::optional<LengthCheck> check;
+  std::optional<LengthCheck> lengthCheck;
 };
 
 /// Returns the calibration status of a project. Records about values that have changed since are

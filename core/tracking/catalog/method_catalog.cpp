@@ -243,14 +243,14 @@ std::string_view methodSummary(std::string_view method) {
 
 std::string_view methodPage(std::string_view method) {
   const Method* row = findMethod(method);
-  return (row != nullptr ? *row : kMethods[0]).text.page;
+  return (row != nullptr ? *row : kMethods[0]).text.manualPage;
 }
 
 std::vector<std::string_view> methodPages() {
   std::vector<std::string_view> pages;
   for (const Method& method : kMethods) {
-    if (std::ranges::find(pages, method.text.page) == pages.end()) {
-      pages.push_back(method.text.page);
+    if (std::ranges::find(pages, method.text.manualPage) == pages.end()) {
+      pages.push_back(method.text.manualPage);
     }
   }
   return pages;

@@ -84,7 +84,7 @@ struct MethodFamily {
 struct MethodText {
   std::string_view title;    ///< title that names what the method tracks
   std::string_view sentence; ///< purpose or distinguishing feature of the method, in one line
-  std::string_view page;     ///< page of the manual, a file in docs/
+  std::string_view manualPage;     ///< page of the manual, a file in docs/
   /// Paper that describes exactly this method; empty if the method was developed for this project.
   std::string_view paper = {};
 };

@@ -263,7 +263,7 @@ TEST(BarreraTracker, SearchingFromOutsideAnImageDoesNotSayThatTheTargetIsOutside
   EXPECT_FALSE(tracker->iterate(team).valid);
   for (const CameraReport& report : tracker->cameraReports()) {
     EXPECT_EQ(report.status, CameraStatus::Elsewhere);
-    EXPECT_GT(report.pixels, 100.0);
+    EXPECT_GT(report.distancePx, 100.0);
   }
   Target blue = redBall();
   blue.color.hueMin = 220.0;

@@ -146,22 +146,22 @@ double RegionTrack::measure(State& state, RegionObservation& observation) const 
   TrackHypothesis& hypothesis = state.hypothesis;
   const EllipsoidFit fit = fitAt(state, observation);
   ++hypothesis.updateCount;
-  state.views = fit.views;
+  state.measurements = fit.views;
   const Gaussian6::Matrix wide =
       hypothesis.gaussian.covariance + hypothesis.processNoise.gatingCovariance();
   const PreparedGaussian3 gate({hypothesis.position(), wide.topLeftCorner<3, 3>()});
   hypothesis.wasOutlineFound =
       fit.found && gate.squaredDistance(fit.ellipsoid.center) <= kGate * kGate;
-  const double fill = state.fill > 0.0 ? state.fill : kPriorFill;
-  hypothesis.logLikelihoodRatio = logLikelihoodRatio(state.views, fill);
-  hypothesis.fullyVisibleLogLikelihoodRatio = fullyVisible(state.views);
-  hypothesis.onlyOneCameraSees = observation.cameraCount() > 1 && viewsInView(state.views) == 1;
+  const double fill = state.coloredFraction > 0.0 ? state.coloredFraction : kPriorFill;
+  hypothesis.logLikelihoodRatio = logLikelihoodRatio(state.measurements, fill);
+  hypothesis.fullyVisibleLogLikelihoodRatio = fullyVisible(state.measurements);
+  hypothesis.onlyOneCameraSees = observation.cameraCount() > 1 && viewsInView(state.measurements) == 1;
   if (hypothesis.wasOutlineFound) {
     accept(state, fit);
-    for (const RegionMeasurement& view : state.views) {
+    for (const RegionMeasurement& view : state.measurements) {
       if (view.region && view.visible > 0.5) {
-        state.fill =
-            state.fill > 0.0 ? state.fill + kFillRate * (view.matched - state.fill) : view.matched;
+        state.coloredFraction =
+            state.coloredFraction > 0.0 ? state.coloredFraction + kFillRate * (view.matched - state.coloredFraction) : view.matched;
       }
     }
   }
@@ -271,9 +271,9 @@ SphereEstimate RegionTrack::estimate(const RegionObservation& observation) const
   const State& state = *state_;
   std::vector<CameraEvidence> cameras(observation.cameraCount());
   std::vector<Eigen::Vector3d> seeing;
-  const double fill = state.fill > 0.0 ? state.fill : kPriorFill;
-  for (std::size_t k = 0; k < std::min(cameras.size(), state.views.size()); ++k) {
-    const RegionMeasurement& view = state.views[k];
+  const double fill = state.coloredFraction > 0.0 ? state.coloredFraction : kPriorFill;
+  for (std::size_t k = 0; k < std::min(cameras.size(), state.measurements.size()); ++k) {
+    const RegionMeasurement& view = state.measurements[k];
     CameraEvidence& camera = cameras[k];
     camera.inView = view.inView;
     camera.logLikelihood = view.inView ? regionEvidence(view, fill) : 0.0;

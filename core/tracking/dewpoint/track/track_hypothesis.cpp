@@ -246,7 +246,7 @@ void conditionOnOutline(TrackHypothesis& hypothesis, const Prediction& predictio
   conditionOnPosition(hypothesis.gaussian,
                       evidence.posterior({hypothesis.position(),
                                           hypothesis.gaussian.covariance.topLeftCorner<3, 3>()}));
-  hypothesis.pulls = found.fit.pulls;
+  hypothesis.cameraInformation = found.fit.pulls;
   hypothesis.processNoise.learn(off, hypothesis.velocity());
   hypothesis.processNoise.recordSeen();
 }

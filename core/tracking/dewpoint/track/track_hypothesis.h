@@ -58,7 +58,7 @@ struct TrackHypothesis {
   /// OutlineFit::disagreement per degree of freedom, and OutlineFit::pulls, of the last measurement
   /// update with an outline.
   double lastDisagreement = 1.0;
-  std::vector<CameraInformation> pulls;
+  std::vector<CameraInformation> cameraInformation;
   /// Predictions not yet applied to the particles. While the outline is found, new particles are
   /// drawn, and these predictions are never needed.
   std::vector<std::pair<ConstantVelocity, RandomStream>> pendingPredictions;
