@@ -75,7 +75,7 @@ TEST(PeopleSession, TracksAsTheCommandLineDoes) {
   session.setBodyShapesShown(true);
   playThrough(session);
   const TrackSnapshotPtr last = session.newest();
-  EXPECT_EQ(last->family.targets, TargetSource::Images);
+  EXPECT_EQ(last->family.targetSource, TargetSource::Images);
   ASSERT_EQ(last->targets.size(), 2U); // both are inside by frame 90
   EXPECT_EQ(last->targets[0].target.name, "person 1");
   EXPECT_EQ(last->targets[1].target.name, "person 2");
@@ -180,11 +180,11 @@ TEST(PeopleSession, TakesOtherMethodsAndBack) {
   playThrough(session);
   const Trajectory first = session.trajectory();
   session.setMethod("barrera", ParameterValues(methodParameters("barrera")));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets != TargetSource::Images; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family.targetSource != TargetSource::Images; }));
   EXPECT_TRUE(session.newest()->targets.empty()); // the project has none
   const Project again = officeProject();
   session.setMethod(again.method, again.parameters);
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets == TargetSource::Images; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family.targetSource == TargetSource::Images; }));
   playThrough(session);
   EXPECT_TRUE(test::sameBits(first, session.trajectory()));
 }
@@ -300,7 +300,7 @@ TEST(PeopleSession, AnotherMethodWhileLookingBackLearnsTheRoomFromTheBeginning) 
     session.setMethodFrom(65, project.method, project.parameters);
     return eventually([&] {
       const auto snapshot = session.newest();
-      return (snapshot->family.targets == TargetSource::Images) == people && !snapshot->rerun &&
+      return (snapshot->family.targetSource == TargetSource::Images) == people && !snapshot->rerun &&
              snapshot->frame == 65 &&
              snapshot->isPast; // the moment that was looked at is shown again
     });

@@ -63,7 +63,7 @@ TEST_P(BoxSessionTest, FollowsAndLeavesNothingInSpace) {
   EXPECT_TRUE(isOnPatch(track.samples[29]));
   EXPECT_TRUE(session.trajectory().samples.empty());
   const auto shown = session.newest();
-  EXPECT_EQ(shown->family.targets, TargetSource::Box);
+  EXPECT_EQ(shown->family.targetSource, TargetSource::Box);
   EXPECT_TRUE(shown->targets[0].tail.empty());
   EXPECT_TRUE(shown->notices.empty());
   const CameraOverlay overlay = cameraOverlay(*shown, 0, shown->targets[0]);
@@ -184,9 +184,9 @@ TEST_P(BoxSessionTest, ABoxOfTheFirstFrameIsThereBeforeAnyStep) {
   EXPECT_FALSE(session.newest()->tracked);
   stepTo(session, 5);
   session.setMethod("dewpoint", ParameterValues(methodParameters("dewpoint")));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets != TargetSource::Box; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family.targetSource != TargetSource::Box; }));
   session.setMethod(GetParam(), ParameterValues(methodParameters(GetParam())));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets == TargetSource::Box; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->family.targetSource == TargetSource::Box; }));
   ASSERT_TRUE(eventually(hasBox));
 }
 

@@ -87,13 +87,13 @@ TEST(Parameters, WhatWasGivenCanBeLeftToTheCamerasAgain) {
 }
 
 TEST(Parameters, EveryMethodBelongsToAFamily) {
-  EXPECT_EQ(methodFamily("dewpoint").targets, TargetSource::Color);
-  EXPECT_EQ(methodFamily("sugandi").targets, TargetSource::Box);
-  EXPECT_EQ(methodFamily("mohedano-ms").targets, TargetSource::Images);
+  EXPECT_EQ(methodFamily("dewpoint").targetSource, TargetSource::Color);
+  EXPECT_EQ(methodFamily("sugandi").targetSource, TargetSource::Box);
+  EXPECT_EQ(methodFamily("mohedano-ms").targetSource, TargetSource::Images);
   for (const Method& method : methods()) {
     const MethodFamily family = methodFamily(method.name);
-    EXPECT_EQ(family.targets, method.family.targets) << method.name;
-    EXPECT_EQ(family.needsCalibration, family.targets != TargetSource::Box) << method.name;
+    EXPECT_EQ(family.targetSource, method.family.targetSource) << method.name;
+    EXPECT_EQ(family.needsCalibration, family.targetSource != TargetSource::Box) << method.name;
     EXPECT_NE(family.describe, nullptr) << method.name;
     EXPECT_TRUE(family.findsTargets() || family.noTargetsText != nullptr) << method.name;
     EXPECT_EQ(family.lacksTargets({}), !family.findsTargets()) << method.name;

@@ -64,7 +64,7 @@ constexpr MethodFamily kTriangulated{.heading = kSpheres.heading,
                                      .describe = colorText,
                                      .noTargetsText = lackOfTargets};
 constexpr MethodFamily kBoxes{
-    .targets = TargetSource::Box,
+    .targetSource = TargetSource::Box,
     .heading = "Any object in the images of one camera (2D)",
     .needsCalibration = false,
     .tables = RunTables::Boxes,
@@ -75,7 +75,7 @@ constexpr MethodFamily kBoxes{
     .noTargetsText = lackOfBoxes,
     .firstFrameFor = firstBox};
 constexpr MethodFamily kPeople{
-    .targets = TargetSource::Images,
+    .targetSource = TargetSource::Images,
     .heading = "People in a room",
     .minCameras = 2,
     .tables = RunTables::People,
@@ -220,7 +220,7 @@ std::vector<std::string> methodNames() {
 }
 
 std::vector<std::string> methodNames(TargetSource targets) {
-  return namesWhere([targets](const MethodFamily& family) { return family.targets == targets; });
+  return namesWhere([targets](const MethodFamily& family) { return family.targetSource == targets; });
 }
 
 std::vector<std::string> methodNames(RunTables tables) {

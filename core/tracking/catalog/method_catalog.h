@@ -35,7 +35,7 @@ enum class RunTables {
 /// properties instead of comparing families, so that a new family needs no changes elsewhere.
 /// tests/architecture counts where a family is named.
 struct MethodFamily {
-  TargetSource targets = TargetSource::Color;
+  TargetSource targetSource = TargetSource::Color;
   /// Purpose of these methods, used as the heading of their group in a list.
   std::string_view heading;
   /// True if the method estimates positions in the room with calibrated cameras. False if the
@@ -65,15 +65,15 @@ struct MethodFamily {
 
   /// Returns whether the method finds its targets automatically. The project then defines no
   /// targets, and ground truth does not use the names of the targets.
-  bool findsTargets() const { return targets == TargetSource::Images; }
+  bool findsTargets() const { return targetSource == TargetSource::Images; }
   /// Returns whether masks show the pixels that have the color of a target.
-  bool hasColorMasks() const { return targets == TargetSource::Color; }
+  bool hasColorMasks() const { return targetSource == TargetSource::Color; }
   /// Returns whether the method needs targets from the project, but none of `projectTargets` can be
   /// tracked.
   bool lacksTargets(const std::vector<Target>& projectTargets) const;
   /// Returns whether the methods of this family and of `other` track the same targets, so that a
   /// method of one family can continue a run of the other.
-  bool tracksSameTargetsAs(const MethodFamily& other) const { return targets == other.targets; }
+  bool tracksSameTargetsAs(const MethodFamily& other) const { return targetSource == other.targetSource; }
   /// Returns whether positions in the room are written, row by row during the run.
   bool writesPositions() const { return tables != RunTables::Boxes; }
   /// Returns whether the bodies of the targets are also stored and written.

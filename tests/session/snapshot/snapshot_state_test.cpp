@@ -62,7 +62,7 @@ TEST(SnapshotState, TheWorstTargetSpeaksForAll) {
 
 TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
   TrackSnapshot snapshot = snapshotOf({TargetStatus::Held, TargetStatus::Searching});
-  snapshot.family.targets = TargetSource::Box;
+  snapshot.family.targetSource = TargetSource::Box;
   for (TargetSnapshot& target : snapshot.targets) {
     target.estimate = AbsentEstimate{};
     target.stateWhileAbsent = TrackingState::NoBox;
@@ -83,7 +83,7 @@ TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
 
 TEST(SnapshotState, PeopleAreLearnedFirst) {
   TrackSnapshot snapshot = snapshotOf({});
-  snapshot.family.targets = TargetSource::Images;
+  snapshot.family.targetSource = TargetSource::Images;
   snapshot.peopleCameras.resize(2);
   snapshot.peopleCameras[0].learned = 1.0;
   snapshot.peopleCameras[1].learned = 0.5;
@@ -128,7 +128,7 @@ TEST(SnapshotState, OnlyAHeldTargetWithinTheImageIsInView) {
 
 TEST(SnapshotState, AClickMeetsTheNearestPersonWhoseHullIsThere) {
   TrackSnapshot snapshot = snapshotOf({});
-  snapshot.family.targets = TargetSource::Images;
+  snapshot.family.targetSource = TargetSource::Images;
   addPerson(snapshot, test::kBall + Eigen::Vector3d(0.0, 0.3, 0.0)); // behind, for the left camera
   addPerson(snapshot, test::kBall);
   const Eigen::Vector2d center(79.5, 59.5); // where both cameras look

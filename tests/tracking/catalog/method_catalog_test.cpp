@@ -38,7 +38,7 @@ TEST(MethodCatalog, TheDefaultComesFirst) {
   EXPECT_EQ(defaultMethod(), "dewpoint");
   EXPECT_EQ(methods().front().name, defaultMethod());
   EXPECT_EQ(methodPage("condensation"), methods().front().text.manualPage);
-  EXPECT_EQ(methodFamily("condensation").targets, methods().front().family.targets);
+  EXPECT_EQ(methodFamily("condensation").targetSource, methods().front().family.targetSource);
 }
 
 TEST(MethodCatalog, PagesOfSeveralMethodsAreListedOnce) {
@@ -97,7 +97,7 @@ TEST(MethodCatalog, ATrackerIsMadeOfTheMethodsOwnParametersAlone) {
 
 TEST(MethodCatalog, MethodsThatFollowBoxesNeedNoCalibration) {
   for (const Method& method : methods()) {
-    EXPECT_EQ(method.family.needsCalibration, method.family.targets != TargetSource::Box)
+    EXPECT_EQ(method.family.needsCalibration, method.family.targetSource != TargetSource::Box)
         << method.name;
   }
 }

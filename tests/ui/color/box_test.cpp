@@ -167,10 +167,10 @@ void BoxTest::theMethodIsChosenInTheParameters() {
   QCOMPARE(window_->document().project().method, std::string("histogram"));
   QCOMPARE(messageText(),
            QStringLiteral("Click the object or drag a box around it in any camera view."));
-  QVERIFY(waitFor([this] { return window_->shown()->family.targets == TargetSource::Box; }));
+  QVERIFY(waitFor([this] { return window_->shown()->family.targetSource == TargetSource::Box; }));
   QVERIFY(find<QDockWidget>("birdsEyeDock")->isHidden());
   action("actionUndo")->trigger();
-  QVERIFY(waitFor([this] { return window_->shown()->family.targets != TargetSource::Box; }));
+  QVERIFY(waitFor([this] { return window_->shown()->family.targetSource != TargetSource::Box; }));
   QVERIFY(!find<QDockWidget>("birdsEyeDock")->isHidden());
 }
 
