@@ -247,7 +247,7 @@ void SnapshotBuilder::fillFromCurrentFrame(const TrackingRun& run, const History
   const std::int64_t tailEnd = isRecorded ? snapshot.frame : snapshot.frame - 1;
   show(run.currentFrame(recorded, kParticlesShown), run, history, tailEnd, snapshot);
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) { // all of them, and to the last bit
-    run.particles(k, kParticlesShown, snapshot.targets[k].particles, snapshot.targets[k].weights);
+    run.copyParticles(k, kParticlesShown, snapshot.targets[k].particles, snapshot.targets[k].weights);
   }
   addImages(run, snapshot);
   if (requestsMaps(run, snapshot)) {

@@ -103,10 +103,10 @@ public:
 class ParticleCloud {
 public:
   virtual ~ParticleCloud() = default;
-  /// Returns an even selection of at most `limit` particles of a track: rows of x, y, z (meters),
+  /// Copies an even selection of at most `limit` particles of a track: rows of x, y, z (meters),
   /// with linear weights that sum to 1 over all particles. For a person, the particles are the
   /// points of the body. Returns no particles if the track is absent.
-  virtual void particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
+  virtual void copyParticles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
                          Eigen::ArrayXd& weights) const = 0;
 };
 
@@ -171,7 +171,7 @@ public:
   /// of this target. Error: BadValue with the field "image" or "box"; nothing changes then.
   virtual Status follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
                         std::uint64_t seed) = 0;
-  /// Returns an even selection of at most `limit` particles of a target, or no particles while the
+  /// Copies an even selection of at most `limit` particles of a target, or no particles while the
   /// target is absent.
   virtual BoxParticles boxParticles(std::size_t target, int limit) const = 0;
 };

@@ -33,7 +33,7 @@ concept BoxFilter = std::copy_constructible<F> && std::constructible_from<F, Par
   { filter.step(bgr, team) } -> std::same_as<BoxEstimate>;
   // Returns an even selection of at most this number of particles: the centers as rows of x and y,
   // and the latest linear weights, which sum to 1 over all particles.
-  finished.particles(0, centers, weights);
+  finished.copyParticles(0, centers, weights);
   // Returns the approximate size of a copy in bytes.
   { finished.memoryBytes() } -> std::same_as<std::size_t>;
 };

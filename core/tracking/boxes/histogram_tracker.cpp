@@ -288,7 +288,7 @@ BoxEstimate HistogramTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
   return result;
 }
 
-void HistogramTracker::particles(int limit, Eigen::ArrayXXd& centers,
+void HistogramTracker::copyParticles(int limit, Eigen::ArrayXXd& centers,
                                  Eigen::ArrayXd& weights) const {
   pickEvenly(weighted_, weights_, limit, 2, centers, weights);
   centers /= shrink_;

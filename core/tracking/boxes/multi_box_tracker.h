@@ -200,7 +200,7 @@ BoxParticles MultiBoxTracker<F>::boxParticles(std::size_t target, int limit) con
   }
   Eigen::ArrayXXd centers;
   Eigen::ArrayXd weights;
-  one.filter->particles(limit, centers, weights);
+  one.filter->copyParticles(limit, centers, weights);
   return {centers.cast<float>(), weights.cast<float>()};
 }
 

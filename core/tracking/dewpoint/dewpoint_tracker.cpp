@@ -280,9 +280,9 @@ void DewpointTracker::learnBackgrounds() {
   }
 }
 
-void DewpointTracker::particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
+void DewpointTracker::copyParticles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
                                 Eigen::ArrayXd& weights) const {
-  objects_[target].track.particles(limit, positions, weights);
+  objects_[target].track.copyParticles(limit, positions, weights);
 }
 
 std::unique_ptr<Tracker> DewpointTracker::clone() const {

@@ -106,7 +106,7 @@ TrackEstimate PeopleTrackLifecycle::estimate(std::size_t track) const {
   return index < people_.size() ? TrackEstimate(people_[index]) : TrackEstimate(AbsentEstimate{});
 }
 
-void PeopleTrackLifecycle::particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
+void PeopleTrackLifecycle::copyParticles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
                                      Eigen::ArrayXd& weights) const {
   positions.resize(0, 3);
   weights.resize(0);

@@ -360,7 +360,7 @@ SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
   return result;
 }
 
-void BernoulliTrack::particles(int limit, Eigen::ArrayXXd& positions,
+void BernoulliTrack::copyParticles(int limit, Eigen::ArrayXXd& positions,
                                Eigen::ArrayXd& weights) const {
   const TrackHypothesis* confirmed = confidentHypothesis();
   const Eigen::ArrayXXd& states =

@@ -103,8 +103,8 @@ public:
   /// last confirmed position is too old.
   std::optional<OccupiedSphere> expectedSphere() const;
   SphereEstimate estimate(SphereObservation& observation) const;
-  /// Returns an even selection of at most `limit` particles; see ParticleCloud::particles().
-  void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
+  /// Copies an even selection of at most `limit` particles; see ParticleCloud::copyParticles().
+  void copyParticles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
   /// Returns the size of all particles in bytes.
   std::size_t memoryBytes() const;
 

@@ -194,7 +194,7 @@ TEST_F(BernoulliTrackTest, StartsWithinTheBounds) {
   track_.restart(StartVolume{kThere, Eigen::Vector3d::Constant(0.5)}, 1);
   Eigen::ArrayXXd positions;
   Eigen::ArrayXd weights;
-  track_.particles(1000, positions, weights);
+  track_.copyParticles(1000, positions, weights);
   ASSERT_GT(positions.rows(), 0);
   EXPECT_GE(positions.col(0).minCoeff(), kThere.x() + 0.2);
   EXPECT_LE(positions.col(0).maxCoeff(), kThere.x() + 0.5 + 1e-12);
