@@ -66,8 +66,8 @@ Result<Half> calibrated(const BoardRecording& recording, const setup::BoardDetec
     if (lenses) {
       IntrinsicsRequest lens;
       lens.board = recording.board;
-      lens.views =
-          chooseViews(recording.board, camera.views, camera.width, camera.height, defaults.maxViews);
+      lens.views = chooseViews(recording.board, camera.views, camera.width, camera.height,
+                               defaults.maxViews);
       lens.width = camera.width;
       lens.height = camera.height;
       auto result = calibrateIntrinsics(lens);

@@ -120,9 +120,9 @@ BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, boo
                                                      {"fisheye", IntrinsicsModel::Fisheye}},
                                                     "model", model);
   arguments.request.pixelShape = chosen<PixelShape>({{"measured", PixelShape::Measured},
-                                                 {"square", PixelShape::Square},
-                                                 {"free", PixelShape::Free}},
-                                                "pixels", pixels);
+                                                     {"square", PixelShape::Square},
+                                                     {"free", PixelShape::Free}},
+                                                    "pixels", pixels);
   arguments.request.maxSearchedFrames = maxSearchedFrames;
   arguments.request.maxViews = views;
   arguments.request.maxInstants = instants;

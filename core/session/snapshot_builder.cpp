@@ -237,8 +237,8 @@ void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot)
   }
 }
 
-void SnapshotBuilder::fillFromCurrentFrame(const TrackingRun& run, const History* history, bool isRecorded,
-                                  TrackSnapshot& snapshot) const {
+void SnapshotBuilder::fillFromCurrentFrame(const TrackingRun& run, const History* history,
+                                           bool isRecorded, TrackSnapshot& snapshot) const {
   snapshot.frames = run.frames();
   snapshot.frame = run.frames() ? run.frames()->index : -1;
   snapshot.clocks = run.clockEstimates();
@@ -247,7 +247,8 @@ void SnapshotBuilder::fillFromCurrentFrame(const TrackingRun& run, const History
   const std::int64_t tailEnd = isRecorded ? snapshot.frame : snapshot.frame - 1;
   show(run.currentFrame(recorded, kParticlesShown), run, history, tailEnd, snapshot);
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) { // all of them, and to the last bit
-    run.copyParticles(k, kParticlesShown, snapshot.targets[k].particles, snapshot.targets[k].weights);
+    run.copyParticles(k, kParticlesShown, snapshot.targets[k].particles,
+                      snapshot.targets[k].weights);
   }
   addImages(run, snapshot);
   if (requestsMaps(run, snapshot)) {
@@ -255,8 +256,9 @@ void SnapshotBuilder::fillFromCurrentFrame(const TrackingRun& run, const History
   }
 }
 
-Status SnapshotBuilder::fillFromPastFrame(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
-                                 bool quickly, TrackSnapshot& snapshot) const {
+Status SnapshotBuilder::fillFromPastFrame(const TrackingRun& run, TimeTravel& travel,
+                                          std::int64_t frame, bool quickly,
+                                          TrackSnapshot& snapshot) const {
   auto frames = quickly ? travel.previewAt(frame, snapshot.isPreview) : travel.frames(frame);
   if (!frames) {
     return tl::make_unexpected(frames.error());
@@ -279,9 +281,10 @@ void SnapshotBuilder::fillFromDefinition(const RunDefinition& definition, TrackS
   snapshot.seed = definition.seed;
 }
 
-Status SnapshotBuilder::fillFromAnyFrame(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
-                                 const TimeTravel::ShouldContinue& shouldContinue,
-                                 TrackSnapshot& snapshot) const {
+Status SnapshotBuilder::fillFromAnyFrame(const TrackingRun& run, TimeTravel& travel,
+                                         std::int64_t frame,
+                                         const TimeTravel::ShouldContinue& shouldContinue,
+                                         TrackSnapshot& snapshot) const {
   if (!shouldContinue()) {
     return failure(ErrorCode::Canceled, "", "", "");
   }

@@ -30,11 +30,11 @@ public:
   /// Fills `snapshot` with the current frame of the run. `history` is null if none is kept;
   /// `isRecorded` is true if it contains the current estimates.
   void fillFromCurrentFrame(const TrackingRun& run, const History* history, bool isRecorded,
-                   TrackSnapshot& snapshot) const;
+                            TrackSnapshot& snapshot) const;
   /// Fills `snapshot` with a frame other than the current one. If `quickly` is true, the images may
   /// be previews (small images scaled up). Returns an error if the frame cannot be read.
-  Status fillFromPastFrame(const TrackingRun& run, TimeTravel& travel, std::int64_t frame, bool quickly,
-                  TrackSnapshot& snapshot) const;
+  Status fillFromPastFrame(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
+                           bool quickly, TrackSnapshot& snapshot) const;
   /// Fills in the parts of `snapshot` that do not depend on the frame, such as the rig and the
   /// method.
   static void fillFromDefinition(const RunDefinition& definition, TrackSnapshot& snapshot);
@@ -42,7 +42,8 @@ public:
   /// and masks that the options request. Returns NotFound, Canceled (if `shouldContinue` returned
   /// false), or an error of reading the frame.
   Status fillFromAnyFrame(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
-                  const TimeTravel::ShouldContinue& shouldContinue, TrackSnapshot& snapshot) const;
+                          const TimeTravel::ShouldContinue& shouldContinue,
+                          TrackSnapshot& snapshot) const;
   /// Returns whether the snapshot shows a past frame without the maps or masks that the options
   /// request and that only addMaps() can provide.
   bool lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const;

@@ -24,9 +24,10 @@ enum class CameraStatus {
   OutOfView,    ///< the expected position lies outside the image
   PartlyHidden, ///< another object covers a part of the target; the rest is visible
   Hidden,       ///< another object is visible where the target is expected
-  Distractor,   ///< a similar object is visible, `distancePx` pixels away from the expected position
-  NoColor,      ///< no pixel of the image has the target's color
-  /// The nearest pixel of the target's color is `distancePx` pixels away from the expected position.
+  Distractor, ///< a similar object is visible, `distancePx` pixels away from the expected position
+  NoColor,    ///< no pixel of the image has the target's color
+  /// The nearest pixel of the target's color is `distancePx` pixels away from the expected
+  /// position.
   Elsewhere,
   Unclear, ///< the target's color is visible, but not its shape and size
 };
@@ -44,7 +45,7 @@ struct CameraReport {
 /// target, for example "camera left: hidden". Returns an empty text if all cameras confirm the
 /// target. A camera without a name is identified by its number, from 1.
 std::string describeUnconfirmedCameras(const std::vector<CameraReport>& reports,
-                            const std::vector<std::string>& cameraNames);
+                                       const std::vector<std::string>& cameraNames);
 
 /// Returns whether an image (CV_8UC3) is too dark to distinguish colors: on a coarse grid, at most
 /// two pixels in a thousand are brighter than 24 of 255 in any channel.

@@ -113,7 +113,7 @@ public:
   std::size_t trackCount() const override { return estimates_.size(); }
   TrackEstimate estimate(std::size_t track) const override { return estimates_.at(track); }
   void copyParticles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
-                 Eigen::ArrayXd& weights) const override {
+                     Eigen::ArrayXd& weights) const override {
     filters_.at(track).copyParticles(limit, positions, weights);
   }
   std::vector<CameraReport> cameraReports(std::size_t track) const override {

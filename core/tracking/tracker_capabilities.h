@@ -107,7 +107,7 @@ public:
   /// with linear weights that sum to 1 over all particles. For a person, the particles are the
   /// points of the body. Returns no particles if the track is absent.
   virtual void copyParticles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
-                         Eigen::ArrayXd& weights) const = 0;
+                             Eigen::ArrayXd& weights) const = 0;
 };
 
 /// Tracker that reports for each camera whether the camera confirms a track, and the reason if not.
@@ -171,7 +171,7 @@ public:
   /// of this target. Error: BadValue with the field "image" or "box"; nothing changes then.
   virtual Status follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
                         std::uint64_t seed) = 0;
-  /// Copies an even selection of at most `limit` particles of a target, or no particles while the
+  /// Returns an even selection of at most `limit` particles of a target, or no particles while the
   /// target is absent.
   virtual BoxParticles boxParticles(std::size_t target, int limit) const = 0;
 };

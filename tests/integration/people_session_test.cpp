@@ -180,11 +180,13 @@ TEST(PeopleSession, TakesOtherMethodsAndBack) {
   playThrough(session);
   const Trajectory first = session.trajectory();
   session.setMethod("barrera", ParameterValues(methodParameters("barrera")));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targetSource != TargetSource::Images; }));
+  ASSERT_TRUE(
+      eventually([&] { return session.newest()->family.targetSource != TargetSource::Images; }));
   EXPECT_TRUE(session.newest()->targets.empty()); // the project has none
   const Project again = officeProject();
   session.setMethod(again.method, again.parameters);
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targetSource == TargetSource::Images; }));
+  ASSERT_TRUE(
+      eventually([&] { return session.newest()->family.targetSource == TargetSource::Images; }));
   playThrough(session);
   EXPECT_TRUE(test::sameBits(first, session.trajectory()));
 }
@@ -300,8 +302,8 @@ TEST(PeopleSession, AnotherMethodWhileLookingBackLearnsTheRoomFromTheBeginning) 
     session.setMethodFrom(65, project.method, project.parameters);
     return eventually([&] {
       const auto snapshot = session.newest();
-      return (snapshot->family.targetSource == TargetSource::Images) == people && !snapshot->rerun &&
-             snapshot->frame == 65 &&
+      return (snapshot->family.targetSource == TargetSource::Images) == people &&
+             !snapshot->rerun && snapshot->frame == 65 &&
              snapshot->isPast; // the moment that was looked at is shown again
     });
   };

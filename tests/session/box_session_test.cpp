@@ -184,9 +184,11 @@ TEST_P(BoxSessionTest, ABoxOfTheFirstFrameIsThereBeforeAnyStep) {
   EXPECT_FALSE(session.newest()->tracked);
   stepTo(session, 5);
   session.setMethod("dewpoint", ParameterValues(methodParameters("dewpoint")));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targetSource != TargetSource::Box; }));
+  ASSERT_TRUE(
+      eventually([&] { return session.newest()->family.targetSource != TargetSource::Box; }));
   session.setMethod(GetParam(), ParameterValues(methodParameters(GetParam())));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targetSource == TargetSource::Box; }));
+  ASSERT_TRUE(
+      eventually([&] { return session.newest()->family.targetSource == TargetSource::Box; }));
   ASSERT_TRUE(eventually(hasBox));
 }
 

@@ -127,7 +127,8 @@ TEST(BarreraReports, SayWhereTheColorIs) {
 }
 
 TEST(ReasonSentence, NamesCamerasAndRounds) {
-  EXPECT_EQ(describeUnconfirmedCameras({{CameraStatus::Distractor, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
+  EXPECT_EQ(describeUnconfirmedCameras(
+                {{CameraStatus::Distractor, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
             "camera a: 3 px away from a distractor; camera 2: hidden");
   EXPECT_EQ(describeUnconfirmedCameras({}, {}), "");
 }

@@ -168,8 +168,8 @@ void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
   painter.setClipPath(edge);
   const QPointF ball(width() / 2.0, height() / 2.0);
   paintScene(painter, QRectF(rect()), ball);
-  const QColor color = toColor(
-      legibleColor(DisplayColor(kBall.redF(), kBall.greenF(), kBall.blueF()), DisplayBackground::Image));
+  const QColor color = toColor(legibleColor(
+      DisplayColor(kBall.redF(), kBall.greenF(), kBall.blueF()), DisplayBackground::Image));
   if (sign_ == LegendSign::Mask) {
     QColor tint = color;
     tint.setAlphaF(kMaskTint);

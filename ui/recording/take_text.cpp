@@ -120,13 +120,14 @@ QString replayText(const ReplayComparison& found) {
                  "Tracking the take gives exactly the results of the live run in all %1 frames.")
                  .arg(found.liveFrames);
   } else {
-    parts += QCoreApplication::translate(
-                 "TakeText",
-                 "%1 of %2 frames differ from the live run, the first one is frame %3. Positions "
-                 "differ by up to %4.")
-                 .arg(found.differingFrames)
-                 .arg(found.liveFrames)
-                 .arg(number(found.firstDifferingFrame.value_or(0)), lengthText(found.largestDistance));
+    parts +=
+        QCoreApplication::translate(
+            "TakeText",
+            "%1 of %2 frames differ from the live run, the first one is frame %3. Positions "
+            "differ by up to %4.")
+            .arg(found.differingFrames)
+            .arg(found.liveFrames)
+            .arg(number(found.firstDifferingFrame.value_or(0)), lengthText(found.largestDistance));
   }
   if (found.incompleteFrames > 0) {
     parts += QCoreApplication::translate("TakeText",

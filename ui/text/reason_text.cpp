@@ -38,7 +38,7 @@ QString cameraReasonText(const CameraReport& report) {
     return Reason::tr("hidden");
   case CameraStatus::Distractor:
     return report.distancePx < 1.0 ? Reason::tr("at a distractor")
-                               : Reason::tr("%1 away from a distractor").arg(distance);
+                                   : Reason::tr("%1 away from a distractor").arg(distance);
   case CameraStatus::NoColor:
     return Reason::tr("no matching color");
   case CameraStatus::Elsewhere:

@@ -48,8 +48,8 @@ Status takeRequest(BoardOptions& options) {
                           : options.model == "fisheye" ? IntrinsicsModel::Fisheye
                                                        : IntrinsicsModel::FiveCoefficients;
   options.request.pixelShape = options.pixels == "square" ? PixelShape::Square
-                           : options.pixels == "free" ? PixelShape::Free
-                                                      : PixelShape::Measured;
+                               : options.pixels == "free" ? PixelShape::Free
+                                                          : PixelShape::Measured;
   return {};
 }
 
@@ -325,7 +325,8 @@ void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode) {
           "for comparable results; \"exact\" keeps neighboring corners out of the search window")
       ->check(CLI::IsMember({"sample", "exact"}))
       ->capture_default_str();
-  command->add_option("--views", options->request.maxViews, "Number of images of a recording to use")
+  command
+      ->add_option("--views", options->request.maxViews, "Number of images of a recording to use")
       ->check(CLI::Range(3, 1000))
       ->capture_default_str();
   addOutputOptions(*command, options->output, true);

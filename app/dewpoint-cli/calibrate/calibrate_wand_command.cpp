@@ -184,10 +184,10 @@ int calibrate(WandCommandOptions options) {
   for (const MotionGap& gap : result->gaps) {
     fmt::print("note: {}\n", motionGapText(gap, result->camerasBefore));
   }
-  const std::optional<std::string> kept = isUnnecessary(*result) ? std::optional(unnecessaryText(*result))
-                                          : isKnownBetter(*result)
-                                              ? std::optional(knownBetterText(*result))
-                                              : std::nullopt;
+  const std::optional<std::string> kept =
+      isUnnecessary(*result)   ? std::optional(unnecessaryText(*result))
+      : isKnownBetter(*result) ? std::optional(knownBetterText(*result))
+                               : std::nullopt;
   const bool better = !isInaccurate(*result) && !kept;
   if (kept && options.apply) {
     report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",

@@ -81,8 +81,8 @@ Result<Project> onBoardFloor(Project project, const WorldCommandOptions& options
       .map([](FloorFromBoard found) {
         fmt::print("{:<8} rotated by {:.2f} degrees, board seen by {} camera{} with an error of "
                    "{:.2f} px (RMS)\n",
-                   "board", inDegrees(found.rotationAngle), found.cameraCount, found.cameraCount == 1 ? "" : "s",
-                   found.rmsPx);
+                   "board", inDegrees(found.rotationAngle), found.cameraCount,
+                   found.cameraCount == 1 ? "" : "s", found.rmsPx);
         return std::move(found.project);
       });
 }

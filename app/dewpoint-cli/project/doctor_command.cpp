@@ -63,7 +63,8 @@ void printJson(const std::vector<Finding>& findings) {
                     {"field", finding.field},
                     {"advice", fillPlaceholders(words.advice, finding.values)}});
   }
-  const nlohmann::ordered_json root{{"level", levelName(worstLevelOf(findings))}, {"findings", list}};
+  const nlohmann::ordered_json root{{"level", levelName(worstLevelOf(findings))},
+                                    {"findings", list}};
   fmt::print("{}\n", root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 

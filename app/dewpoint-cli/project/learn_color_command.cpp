@@ -113,8 +113,8 @@ void printLearned(const Target& target, const setup::ClickLearningResult& lesson
 /// Makes a target of each of the other things that have the color and size of the one that was
 /// taught, and says how many.
 void addAllAlike(setup::FootageLearningResult& taught) {
-  const int missing =
-      setup::missingTargetCount(taught.project, taught.target, taught.learningResult.color.assessment);
+  const int missing = setup::missingTargetCount(taught.project, taught.target,
+                                                taught.learningResult.color.assessment);
   setup::addTargetCopies(taught.project, taught.target, missing, [](const Project& project) {
     return setup::unusedTargetName(
         project, [](std::size_t number) { return fmt::format("target {}", number); });
@@ -128,9 +128,9 @@ Status keep(const LearnColorOptions& options, setup::FootageLearningResult& taug
   if (options.followAll) {
     addAllAlike(taught);
   }
-  const auto drawn = options.mask.empty()
-                         ? Status()
-                         : writeMask(options.mask, taught.image, taught.learningResult.color.ranges());
+  const auto drawn = options.mask.empty() ? Status()
+                                          : writeMask(options.mask, taught.image,
+                                                      taught.learningResult.color.ranges());
   return !drawn || options.out.empty() ? drawn : saveProject(taught.project, options.out);
 }
 

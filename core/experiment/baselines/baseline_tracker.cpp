@@ -248,7 +248,7 @@ void BaselineTracker::updateEstimate(std::size_t target,
 }
 
 void BaselineTracker::copyParticles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                                Eigen::ArrayXd& weights) const {
+                                    Eigen::ArrayXd& weights) const {
   const bool shown = limit > 0 && estimates_.at(target).valid;
   positions.resize(shown ? 1 : 0, 3);
   weights = Eigen::ArrayXd::Ones(positions.rows());

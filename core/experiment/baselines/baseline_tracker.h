@@ -60,7 +60,7 @@ public:
   std::size_t trackCount() const override { return estimates_.size(); }
   TrackEstimate estimate(std::size_t track) const override { return estimates_.at(track); }
   void copyParticles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                 Eigen::ArrayXd& weights) const override;
+                     Eigen::ArrayXd& weights) const override;
 
 private:
   struct Tracked {

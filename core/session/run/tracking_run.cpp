@@ -293,7 +293,7 @@ std::vector<BoxSample> TrackingRun::boxSamples() const {
 }
 
 void TrackingRun::copyParticles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                            Eigen::ArrayXd& weights) const {
+                                Eigen::ArrayXd& weights) const {
   positions.resize(0, 3);
   weights.resize(0);
   if (const auto* const cloud = capability<ParticleCloud>()) {

@@ -23,7 +23,7 @@ enum class DisplayBackground {
 
 /// Inputs that determine the display color of a target.
 struct DisplayColorSource {
-  ColorRanges learnedColors{};               ///< empty: the method does not identify targets by color
+  ColorRanges learnedColors{}; ///< empty: the method does not identify targets by color
   std::optional<DisplayColor> fixedColor{}; ///< color for a person's identity, used unchanged
 
   bool operator==(const DisplayColorSource&) const = default;
@@ -41,8 +41,8 @@ DisplayColor legibleColor(const DisplayColor& color, DisplayBackground backgroun
 bool areSimilar(const DisplayColor& one, const DisplayColor& other);
 
 /// Returns the colors for targets whose own colors are too similar or unclear: the color-blind-safe
-/// set of Okabe and Ito (2008), in shades that are legible on this background. An index has the same
-/// hue on every background.
+/// set of Okabe and Ito (2008), in shades that are legible on this background. An index has the
+/// same hue on every background.
 const std::vector<DisplayColor>& displayPalette(DisplayBackground background);
 
 /// Returns one display color per target: the center of its first learned range, made legible on the

@@ -21,7 +21,8 @@ TrackSnapshotPtr LiveFrameFiller::withMissingImages(const TrackSnapshotPtr& snap
       masks_[k] = hasMask ? masks[k] : cv::Mat();
       continue;
     }
-    const double age = frames_[k] ? seconds(now.time - frames_[k]->captureTime) : kMaxImageAgeSeconds;
+    const double age =
+        frames_[k] ? seconds(now.time - frames_[k]->captureTime) : kMaxImageAgeSeconds;
     if (age >= 0.0 && age < kMaxImageAgeSeconds) {
       seen.frames[k] = frames_[k];
       if (hasMask) {

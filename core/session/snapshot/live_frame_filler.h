@@ -14,7 +14,8 @@ namespace dewpoint::session {
 class LiveFrameFiller {
 public:
   /// Returns the snapshot for display. In a live run, cameras without an image get their last one
-  /// (and its mask) if it is younger than kMaxImageAgeSeconds. Other snapshots are returned unchanged.
+  /// (and its mask) if it is younger than kMaxImageAgeSeconds. Other snapshots are returned
+  /// unchanged.
   TrackSnapshotPtr withMissingImages(const TrackSnapshotPtr& snapshot);
 
   static constexpr double kMaxImageAgeSeconds = 0.5; ///< seconds

@@ -62,7 +62,7 @@ std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSna
 }
 
 std::vector<ImageLine> clickedRayLines(const TrackSnapshot& snapshot, const PointClick& click,
-                                  int camera) {
+                                       int camera) {
   const Camera* shown = cameraOf(snapshot, camera);
   const auto ray = rayOf(snapshot, click);
   return shown != nullptr && ray && click.camera != camera ? projectedRay(Projector(*shown), *ray)
@@ -80,7 +80,7 @@ std::vector<Eigen::Vector3d> clickedRayEnds(const TrackSnapshot& snapshot, const
 }
 
 std::vector<std::vector<Eigen::Vector3d>> dashedLine(const Eigen::Vector3d& from,
-                                                 const Eigen::Vector3d& to, int count) {
+                                                     const Eigen::Vector3d& to, int count) {
   std::vector<std::vector<Eigen::Vector3d>> strokes;
   for (int k = 0; k < count; ++k) {
     const double whole = 2.0 * count - 1.0;

@@ -29,7 +29,7 @@ std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSna
 /// `camera`, as connected lines in pixels. Empty if the click was made in `camera` itself, or if
 /// `camera` is not in the snapshot.
 std::vector<ImageLine> clickedRayLines(const TrackSnapshot& snapshot, const PointClick& click,
-                                  int camera);
+                                       int camera);
 
 /// Returns the two ends of the line of sight through a clicked pixel, for display, in meters, world
 /// frame. The line begins at the camera center and extends 25 % beyond `position`, the position
@@ -39,6 +39,6 @@ std::vector<Eigen::Vector3d> clickedRayEnds(const TrackSnapshot& snapshot, const
 
 /// Returns a dashed line: `count` dashes from one point to another, with gaps of the same length.
 std::vector<std::vector<Eigen::Vector3d>> dashedLine(const Eigen::Vector3d& from,
-                                                 const Eigen::Vector3d& to, int count);
+                                                     const Eigen::Vector3d& to, int count);
 
 } // namespace dewpoint::session

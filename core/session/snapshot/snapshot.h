@@ -40,8 +40,8 @@ struct TargetSnapshot {
   BoxParticles boxParticles;                            ///< particles of a BoxEstimate
   /// Color histograms of a BoxEstimate; null if there is no image.
   std::shared_ptr<const ColorHistograms> histograms;
-  /// Per camera: whether it confirms the target, and the reason if it does not (describeUnconfirmedCameras());
-  /// may be empty.
+  /// Per camera: whether it confirms the target, and the reason if it does not
+  /// (describeUnconfirmedCameras()); may be empty.
   std::vector<CameraReport> cameraReports;
   /// Candidate positions of this frame; may be empty.
   std::vector<CandidatePosition> positionCandidates;
@@ -77,8 +77,8 @@ struct RerunState {
 /// since the budget was set or the run began.
 struct BudgetStatistics {
   double budgetMilliseconds = 0.0; ///< time budget per iteration; 0: none
-  std::int64_t iterations = 0; ///< number of iterations
-  std::int64_t lateIterations = 0;       ///< number of iterations that took longer than the budget
+  std::int64_t iterations = 0;     ///< number of iterations
+  std::int64_t lateIterations = 0; ///< number of iterations that took longer than the budget
 };
 
 /// Everything that views can show of one frame. Immutable once published.

@@ -314,7 +314,8 @@ std::vector<std::string> describeReplay(const ReplayComparison& found) {
   } else if (found.differingFrames > 0) {
     lines.push_back(fmt::format("{} of {} frames differ, the first one is frame {}; positions "
                                 "differ by up to {:.3g} mm.",
-                                found.differingFrames, found.liveFrames, *found.firstDifferingFrame + 1,
+                                found.differingFrames, found.liveFrames,
+                                *found.firstDifferingFrame + 1,
                                 inMillimeters(found.largestDistance)));
   } else {
     lines.emplace_back("No frame was tracked.");

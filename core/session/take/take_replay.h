@@ -25,7 +25,7 @@ struct ReplayComparison {
   std::int64_t differingFrames = 0;
   std::optional<std::int64_t> firstDifferingFrame; ///< number of the first differing frame
   double largestDistance = 0.0; ///< largest distance between the two positions of a target, meters
-  std::int64_t incompleteFrames = 0;  ///< frames that lack an image in the take
+  std::int64_t incompleteFrames = 0; ///< frames that lack an image in the take
   std::optional<std::int64_t> firstIncompleteFrame;
   std::vector<ResultRange> otherSettings;  ///< frames whose live results came from earlier settings
   bool hasTimeBudget = false;              ///< results depend on the speed of the computer
@@ -33,7 +33,8 @@ struct ReplayComparison {
 
   /// Returns whether all frames were compared and their results are bit-identical.
   bool isSame() const {
-    return comparedFrames > 0 && comparedFrames == liveFrames && differingFrames == 0 && framesBeforeTake == 0;
+    return comparedFrames > 0 && comparedFrames == liveFrames && differingFrames == 0 &&
+           framesBeforeTake == 0;
   }
 };
 

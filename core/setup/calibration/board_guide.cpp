@@ -30,7 +30,7 @@ BoardGuideState::Outline outlineOf(const BoardDetection& detection) {
 } // namespace
 
 BoardCalibrationRequest requestForCapturedViews(const BoardGuideRequest& request,
-                                           const BoardGuideState& state) {
+                                                const BoardGuideState& state) {
   BoardCalibrationRequest all = request.board;
   all.maxViews = std::max(all.maxViews, request.lensGuidance.maxViews);
   all.floorFrame = state.floorFrame;
@@ -64,7 +64,8 @@ BoardGuide::Detections BoardGuide::detectIn(const FrameSet& frames) {
   for (std::size_t k = 0; k < found.size(); ++k) {
     state_.cameras[k].detection = found[k];
     state_.cameras[k].outline = found[k] ? outlineOf(*found[k]) : BoardGuideState::Outline();
-    seen_.cameras[k].searchedImages += k < frames.frames.size() && frames.frames[k] != nullptr ? 1 : 0;
+    seen_.cameras[k].searchedImages +=
+        k < frames.frames.size() && frames.frames[k] != nullptr ? 1 : 0;
   }
   return found;
 }

@@ -182,8 +182,8 @@ std::vector<std::int64_t> framesToSearch(std::int64_t total,
                                          const BoardCalibrationRequest& request) {
   const std::int64_t end = std::min(total, request.endFrame.value_or(total));
   const std::int64_t count = end - request.firstFrame;
-  const std::int64_t stride =
-      std::max<std::int64_t>(1, (count + request.maxSearchedFrames - 1) / request.maxSearchedFrames);
+  const std::int64_t stride = std::max<std::int64_t>(1, (count + request.maxSearchedFrames - 1) /
+                                                            request.maxSearchedFrames);
   std::vector<std::int64_t> frames;
   for (std::int64_t frame = request.firstFrame; frame < end; frame += stride) {
     frames.push_back(frame);
@@ -224,7 +224,8 @@ Status searchFrames(const std::vector<std::int64_t>& frames, const BoardDetector
                     MissedImages& missed) {
   ThreadTeam team(threadCountForTasks(seen.cameras.size()));
   FramePicker picker(source);
-  const auto keep = evenlySpacedFrames(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames);
+  const auto keep =
+      evenlySpacedFrames(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
                         static_cast<double>(k) / static_cast<double>(frames.size()))) {
@@ -273,7 +274,8 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
   camera.name = "camera";
   KeptImages kept(1);
   MissedImages missed(1, where == OtherBoards::OfEach);
-  const auto keep = evenlySpacedFrames(static_cast<std::int64_t>(pictures.size()), kBoardProposalFrames);
+  const auto keep =
+      evenlySpacedFrames(static_cast<std::int64_t>(pictures.size()), kBoardProposalFrames);
   for (const auto& file : pictures) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
                         static_cast<double>(camera.searchedImages) /

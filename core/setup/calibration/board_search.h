@@ -21,9 +21,10 @@ struct BoardCalibrationRequest {
   BoardDescription board;
   IntrinsicsModel model = IntrinsicsModel::FiveCoefficients;
   PixelShape pixelShape = PixelShape::Measured;
-  int maxViews = 30;       ///< number of images per camera used to estimate intrinsics
-  int maxInstants = 60;    ///< number of frames used to estimate poses
-  int maxSearchedFrames = 300; ///< number of frames of a recording in which the board is searched for
+  int maxViews = 30;    ///< number of images per camera used to estimate intrinsics
+  int maxInstants = 60; ///< number of frames used to estimate poses
+  int maxSearchedFrames =
+      300; ///< number of frames of a recording in which the board is searched for
   std::int64_t firstFrame = 0;          ///< first frame in which the board may be searched for
   std::optional<std::int64_t> endFrame; ///< one past the last such frame; not set: all
   /// Frame in which the board lies on the floor and defines the world frame; not set: the first

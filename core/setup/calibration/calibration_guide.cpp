@@ -90,7 +90,8 @@ StepProgress progressOf(GuideStep step, const Project& project, const Calibratio
   case GuideStep::ImportFile:
   case GuideStep::GridOnFloor:
   case GuideStep::RoughPositions: {
-    StepProgress progress = ofCameras(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Given);
+    StepProgress progress =
+        ofCameras(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Given);
     progress.error.reset();
     return progress;
   }
@@ -102,7 +103,8 @@ StepProgress progressOf(GuideStep step, const Project& project, const Calibratio
   case GuideStep::LensesByBoard:
     return ofCameras(status, &CameraCalibrationStatus::lens, KnowledgeLevel::Measured);
   case GuideStep::FieldOfView: {
-    StepProgress progress = ofCameras(status, &CameraCalibrationStatus::lens, KnowledgeLevel::Given);
+    StepProgress progress =
+        ofCameras(status, &CameraCalibrationStatus::lens, KnowledgeLevel::Given);
     progress.error.reset();
     return progress;
   }

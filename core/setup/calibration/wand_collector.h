@@ -23,7 +23,8 @@ struct CameraSightings {
 bool hasEnoughDetections(const CameraSightings& camera);
 
 /// Searches for the balls of a wand in frame sets from live cameras, in a separate thread. A frame
-/// set that arrives while `kMaxWaitingFrameSets` others are waiting is dropped and counted as dropped.
+/// set that arrives while `kMaxWaitingFrameSets` others are waiting is dropped and counted as
+/// dropped.
 class WandCollector {
 public:
   /// Largest number of waiting frame sets.

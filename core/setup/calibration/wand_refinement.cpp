@@ -205,8 +205,8 @@ std::string farOffText(const FarOffCamera& camera, const CameraRig& rig) {
 }
 
 bool isDoubtful(const WandRefinement& refinement) {
-  return !refinement.result.faults.empty() || isInaccurate(refinement) || isUnnecessary(refinement) ||
-         isKnownBetter(refinement);
+  return !refinement.result.faults.empty() || isInaccurate(refinement) ||
+         isUnnecessary(refinement) || isKnownBetter(refinement);
 }
 
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,

@@ -23,11 +23,11 @@ struct WandRefinement {
   /// pixels. Empty if anything besides poses and intrinsics was estimated: time offsets, the scale,
   /// or the floor.
   std::optional<double> beforePx = std::nullopt;
-  /// True if the poses of all cameras in `camerasBefore` were measured or read from a file, and have not
-  /// been changed since then.
+  /// True if the poses of all cameras in `camerasBefore` were measured or read from a file, and
+  /// have not been changed since then.
   bool wasCalibratedBefore = false;
-  /// Largest recorded error of the camera positions in `camerasBefore` (PoseRecord::error), meters; empty
-  /// if no error is recorded.
+  /// Largest recorded error of the camera positions in `camerasBefore` (PoseRecord::error), meters;
+  /// empty if no error is recorded.
   std::optional<double> beforeError = std::nullopt;
   /// Kinds of motion that the recording lacks; see missingMotion().
   std::vector<MotionGap> gaps = {};

@@ -27,7 +27,8 @@ std::vector<std::string> selectedTargets(const WandSettings& settings, const Pro
   };
   std::vector<std::string> balls;
   if (!project.targets.empty()) {
-    balls.push_back(known(settings.ballTarget) ? settings.ballTarget : project.targets.front().name);
+    balls.push_back(known(settings.ballTarget) ? settings.ballTarget
+                                               : project.targets.front().name);
   }
   if (settings.usesStick && project.targets.size() > 1) {
     const auto another = std::ranges::find_if(
@@ -62,11 +63,12 @@ WandObstacle obstacleOf(const WandSettings& settings, const std::vector<MarkedIn
 }
 
 WandOptions toWandOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
-                      const Project& project, const std::optional<FrameSpan>& selected) {
+                          const Project& project, const std::optional<FrameSpan>& selected) {
   WandOptions options;
   options.targets = selectedTargets(settings, project);
   options.stickLength = settings.usesStick ? settings.stickLength : 0.0;
-  options.usesBallDiameter = !settings.usesStick && settings.scaleSource == WandScaleSource::Diameter;
+  options.usesBallDiameter =
+      !settings.usesStick && settings.scaleSource == WandScaleSource::Diameter;
   if (!settings.usesStick && settings.scaleSource == WandScaleSource::Distance) {
     options.distance = TouchedDistance{instantOf(instants, WandEvent::DistanceFrom).value_or(0.0),
                                        instantOf(instants, WandEvent::DistanceTo).value_or(0.0),

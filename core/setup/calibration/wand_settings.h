@@ -20,11 +20,14 @@ enum class WandScaleSource {
 /// The user's choices for a wand calibration, as entered. They may not be valid yet.
 struct WandSettings {
   bool usesStick = false; ///< true: two balls on a stick; false: one ball
-  std::string ballTarget;   ///< name of the target that is the ball; empty: the project's first target
-  /// Name of the target at the other end of the stick; empty: the first target that is not `ballTarget`.
+  std::string
+      ballTarget; ///< name of the target that is the ball; empty: the project's first target
+  /// Name of the target at the other end of the stick; empty: the first target that is not
+  /// `ballTarget`.
   std::string secondBallTarget;
   double stickLength = 0.5; ///< distance between the centers of the balls on the stick, meters
-  WandScaleSource scaleSource = WandScaleSource::Cameras; ///< source of the scale if the wand is one ball
+  WandScaleSource scaleSource =
+      WandScaleSource::Cameras; ///< source of the scale if the wand is one ball
   /// For WandScaleSource::Distance: distance between the two touched positions, meters.
   double distance = 1.0;
   bool findOffsets = false;
@@ -83,6 +86,6 @@ struct FrameSpan {
 /// Converts settings to options. obstacleOf() must return None for these settings. `selected` are
 /// the frames for WandSettings::usesOnlySelectedFrames.
 WandOptions toWandOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
-                      const Project& project, const std::optional<FrameSpan>& selected = {});
+                          const Project& project, const std::optional<FrameSpan>& selected = {});
 
 } // namespace dewpoint::setup

@@ -25,7 +25,7 @@ enum class WorldStep {
 struct WorldStepResult {
   Project project;
   double rotationAngle = 0.0; ///< angle of the rotation, radians
-  double scale = 1.0;   ///< factor of all lengths
+  double scale = 1.0;         ///< factor of all lengths
   /// For WorldStep::Floor: root mean square distance of the points from the plane, meters.
   double floorRms = 0.0;
 };

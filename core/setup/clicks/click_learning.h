@@ -34,7 +34,7 @@ struct FoundOutline {
 /// Result of learning from clicks on a target.
 struct ClickLearningResult {
   LearnedColor color;
-  std::vector<ColorSample> samples; ///< the clicked samples, then those found in other images
+  std::vector<ColorSample> samples;   ///< the clicked samples, then those found in other images
   std::vector<FoundOutline> outlines; ///< outlines found in the displayed images
   /// Radius in meters, as Counterparts::radius; empty if nothing was found in the displayed images.
   std::optional<double> radius;

@@ -122,8 +122,8 @@ bool CounterpartSearch::isPossible(double depth) const {
   const double radius = object_.radiusAt(depth);
   return depth > 0.0 && radius >= kLeastRadius && radius <= kMostRadius &&
          (!limits_.volume || limits_.volume->contains(object_.positionAt(depth), radius)) &&
-         (limits_.radius <= 0.0 ||
-          std::abs(std::log(radius / limits_.radius)) < ClickedObject::kSearchSigmas * kLogRadiusSigma);
+         (limits_.radius <= 0.0 || std::abs(std::log(radius / limits_.radius)) <
+                                       ClickedObject::kSearchSigmas * kLogRadiusSigma);
 }
 
 bool CounterpartSearch::isInView(std::size_t camera, const Eigen::Vector3d& position) const {
@@ -148,7 +148,8 @@ double CounterpartSearch::weigh(std::size_t camera, const RayRegion& region,
       sigma * sigma * Eigen::Matrix2d::Identity() + alongRay * alongRay.transpose();
   const Eigen::Vector2d off = region.center - *pixel;
   const double expectedArea = std::numbers::pi * radiusPx * radiusPx;
-  return kRegionPrior + kColorWeight * region.meanLogRatio - 0.5 * off.dot(covariance.inverse() * off) +
+  return kRegionPrior + kColorWeight * region.meanLogRatio -
+         0.5 * off.dot(covariance.inverse() * off) +
          gauss(std::log(region.area / expectedArea) / kLogAreaSigma);
 }
 

@@ -44,7 +44,8 @@ struct RayPoint {
 std::vector<RayPoint> imageOfRay(const ClickedObject& object, const Camera& camera,
                                  const std::function<bool(double depth)>& isPossible) {
   const Projector projector(camera);
-  const double margin = ClickedObject::kSearchSigmas * ClickedObject::kDirectionSigma * meanFocalLength(camera);
+  const double margin =
+      ClickedObject::kSearchSigmas * ClickedObject::kDirectionSigma * meanFocalLength(camera);
   const auto isNearImage = [&](const Eigen::Vector2d& pixel) {
     return pixel.x() > -margin && pixel.y() > -margin &&
            pixel.x() < camera.intrinsics.width + margin &&
@@ -140,7 +141,8 @@ cv::Mat maskNear(const std::vector<RayPoint>& points, const Camera& camera) {
   cv::Mat mask = cv::Mat::zeros(camera.intrinsics.height, camera.intrinsics.width, CV_8UC1);
   for (const RayPoint& point : points) {
     const double reach =
-        ClickedObject::kSearchSigmas * ClickedObject::centerSigma(camera, point.radiusPx) + point.radiusPx;
+        ClickedObject::kSearchSigmas * ClickedObject::centerSigma(camera, point.radiusPx) +
+        point.radiusPx;
     cv::circle(mask,
                {static_cast<int>(std::lround(point.pixel.x())),
                 static_cast<int>(std::lround(point.pixel.y()))},

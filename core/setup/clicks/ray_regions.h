@@ -22,8 +22,8 @@ struct ClickedObject {
   std::size_t camera = 0;
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of its region, pixels
   Ray ray;                                          ///< ray through the center, world frame
-  double radiusPx = 0.0; ///< radius of a circle with the region's area, pixels
-  double focalLengthPx = 0.0;    ///< focal length of the camera, pixels
+  double radiusPx = 0.0;      ///< radius of a circle with the region's area, pixels
+  double focalLengthPx = 0.0; ///< focal length of the camera, pixels
 
   /// Returns the radius in meters at a depth in meters along the ray.
   double radiusAt(double depth) const { return radiusPx * depth / focalLengthPx; }

@@ -38,7 +38,7 @@ struct CameraFootage {
   bool isOpen = false; ///< true if the recording can be read
   std::int64_t frameCount = 0;
   double framesPerSecond = 0.0; ///< frame rate given in the recording; 0: not given
-  cv::Size size;     ///< image size after the rotation
+  cv::Size size;                ///< image size after the rotation
   std::vector<std::int64_t> sequenceNumbers = {};
   std::vector<cv::Mat> images = {}; ///< first, middle and last image, CV_8UC3, after the rotation
   std::optional<CaptureTimes> times = {};

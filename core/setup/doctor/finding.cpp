@@ -217,8 +217,8 @@ std::string fillPlaceholders(std::string_view words, const std::vector<std::stri
 
 std::string findingLine(const Finding& finding) {
   const FindingTexts& words = textsOf(finding.kind);
-  std::string line =
-      fmt::format("{:<8} {}", levelName(words.level), fillPlaceholders(words.sentence, finding.values));
+  std::string line = fmt::format("{:<8} {}", levelName(words.level),
+                                 fillPlaceholders(words.sentence, finding.values));
   if (!finding.file.empty() || !finding.field.empty()) {
     const bool both = !finding.file.empty() && !finding.field.empty();
     line += fmt::format(" ({}{}{})", finding.file, both ? ": " : "", finding.field);

@@ -86,7 +86,7 @@ struct FindingTexts {
   std::string_view name; ///< identifier for programs, for example "recording-missing"
   FindingLevel level;
   std::string_view sentence; ///< what was found
-  std::string_view advice; ///< recommended action; empty if there is nothing to do
+  std::string_view advice;   ///< recommended action; empty if there is nothing to do
 };
 
 /// Returns all rows, in the order of the kinds.

@@ -92,7 +92,8 @@ void checkCorrectionFrames(Examination& examination) {
 void checkTruth(Examination& examination) {
   if (const auto& truth = examination.project.truth) {
     if (const auto read = readTrajectory(*truth); !read) {
-      examination.addForFile(truth->string(), FindingKind::TruthUnusable, {messageWithoutFile(read.error())});
+      examination.addForFile(truth->string(), FindingKind::TruthUnusable,
+                             {messageWithoutFile(read.error())});
     }
   }
 }

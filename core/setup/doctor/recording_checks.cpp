@@ -71,7 +71,7 @@ public:
             : openImageFolderReader(camera_.location, "");
     if (!reader) {
       examination_.addForFile(camera_.location, FindingKind::RecordingUnreadable,
-                         {name_, messageWithoutFile(reader.error())});
+                              {name_, messageWithoutFile(reader.error())});
       return;
     }
     footage_.frameCount = (*reader)->frameCount();
@@ -120,8 +120,8 @@ private:
       const auto kind = isEnd ? FindingKind::VideoCutOff : FindingKind::FrameUnreadable;
       const std::string detail = messageWithoutFile(picture.error());
       examination_.addForFile(reader.fileOf(frame), kind,
-                         isEnd ? std::vector{name_, detail}
-                               : std::vector{name_, std::to_string(frame), detail});
+                              isEnd ? std::vector{name_, detail}
+                                    : std::vector{name_, std::to_string(frame), detail});
     }
     return picture;
   }
@@ -170,8 +170,9 @@ private:
     if (length > footage_.frameCount && camera_.times.empty()) {
       hasFault_ = true;
       examination_.addForFile(camera_.location, FindingKind::ImagesMissing,
-                         {name_, std::to_string(length - footage_.frameCount), std::to_string(length),
-                          fileBeforeGap(reader, footage_.sequenceNumbers)});
+                              {name_, std::to_string(length - footage_.frameCount),
+                               std::to_string(length),
+                               fileBeforeGap(reader, footage_.sequenceNumbers)});
     }
   }
 
@@ -179,8 +180,9 @@ private:
     examination_.add(FindingKind::RecordingFine,
                      {name_, std::to_string(footage_.frameCount),
                       sizeText(footage_.size.width, footage_.size.height),
-                      footage_.framesPerSecond > 0.0 ? fmt::format("{:.4g} per second", footage_.framesPerSecond)
-                                          : std::string("no rate stated")},
+                      footage_.framesPerSecond > 0.0
+                          ? fmt::format("{:.4g} per second", footage_.framesPerSecond)
+                          : std::string("no rate stated")},
                      field_);
   }
 
@@ -230,7 +232,7 @@ void checkBackgroundImage(Examination& examination, std::size_t number) {
                                                    size.height, camera.mirrored, camera.crop});
   if (!read) {
     examination.addForFile(camera.backgroundImage, FindingKind::BackgroundImageUnusable,
-                      {examination.nameOf(number), messageWithoutFile(read.error())});
+                           {examination.nameOf(number), messageWithoutFile(read.error())});
   }
 }
 

@@ -80,7 +80,7 @@ void readTables(Examination& examination) {
         readCaptureTimes(camera.times, captureTimeIds(camera.camera.name, camera.location), "");
     if (!times) {
       examination.addForFile(camera.times, FindingKind::TimesUnusable,
-                        {name, messageWithoutFile(times.error())});
+                             {name, messageWithoutFile(times.error())});
       continue;
     }
     if (footage.isOpen && completenessOf(camera.times) == TableCompleteness::CutOff) {
@@ -88,8 +88,9 @@ void readTables(Examination& examination) {
       times->resize(static_cast<std::size_t>(footage.frameCount));
     }
     if (footage.isOpen && std::ssize(*times) != footage.frameCount) {
-      examination.addForFile(camera.times, FindingKind::TimesCountDiffers,
-                        {name, std::to_string(times->size()), std::to_string(footage.frameCount)});
+      examination.addForFile(
+          camera.times, FindingKind::TimesCountDiffers,
+          {name, std::to_string(times->size()), std::to_string(footage.frameCount)});
     } else {
       footage.times = std::move(*times);
     }

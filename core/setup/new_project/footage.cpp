@@ -158,7 +158,8 @@ bool isBeforeInDisplayOrder(const std::string& name, const std::string& other) {
 
 std::vector<std::string> inNaturalOrder(std::vector<std::string> files) {
   std::ranges::stable_sort(files, [](const std::string& one, const std::string& other) {
-    return isBeforeInDisplayOrder(fs::path(one).filename().string(), fs::path(other).filename().string());
+    return isBeforeInDisplayOrder(fs::path(one).filename().string(),
+                                  fs::path(other).filename().string());
   });
   return files;
 }

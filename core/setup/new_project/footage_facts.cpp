@@ -76,8 +76,10 @@ FootageDifferences footageDifferences(const std::vector<FootageFacts>& recording
   if (recordings.empty()) {
     return found;
   }
-  if (differ(recordings, [](const auto& a, const auto& b) { return a.frameCount != b.frameCount; })) {
-    found.shortestFrameCount = std::ranges::min_element(recordings, {}, &FootageFacts::frameCount)->frameCount;
+  if (differ(recordings,
+             [](const auto& a, const auto& b) { return a.frameCount != b.frameCount; })) {
+    found.shortestFrameCount =
+        std::ranges::min_element(recordings, {}, &FootageFacts::frameCount)->frameCount;
   }
   found.sizesDiffer = differ(recordings, [](const auto& a, const auto& b) {
     return a.width != b.width || a.height != b.height;

@@ -158,7 +158,8 @@ void castShadow(const RoomView& view, const Body& body, const cv::Rect& rows, cv
 /// The light that comes from a point of a body of parts; `light` is that of the body.
 Vector3f partColor(const SurfacePoint& seen, const LightField* light) {
   const Vector3f& lamp = light != nullptr ? light->illumination->lamp : kLampPosition;
-  const float gloss = seen.gloss.highlightAt(seen.normal, (lamp - seen.point).normalized(), seen.direction);
+  const float gloss =
+      seen.gloss.highlightAt(seen.normal, (lamp - seen.point).normalized(), seen.direction);
   if (light != nullptr) { // it is the sensor that cuts
     return light->at(seen.point, seen.normal).cwiseProduct(seen.color) + Vector3f::Constant(gloss);
   }

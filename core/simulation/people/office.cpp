@@ -42,7 +42,7 @@ cv::Mat OfficeRenderer::renderLight(std::size_t camera, std::int64_t frame, cv::
   const double time = scene_.timeOf(frame);
   for (const auto& walker : scene_.people) {
     people.push_back(walker.isPresentAt(time) ? bodyParts(walker, time)
-                                            : std::vector<simulation::BodyPart>{});
+                                              : std::vector<simulation::BodyPart>{});
   }
   for (const MovableFurniture& piece : scene_.furniture) {
     people.push_back(furnitureParts(piece, time));

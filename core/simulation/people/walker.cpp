@@ -160,7 +160,8 @@ void addLimbs(const Figure& figure, const Walker& walker, float swing,
   const Stance& stance = figure.stance;
   const JointAngles& angles = figure.angles;
   const Clothes& wears = walker.clothes;
-  const bool holdsBox = walker.carriedObject && walker.carriedObject->kind == CarriedObject::Kind::Box;
+  const bool holdsBox =
+      walker.carriedObject && walker.carriedObject->kind == CarriedObject::Kind::Box;
   for (const float side : {-1.0F, 1.0F}) {
     const float leg = side * swing;
     const Vector3f knee =

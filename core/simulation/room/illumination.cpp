@@ -51,8 +51,9 @@ float AdditionalLamp::falloff(float distance) const {
 float shadowAt(const MovingShadow& shadow, const Vector3f& point, double time) {
   const auto middle = static_cast<float>(shadow.initialPosition + shadow.speed * time);
   const float aside = std::abs(shadow.direction.dot(point) - middle);
-  const float t =
-      std::clamp((aside - shadow.halfWidth + shadow.borderHalfWidth) / (2.0F * shadow.borderHalfWidth), 0.0F, 1.0F);
+  const float t = std::clamp((aside - shadow.halfWidth + shadow.borderHalfWidth) /
+                                 (2.0F * shadow.borderHalfWidth),
+                             0.0F, 1.0F);
   return shadow.depth * (1.0F - t * t * (3.0F - 2.0F * t));
 }
 

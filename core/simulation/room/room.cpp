@@ -122,7 +122,8 @@ float shade(const Vector3f& point, const Vector3f& normal, float lit, const Vect
 }
 
 Room::Room(Furnishing furnishing, const RoomDesign& design) {
-  const Material plaster = design.wallMaterial.value_or(Material{Pattern::Plaster, rgb(226, 219, 203)});
+  const Material plaster =
+      design.wallMaterial.value_or(Material{Pattern::Plaster, rgb(226, 219, 203)});
   Furniture furniture;
   switch (furnishing) {
   case Furnishing::Hall:

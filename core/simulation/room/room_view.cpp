@@ -103,7 +103,8 @@ void RoomView::renderRoom(const Room& room) {
         const Vector3f ray = direction(column, row, right, down);
         const auto jitter =
             static_cast<std::uint32_t>(pixel) * 4U + static_cast<std::uint32_t>(sample);
-        const ShadedColor sight = room.shadedColorOf(center, ray, room.castRay(center, ray), jitter);
+        const ShadedColor sight =
+            room.shadedColorOf(center, ray, room.castRay(center, ray), jitter);
         color += sight.color / (kSide * kSide);
         lit[pixel] += sight.lit / (kSide * kSide);
       }

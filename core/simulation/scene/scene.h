@@ -80,7 +80,8 @@ struct Scene {
   int distractorCount = 0;
   /// True to add a box that passes between the first ball and the first camera.
   bool hasOccluder = false;
-  bool hasClutter = true; ///< true to add books, boxes, and wood- and skin-colored objects on the desk
+  bool hasClutter =
+      true; ///< true to add books, boxes, and wood- and skin-colored objects on the desk
   std::vector<SceneLight> lights;         ///< in order of time; empty: always full light of 5500 K
   double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds =

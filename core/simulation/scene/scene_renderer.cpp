@@ -36,7 +36,7 @@ struct SceneRenderer::Parts {
 
 SceneRenderer::Parts::Parts(Scene theScene) : scene(std::move(theScene)) {
   const simulation::Room room(scene.hasClutter ? simulation::Furnishing::ClutteredDesk
-                                            : simulation::Furnishing::Desk);
+                                               : simulation::Furnishing::Desk);
   const auto count = static_cast<std::int64_t>(scene.cameras.size());
   std::vector<std::optional<RoomView>> built(scene.cameras.size());
   ThreadTeam team(threadCountForTasks(scene.cameras.size()));

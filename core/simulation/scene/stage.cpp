@@ -30,10 +30,10 @@ std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3
   bodies.reserve(stage.bodies.size());
   for (const StageBody& body : stage.bodies) {
     const Eigen::Vector3d center = body.path(time);
-    bodies.push_back({body.isBox,
-                      (rotated ? rotatedAbout(eye, rotation, center) : center).cast<float>(),
-                      static_cast<float>(body.boundingRadius()), body.color.cast<float>(),
-                      body.halfSize.cast<float>(), body.axes.cast<float>(), body.isPresentAt(time)});
+    bodies.push_back(
+        {body.isBox, (rotated ? rotatedAbout(eye, rotation, center) : center).cast<float>(),
+         static_cast<float>(body.boundingRadius()), body.color.cast<float>(),
+         body.halfSize.cast<float>(), body.axes.cast<float>(), body.isPresentAt(time)});
     bodies.back().light = light;
     addParts(body, time, bodies.back());
   }

@@ -69,8 +69,8 @@ struct Light {
   bool isDark = false;                            ///< no light at all
 };
 
-/// Camera whose pose changes once, at the time `movedAt`. `view` shows the room at rest from the new
-/// pose.
+/// Camera whose pose changes once, at the time `movedAt`. `view` shows the room at rest from the
+/// new pose.
 struct MovedCamera {
   std::size_t camera = 0;
   double movedAt = 0.0; ///< time of the change, seconds
@@ -94,7 +94,8 @@ struct Stage {
   std::vector<std::shared_ptr<const RoomView>> views; ///< one per camera
   std::vector<MovedCamera> movedCameras;
   std::function<Light(std::size_t camera, double time)> light; ///< empty: full light
-  std::vector<cv::Mat> illuminationGains; ///< CV_32FC3 gain per pixel, one per camera; empty: even light
+  std::vector<cv::Mat>
+      illuminationGains; ///< CV_32FC3 gain per pixel, one per camera; empty: even light
   double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds =
       kDefaultExposureSeconds;      ///< exposure time of cameras without a sensor model, seconds
@@ -103,7 +104,8 @@ struct Stage {
   /// Light of the room, if it differs from the light of the lamp with which `views` were rendered.
   Illumination illumination;
   /// People who walk behind the bodies. Bodies can hide people, but people never hide bodies.
-  /// Unless `arePeopleExposed` is set, people are lit only by the room lamp and have no motion blur.
+  /// Unless `arePeopleExposed` is set, people are lit only by the room lamp and have no motion
+  /// blur.
   std::vector<Walker> people;
   std::vector<MovableFurniture> furniture; ///< furniture that people move
   /// True if people are the subject of the recording. All lamps of the illumination then light
@@ -116,8 +118,8 @@ struct Stage {
   std::vector<RelitView> relitViews;
 };
 
-/// Computes Stage::relitViews from the stage's illumination and views. Call this function after changing
-/// the illumination, `views` or `movedCameras`.
+/// Computes Stage::relitViews from the stage's illumination and views. Call this function after
+/// changing the illumination, `views` or `movedCameras`.
 void prepareLight(Stage& stage);
 
 /// Returns the brightness that a camera's automatic control measures at a time (seconds), per

@@ -14,10 +14,10 @@ namespace dewpoint::simulation {
 /// corrections take effect after a delay. Errors and corrections are in stops: one stop is a factor
 /// of two. The defaults are chosen so that the loop settles within half a second without overshoot.
 struct ControlLoop {
-  double speed = 0.15;    ///< fraction of the error corrected per frame; 0: no control
-  int lagFrames = 2;      ///< number of frames from a measurement to its effect
-  double deadbandStops = 0.03; ///< errors below this value are not corrected; stops
-  double maxCorrectionStops = 1.5;     ///< limit of the correction in both directions, stops
+  double speed = 0.15;             ///< fraction of the error corrected per frame; 0: no control
+  int lagFrames = 2;               ///< number of frames from a measurement to its effect
+  double deadbandStops = 0.03;     ///< errors below this value are not corrected; stops
+  double maxCorrectionStops = 1.5; ///< limit of the correction in both directions, stops
 };
 
 /// Returns the corrections with which the loop compensates for a disturbance, such as a change of

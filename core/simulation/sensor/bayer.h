@@ -22,8 +22,9 @@ struct PixelNoise {
 cv::Mat bayerMosaic(const cv::Mat& linear);
 
 /// Adds noise to `raw` (CV_32FC1, 1 is full scale). The variance of the noise, relative to the
-/// squared full scale, is (raw + read^2 / electrons) / electrons. Here, electrons = fullWellElectrons / gain
-/// is the number of electrons at full scale, and read is PixelNoise::readElectrons.
+/// squared full scale, is (raw + read^2 / electrons) / electrons. Here, electrons =
+/// fullWellElectrons / gain is the number of electrons at full scale, and read is
+/// PixelNoise::readElectrons.
 void addPixelNoise(cv::Mat& raw, const PixelNoise& noise, double gain, const RandomStream& stream);
 
 /// Returns the colors of all pixels (CV_32FC3, BGR), reconstructed from a mosaic `raw` (CV_32FC1).

@@ -37,8 +37,8 @@ cv::Mat processed(const cv::Mat& light, const SensorModel& model, double time,
 } // namespace
 
 bool SensorModel::changesLight() const {
-  return psfSigmaPx > 0.0 || noise.fullWellElectrons > 0.0 || flicker.depth > 0.0 || contrast != 1.0 ||
-         !gains.gainPerFrame.empty();
+  return psfSigmaPx > 0.0 || noise.fullWellElectrons > 0.0 || flicker.depth > 0.0 ||
+         contrast != 1.0 || !gains.gainPerFrame.empty();
 }
 
 cv::Mat sensorImage(const cv::Mat& light, const SensorModel& model, double time, double noiseSigma,

@@ -28,7 +28,8 @@ Vector3f clothColor(const Cloth& cloth, const Vector3f& first, const Vector3f& p
     second = isOdd(fieldOf(position.z(), cloth.patternWidth));
     break;
   case ClothPattern::Checks:
-    second = isOdd(fieldOf(position.x(), cloth.patternWidth) + fieldOf(position.y(), cloth.patternWidth) +
+    second = isOdd(fieldOf(position.x(), cloth.patternWidth) +
+                   fieldOf(position.y(), cloth.patternWidth) +
                    fieldOf(position.z(), cloth.patternWidth));
     break;
   case ClothPattern::Blotches:

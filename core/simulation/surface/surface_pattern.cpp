@@ -18,7 +18,7 @@ Vector3f SurfacePattern::colorAt(const Vector3f& normal, const Vector3f& plain) 
 }
 
 float Gloss::highlightAt(const Vector3f& normal, const Vector3f& towardsLamp,
-                const Vector3f& direction) const {
+                         const Vector3f& direction) const {
   if (peak <= 0.0F) {
     return 0.0F;
   }

@@ -68,7 +68,7 @@ cv::Mat RandomWalkTracker::imageOf(std::size_t camera) const {
 }
 
 void RandomWalkTracker::copyParticles(int limit, Eigen::ArrayXXd& positions,
-                                  Eigen::ArrayXd& weights) const {
+                                      Eigen::ArrayXd& weights) const {
   const Eigen::ArrayXXd& states = filter_.states();
   pickEvenly(states, filter_.weights(), limit, 3, positions, weights);
 }

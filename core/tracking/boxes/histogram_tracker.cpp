@@ -289,7 +289,7 @@ BoxEstimate HistogramTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
 }
 
 void HistogramTracker::copyParticles(int limit, Eigen::ArrayXXd& centers,
-                                 Eigen::ArrayXd& weights) const {
+                                     Eigen::ArrayXd& weights) const {
   pickEvenly(weighted_, weights_, limit, 2, centers, weights);
   centers /= shrink_;
 }

@@ -220,7 +220,8 @@ std::vector<std::string> methodNames() {
 }
 
 std::vector<std::string> methodNames(TargetSource targets) {
-  return namesWhere([targets](const MethodFamily& family) { return family.targetSource == targets; });
+  return namesWhere(
+      [targets](const MethodFamily& family) { return family.targetSource == targets; });
 }
 
 std::vector<std::string> methodNames(RunTables tables) {

@@ -73,7 +73,9 @@ struct MethodFamily {
   bool lacksTargets(const std::vector<Target>& projectTargets) const;
   /// Returns whether the methods of this family and of `other` track the same targets, so that a
   /// method of one family can continue a run of the other.
-  bool tracksSameTargetsAs(const MethodFamily& other) const { return targetSource == other.targetSource; }
+  bool tracksSameTargetsAs(const MethodFamily& other) const {
+    return targetSource == other.targetSource;
+  }
   /// Returns whether positions in the room are written, row by row during the run.
   bool writesPositions() const { return tables != RunTables::Boxes; }
   /// Returns whether the bodies of the targets are also stored and written.
@@ -82,9 +84,9 @@ struct MethodFamily {
 
 /// Description of a method, to help users choose one.
 struct MethodText {
-  std::string_view title;    ///< title that names what the method tracks
-  std::string_view sentence; ///< purpose or distinguishing feature of the method, in one line
-  std::string_view manualPage;     ///< page of the manual, a file in docs/
+  std::string_view title;      ///< title that names what the method tracks
+  std::string_view sentence;   ///< purpose or distinguishing feature of the method, in one line
+  std::string_view manualPage; ///< page of the manual, a file in docs/
   /// Paper that describes exactly this method; empty if the method was developed for this project.
   std::string_view paper = {};
 };

@@ -254,7 +254,8 @@ void DewpointTracker::updateEstimate(std::size_t target) {
 }
 
 void DewpointTracker::learnClocks() {
-  clocks_.setPrior({1e-3 * parameters_.at("delay_spread"), trackSettings().systematicErrors.directionSigma});
+  clocks_.setPrior(
+      {1e-3 * parameters_.at("delay_spread"), trackSettings().systematicErrors.directionSigma});
   clocks_.learn(clockSightings(objects_), secondsSinceLastFrame());
   images_.setDelays(clocks_.delays());
 }
@@ -281,7 +282,7 @@ void DewpointTracker::learnBackgrounds() {
 }
 
 void DewpointTracker::copyParticles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                                Eigen::ArrayXd& weights) const {
+                                    Eigen::ArrayXd& weights) const {
   objects_[target].track.copyParticles(limit, positions, weights);
 }
 

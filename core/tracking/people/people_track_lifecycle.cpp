@@ -107,7 +107,7 @@ TrackEstimate PeopleTrackLifecycle::estimate(std::size_t track) const {
 }
 
 void PeopleTrackLifecycle::copyParticles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
-                                     Eigen::ArrayXd& weights) const {
+                                         Eigen::ArrayXd& weights) const {
   positions.resize(0, 3);
   weights.resize(0);
   const int identity = static_cast<int>(track) + 1;

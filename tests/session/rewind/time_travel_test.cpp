@@ -23,7 +23,8 @@ using test::sameBits;
 constexpr std::int64_t kTravelFrames = 90;
 
 bool shows(const Session& session, std::int64_t frame) {
-  return eventually([&] { return session.newest()->frame == frame && !session.newest()->isPreview; });
+  return eventually(
+      [&] { return session.newest()->frame == frame && !session.newest()->isPreview; });
 }
 
 bool samePixels(const FrameSet& a, const FrameSet& b) {

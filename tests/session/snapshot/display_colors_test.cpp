@@ -120,8 +120,8 @@ TEST(DisplayColors, WhatIsDrawnOverTheTargetIsLighterThanTheTarget) {
 }
 
 TEST(DisplayColors, MoreTargetsThanThePaletteHasStillHaveOneEach) {
-  const auto colors =
-      displayColors(std::vector<DisplayColorSource>(palette().size() + 2), DisplayBackground::Light);
+  const auto colors = displayColors(std::vector<DisplayColorSource>(palette().size() + 2),
+                                    DisplayBackground::Light);
   ASSERT_EQ(colors.size(), palette().size() + 2);
   EXPECT_EQ(colors.back(), palette()[1]);
 }
@@ -131,7 +131,8 @@ TEST(DisplayColors, OfManyTargetsTheFirstOnesKeepTheirColors) {
   sources.front().learnedColors = rangeAbout(120.0);
   sources.back().learnedColors = rangeAbout(120.0); // too many to compare
   const auto colors = displayColors(sources, DisplayBackground::Light);
-  EXPECT_EQ(colors.front(), legibleColor(*centralColor(rangeAbout(120.0)), DisplayBackground::Light));
+  EXPECT_EQ(colors.front(),
+            legibleColor(*centralColor(rangeAbout(120.0)), DisplayBackground::Light));
   EXPECT_EQ(colors.back(), palette()[(kMaxOwnColors + 1) % palette().size()]);
 }
 

@@ -42,9 +42,11 @@ TEST(LiveFrameFiller, ASilentCameraIsMissing) {
   LiveFrameFiller filler;
   filler.withMissingImages(trackedFrame(1.0, true, true));
   const double young = LiveFrameFiller::kMaxImageAgeSeconds;
-  EXPECT_NE(frameOf(filler.withMissingImages(trackedFrame(1.0 + 0.9 * young, true, false)), 1), nullptr);
+  EXPECT_NE(frameOf(filler.withMissingImages(trackedFrame(1.0 + 0.9 * young, true, false)), 1),
+            nullptr);
   EXPECT_EQ(frameOf(filler.withMissingImages(trackedFrame(1.0 + young, true, false)), 1), nullptr);
-  EXPECT_EQ(frameOf(filler.withMissingImages(trackedFrame(0.5, true, false)), 1), nullptr); // begun anew
+  EXPECT_EQ(frameOf(filler.withMissingImages(trackedFrame(0.5, true, false)), 1),
+            nullptr); // begun anew
 }
 
 TEST(LiveFrameFiller, RecordingsAndThePastAreShownAsTheyAre) {

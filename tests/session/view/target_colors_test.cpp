@@ -30,7 +30,8 @@ TEST(TargetColors, APersonHasTheColorOfItsIdentity) {
       displayColorSources({targetOf(personName(2), ColorRange())}, methodFamily("people"));
   const cv::Scalar color = identityColor(2); // blue, green, red
   ASSERT_TRUE(sources[0].fixedColor.has_value());
-  EXPECT_EQ(*sources[0].fixedColor, DisplayColor(DisplayColor(color[2], color[1], color[0]) / 255.0));
+  EXPECT_EQ(*sources[0].fixedColor,
+            DisplayColor(DisplayColor(color[2], color[1], color[0]) / 255.0));
 }
 
 TEST(TargetColors, ASnapshotHasTheColorsOfItsProject) {

@@ -139,8 +139,9 @@ TEST(CalibrationStatus, EachOriginHasAText) {
   EXPECT_STREQ(originText({}), "guessed");
   EXPECT_STREQ(originText({.knowledge = KnowledgeLevel::Measured}), "exact (simulated)");
   EXPECT_STREQ(originText({.knowledge = KnowledgeLevel::Given}), "set by hand");
-  EXPECT_STREQ(originText({.knowledge = KnowledgeLevel::Measured, .origin = CalibrationOrigin::Board}),
-               "board");
+  EXPECT_STREQ(
+      originText({.knowledge = KnowledgeLevel::Measured, .origin = CalibrationOrigin::Board}),
+      "board");
 }
 
 } // namespace

@@ -56,7 +56,8 @@ TEST(WandCollector, DropsAndCountsWhatItCannotHold) {
   const auto state = collector.state();
   EXPECT_GT(state.droppedFrameSets, 0);
   EXPECT_LE(state.waitingFrameSets,
-            static_cast<std::int64_t>(WandCollector::kMaxWaitingFrameSets) + 1); // and the one looked at
+            static_cast<std::int64_t>(WandCollector::kMaxWaitingFrameSets) +
+                1); // and the one looked at
 }
 
 TEST(FrameTap, IsGivenEveryFrameTakenOnce) {

@@ -32,7 +32,8 @@ TEST(Footage, NumbersAreSortedByTheirValue) {
   EXPECT_EQ(inNaturalOrder({sorted[2], sorted[1], sorted[0]}), sorted); // folders do not count
   EXPECT_TRUE(isBeforeInDisplayOrder("a9b10", "a10b9"));
   EXPECT_TRUE(isBeforeInDisplayOrder("cam 007", "cam 8"));
-  EXPECT_TRUE(isBeforeInDisplayOrder("12345678901234567890", "12345678901234567891")); // beyond 64 bits
+  EXPECT_TRUE(
+      isBeforeInDisplayOrder("12345678901234567890", "12345678901234567891")); // beyond 64 bits
   EXPECT_FALSE(isBeforeInDisplayOrder("cam 2", "cam 2"));
 }
 
@@ -43,7 +44,8 @@ TEST(Footage, LettersAreSortedAsPeopleDo) {
   EXPECT_TRUE(isBeforeInDisplayOrder("cam", "cam 1"));
   EXPECT_TRUE(isBeforeInDisplayOrder("cam_1", "cam1")); // signs, digits, letters
   EXPECT_TRUE(isBeforeInDisplayOrder("cam1", "cama"));
-  EXPECT_NE(isBeforeInDisplayOrder("a1", "A1"), isBeforeInDisplayOrder("A1", "a1")); // an order even so
+  EXPECT_NE(isBeforeInDisplayOrder("a1", "A1"),
+            isBeforeInDisplayOrder("A1", "a1")); // an order even so
 }
 
 TEST_F(FootageTest, AnEndingTellsFootage) {

@@ -175,8 +175,8 @@ TEST(SurfacePattern, AHighlightIsWhereTheLampIsMirrored) {
   const Vector3f down{0.0F, 0.0F, -1.0F};
   EXPECT_NEAR(gloss.highlightAt(Vector3f::UnitZ(), Vector3f::UnitZ(), down), 400.0F, 0.01F);
   const Vector3f aside{std::sin(0.3F), 0.0F, std::cos(0.3F)};
-  EXPECT_NEAR(gloss.highlightAt(aside, Vector3f::UnitZ(), down), 400.0F * std::pow(std::cos(0.3F), 20.0F),
-              0.1F);
+  EXPECT_NEAR(gloss.highlightAt(aside, Vector3f::UnitZ(), down),
+              400.0F * std::pow(std::cos(0.3F), 20.0F), 0.1F);
 }
 
 MovingPart targetOf(MovingShape shape, const Vector3f& size) {

@@ -100,7 +100,7 @@ TEST(PeoplePainter, MasksDoNotOverlapAndTheNearerOneWins) {
 TEST(PeoplePainter, ALoadHidesABodyAndIsNone) {
   Walker walker = standing(1.75, 0.0, 1.0);
   walker.waypoints = {{0.0, {0.0, 1.0}},
-                {1000.0, {0.0, 0.9}}}; // stands, as good as, and faces the camera
+                      {1000.0, {0.0, 0.9}}}; // stands, as good as, and faces the camera
   walker.carriedObject = simulation::CarriedObject();
   const OfficeRenderer renderer(sceneOf({walker}), views());
   const cv::Mat who = whoIn(renderer);

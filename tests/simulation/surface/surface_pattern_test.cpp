@@ -47,8 +47,10 @@ TEST(Gloss, IsBrightestWhereTheSurfaceMirrorsTheLamp) {
   const Vector3f looking = -Vector3f::UnitZ(); // from above
   EXPECT_NEAR(gloss.highlightAt(Vector3f::UnitZ(), Vector3f::UnitZ(), looking), 100.0F, 1e-4F);
   // A lamp 60 degrees aside: the half way is 30 degrees off, cos^12 of it is (3/4)^6.
-  EXPECT_NEAR(gloss.highlightAt(Vector3f::UnitZ(), tilted(60.0F), looking), 100.0F * 0.17798F, 1e-2F);
-  EXPECT_EQ(gloss.highlightAt(-Vector3f::UnitZ(), Vector3f::UnitZ(), looking), 0.0F) << "turned away";
+  EXPECT_NEAR(gloss.highlightAt(Vector3f::UnitZ(), tilted(60.0F), looking), 100.0F * 0.17798F,
+              1e-2F);
+  EXPECT_EQ(gloss.highlightAt(-Vector3f::UnitZ(), Vector3f::UnitZ(), looking), 0.0F)
+      << "turned away";
   EXPECT_EQ(Gloss{}.highlightAt(Vector3f::UnitZ(), Vector3f::UnitZ(), looking), 0.0F);
 }
 

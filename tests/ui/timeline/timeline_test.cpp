@@ -149,8 +149,8 @@ void TimelineTest::trackingAgainReplacesWhatFollows() {
   const Eigen::Vector3d then = std::get<SphereEstimate>(shown().targets.front().estimate).mean;
   QVERIFY(window_->document().setParameter("acceleration_sigma", 1.5));
   trigger("actionRerun");
-  QVERIFY(
-      waitFor([this] { return !shown().isPast && !shown().rerun && shown().frame == kTracked - 1; }));
+  QVERIFY(waitFor(
+      [this] { return !shown().isPast && !shown().rerun && shown().frame == kTracked - 1; }));
   QVERIFY(shown().state == PlayState::Paused);
   QVERIFY(std::get<SphereEstimate>(shown().targets.front().estimate).mean !=
           last); // other parameters
@@ -160,8 +160,8 @@ void TimelineTest::trackingAgainReplacesWhatFollows() {
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(19));
   QVERIFY(showsFrame(19));
   trigger("actionRerun");
-  QVERIFY(
-      waitFor([this] { return !shown().isPast && !shown().rerun && shown().frame == kTracked - 1; }));
+  QVERIFY(waitFor(
+      [this] { return !shown().isPast && !shown().rerun && shown().frame == kTracked - 1; }));
   QVERIFY(std::get<SphereEstimate>(shown().targets.front().estimate).mean == last);
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(20));
   QVERIFY(showsFrame(20));

@@ -286,9 +286,9 @@ void BoardCalibrator::stop() {
 
 bool BoardCalibrator::hasViews() const {
   const auto state = guide();
-  return state->detections && std::ranges::any_of(state->detections->cameras, [](const auto& camera) {
-           return !camera.views.empty();
-         });
+  return state->detections &&
+         std::ranges::any_of(state->detections->cameras,
+                             [](const auto& camera) { return !camera.views.empty(); });
 }
 
 void BoardCalibrator::finish() {
@@ -298,7 +298,8 @@ void BoardCalibrator::finish() {
   setWatching(false);
   const auto state = guide();
   compute(
-      [project = project(), seen = state->detections, request = requestForCapturedViews(request_, *state),
+      [project = project(), seen = state->detections,
+       request = requestForCapturedViews(request_, *state),
        goal = request_.goal](const CalibrationProgress& progress) {
         return Computed{calibrateFromBoards(project, *seen, request, goal, progress)};
       },

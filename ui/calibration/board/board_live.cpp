@@ -121,8 +121,9 @@ void BoardLive::makeRows(std::size_t count) {
 
 void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_t camera) {
   const auto& of = state.cameras[camera];
-  const bool lens = state.phase == BoardGuideState::Phase::Lenses ||
-                    (!calibrator_.request().goal.estimatesPoses && calibrator_.request().goal.estimatesLenses);
+  const bool lens =
+      state.phase == BoardGuideState::Phase::Lenses ||
+      (!calibrator_.request().goal.estimatesPoses && calibrator_.request().goal.estimatesLenses);
   row.map->setCamera(of, lens);
   row.name->setText(calibrator_.nameOf(camera));
   row.advice->setText(lens ? adviceText(of) : visibilityText(of));
@@ -166,7 +167,8 @@ void BoardLive::refresh() {
   capture_->setEnabled(watching);
   floor_->setVisible(calibrator_.request().goal.estimatesPoses);
   floor_->setEnabled(watching && places);
-  next_->setVisible(calibrator_.request().goal.estimatesPoses && calibrator_.request().goal.estimatesLenses);
+  next_->setVisible(calibrator_.request().goal.estimatesPoses &&
+                    calibrator_.request().goal.estimatesLenses);
   next_->setEnabled(watching && !places);
   finish_->setEnabled(calibrator_.hasViews() && !calibrator_.isComputing() &&
                       !calibrator_.outcome());

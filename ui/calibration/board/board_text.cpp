@@ -207,9 +207,9 @@ QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
 }
 
 QString visibilityText(const BoardGuideState::PerCamera& camera) {
-  return camera.width == 0 ? BoardText::tr("No image yet")
-         : camera.detection     ? BoardText::tr("● board visible")
-                           : BoardText::tr("○ board not visible");
+  return camera.width == 0  ? BoardText::tr("No image yet")
+         : camera.detection ? BoardText::tr("● board visible")
+                            : BoardText::tr("○ board not visible");
 }
 
 QString positionAccuracyText(const BoardGuideState::PerCamera& camera) {

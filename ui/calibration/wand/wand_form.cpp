@@ -102,16 +102,22 @@ void WandForm::connectFields() {
     edit([=](WandSettings& settings) { settings.usesStick = index == 1; });
   });
   connect(ball_, &QComboBox::activated, this, [this] {
-    edit([this](WandSettings& settings) { settings.ballTarget = ball_->currentText().toStdString(); });
+    edit([this](WandSettings& settings) {
+      settings.ballTarget = ball_->currentText().toStdString();
+    });
   });
   connect(other_, &QComboBox::activated, this, [this] {
-    edit([this](WandSettings& settings) { settings.secondBallTarget = other_->currentText().toStdString(); });
+    edit([this](WandSettings& settings) {
+      settings.secondBallTarget = other_->currentText().toStdString();
+    });
   });
   connect(length_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([=](WandSettings& settings) { settings.stickLength = fromCentimeters(value); });
   });
   connect(size_, &QComboBox::activated, this, [this](int index) {
-    edit([=](WandSettings& settings) { settings.scaleSource = static_cast<WandScaleSource>(index); });
+    edit([=](WandSettings& settings) {
+      settings.scaleSource = static_cast<WandScaleSource>(index);
+    });
   });
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([=](WandSettings& settings) { settings.distance = fromCentimeters(value); });

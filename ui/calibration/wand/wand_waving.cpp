@@ -109,8 +109,9 @@ void WandWaving::showCameras() {
                   : tr("Keep waving: each camera should see the ball at least 150 times, spread "
                        "over at least half of its image."));
   if (collected->droppedFrameSets > 0) {
-    text += QLatin1Char(' ') +
-            tr("Frames skipped because they arrived too fast: %1.").arg(collected->droppedFrameSets);
+    text +=
+        QLatin1Char(' ') +
+        tr("Frames skipped because they arrived too fast: %1.").arg(collected->droppedFrameSets);
   }
   state_->setText(text);
 }

@@ -37,8 +37,8 @@ void addUnevenLight(const SensingFaults& faults, simulation::Stage& stage) {
   for (std::size_t camera = 0; camera < faults.cameras.size(); ++camera) {
     const simulation::RoomView& view = *stage.views[camera];
     const UnevenLight& light = faults.cameras[camera].unevenLight;
-    stage.illuminationGains.push_back(simulation::unevenLight({view.width, view.height}, light.vignette,
-                                                       light.right, light.down));
+    stage.illuminationGains.push_back(simulation::unevenLight(
+        {view.width, view.height}, light.vignette, light.right, light.down));
   }
 }
 

@@ -85,7 +85,8 @@ double walkTo(Walker& walker, const Vector2d& position, double pace) {
 
 /// Stays for some time.
 void stay(Walker& walker, double seconds) {
-  walker.waypoints.push_back({walker.waypoints.back().time + seconds, walker.waypoints.back().position});
+  walker.waypoints.push_back(
+      {walker.waypoints.back().time + seconds, walker.waypoints.back().position});
 }
 
 /// Whether nobody comes nearer to somebody else than `least`.
@@ -256,7 +257,8 @@ bool isCrowdPossible(const PeopleScenario& scenario) {
   const auto& people = scenario.scene.people;
   for (std::size_t a = 0; a < people.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      if ((people[a].waypoints.front().position - people[b].waypoints.front().position).norm() < kAside) {
+      if ((people[a].waypoints.front().position - people[b].waypoints.front().position).norm() <
+          kAside) {
         return false;
       }
     }

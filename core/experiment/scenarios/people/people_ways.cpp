@@ -57,7 +57,7 @@ void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange,
     const Vector2d position = middle + (k == 0 ? -0.5 : 0.5) * gap;
     const Vector2d& pace = velocity.at(static_cast<std::size_t>(k));
     walker.waypoints = {{kAppearTime, position - kHalf * pace},
-                  {nearest + kHalf, position + kHalf * pace}};
+                        {nearest + kHalf, position + kHalf * pace}};
     scenario.scene.people.push_back(walker);
   }
   scenario.timeBeforeMeeting = nearest - 0.9;
@@ -78,9 +78,9 @@ void addMeetingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, R
     const double aside = draws.uniform(-0.4, 0.4);
     const Vector2d back = reach * (way + aside * Vector2d(-way.y(), way.x()));
     walker.waypoints = {{kAppearTime, middle + reach * way},
-                  {arrive, middle + 0.5 * gap * way},
-                  {arrive + stay, middle + 0.5 * gap * way},
-                  {arrive + stay + reach, middle + back}};
+                        {arrive, middle + 0.5 * gap * way},
+                        {arrive + stay, middle + 0.5 * gap * way},
+                        {arrive + stay + reach, middle + back}};
     scenario.scene.people.push_back(walker);
   }
   scenario.timeBeforeMeeting = arrive - 0.7;
@@ -102,9 +102,9 @@ void addAccompanyingPeople(PeopleScenario& scenario, RandomDraws& draws) {
     const Vector2d near = 0.5 * side * gap * aside;
     const Vector2d far = draws.uniform(0.9, 1.2) * side * aside;
     walker.waypoints = {{kAppearTime, middle - (together + 0.5) * along + far},
-                  {join, middle - together * along + near},
-                  {part, middle + together * along + near},
-                  {part + 1.3, middle + (together + 0.5) * along + far}};
+                        {join, middle - together * along + near},
+                        {part, middle + together * along + near},
+                        {part + 1.3, middle + (together + 0.5) * along + far}};
     scenario.scene.people.push_back(walker);
   }
   scenario.timeBeforeMeeting = join - 0.6;
@@ -115,8 +115,9 @@ void addDistantPeople(PeopleScenario& scenario, RandomDraws& draws) {
   for (int k = 0; k < 2; ++k) {
     Walker walker = numberedWalker(k + 1);
     const double side = k == 0 ? -1.0 : 1.0;
-    walker.waypoints = {{kAppearTime, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}},
-                  {kAppearTime + 4.0, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}}};
+    walker.waypoints = {
+        {kAppearTime, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}},
+        {kAppearTime + 4.0, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}}};
     scenario.scene.people.push_back(walker);
   }
   scenario.timeBeforeMeeting = kAppearTime + 1.0;

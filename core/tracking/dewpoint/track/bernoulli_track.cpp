@@ -135,9 +135,10 @@ double BernoulliTrack::priorProbability(TrackHypothesis& hypothesis,
     hypothesis.secondsSinceRim = 0.0;
   }
   // A part of something that stands still looks the same in every frame, and counts once.
-  return hypothesis.wasRimSeen ? hypothesis.probability
-                            : std::min(hypothesis.probability,
-                                       birthProbability(hypothesis.position(), hypothesis.radius));
+  return hypothesis.wasRimSeen
+             ? hypothesis.probability
+             : std::min(hypothesis.probability,
+                        birthProbability(hypothesis.position(), hypothesis.radius));
 }
 
 double BernoulliTrack::birthProbability(const Eigen::Vector3d& position, double radius) const {
@@ -185,7 +186,8 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
       return (other.position() - fit.center).norm() < fit.radius;
     });
     const double birth = birthProbability(fit.center, fit.radius);
-    if (known || !radiusPrior_.allowsRadius(fit.radius) || isOccupied(fit.center, fit.radius, occupied) ||
+    if (known || !radiusPrior_.allowsRadius(fit.radius) ||
+        isOccupied(fit.center, fit.radius, occupied) ||
         logLikelihoodRatio < kMinLogLikelihoodRatio || birth <= 0.0) {
       continue;
     }
@@ -261,7 +263,8 @@ void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius
 
 void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& observation,
                              const RandomKey& key, ThreadTeam& team) {
-  const double radius = mostLikelyHypothesis() != nullptr ? mostLikelyHypothesis()->radius : radiusPrior_.expectedRadius();
+  const double radius = mostLikelyHypothesis() != nullptr ? mostLikelyHypothesis()->radius
+                                                          : radiusPrior_.expectedRadius();
   TrackHypothesis hypothesis = newHypothesis(position, radius, radiusPrior_.logVariance());
   hypothesis.probability = kInitialProbability;
   hypothesis.provenProbability = kInitialProbability;
@@ -304,8 +307,9 @@ void BernoulliTrack::resolveIdentity(bool identicalTargets) {
     identityAmbiguity_ = std::max(identityAmbiguity_, *ambiguity);
   }
   const auto dropped = [&](const TrackHypothesis& other) {
-    return std::none_of(hypotheses_.begin(), hypotheses_.end(),
-                        [&](const TrackHypothesis& left) { return left.streamNumber == other.streamNumber; });
+    return std::none_of(hypotheses_.begin(), hypotheses_.end(), [&](const TrackHypothesis& left) {
+      return left.streamNumber == other.streamNumber;
+    });
   };
   std::erase_if(predicted_, dropped);
 }
@@ -361,7 +365,7 @@ SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
 }
 
 void BernoulliTrack::copyParticles(int limit, Eigen::ArrayXXd& positions,
-                               Eigen::ArrayXd& weights) const {
+                                   Eigen::ArrayXd& weights) const {
   const TrackHypothesis* confirmed = confidentHypothesis();
   const Eigen::ArrayXXd& states =
       confirmed != nullptr ? confirmed->states : searchParticles_.states();

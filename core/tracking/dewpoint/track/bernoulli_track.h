@@ -28,8 +28,8 @@ struct BernoulliTrackSettings {
   double kldError = 0.1; ///< maximum Kullback-Leibler distance; 0: always maxParticles
   /// Standard deviation of the acceleration, m/s². The caller must set this value.
   double accelerationSigma = 0.0;
-  double survivalTime = 5.0; ///< seconds
-  double searchSize = 4.0;   ///< meters
+  double survivalTime = 5.0;         ///< seconds
+  double searchSize = 4.0;           ///< meters
   SystematicErrors systematicErrors; ///< systematic errors included in estimates
 };
 

@@ -49,7 +49,8 @@ double RadiusPrior::penalty(double radius) const {
 }
 
 bool RadiusPrior::allowsRadius(double radius) const {
-  return (measured_ <= 0.0 && !isGiven()) || std::abs(std::log(radius / expectedRadius())) <= kMostOff;
+  return (measured_ <= 0.0 && !isGiven()) ||
+         std::abs(std::log(radius / expectedRadius())) <= kMostOff;
 }
 
 } // namespace dewpoint::tracking

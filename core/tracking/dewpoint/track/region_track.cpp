@@ -155,13 +155,16 @@ double RegionTrack::measure(State& state, RegionObservation& observation) const 
   const double fill = state.coloredFraction > 0.0 ? state.coloredFraction : kPriorFill;
   hypothesis.logLikelihoodRatio = logLikelihoodRatio(state.measurements, fill);
   hypothesis.fullyVisibleLogLikelihoodRatio = fullyVisible(state.measurements);
-  hypothesis.onlyOneCameraSees = observation.cameraCount() > 1 && viewsInView(state.measurements) == 1;
+  hypothesis.onlyOneCameraSees =
+      observation.cameraCount() > 1 && viewsInView(state.measurements) == 1;
   if (hypothesis.wasOutlineFound) {
     accept(state, fit);
     for (const RegionMeasurement& view : state.measurements) {
       if (view.region && view.visible > 0.5) {
         state.coloredFraction =
-            state.coloredFraction > 0.0 ? state.coloredFraction + kFillRate * (view.matched - state.coloredFraction) : view.matched;
+            state.coloredFraction > 0.0
+                ? state.coloredFraction + kFillRate * (view.matched - state.coloredFraction)
+                : view.matched;
       }
     }
   }

@@ -111,8 +111,8 @@ double weightPrediction(TrackHypothesis& hypothesis, SphereObservation& observat
     if (effective < 0.5 * static_cast<double>(count)) {
       Ancestors ancestors;
       SystematicResampling().ancestors(
-          hypothesis.weights, count, key.streamOfPart(RandomPurpose::Resampling, hypothesis.streamNumber),
-          ancestors);
+          hypothesis.weights, count,
+          key.streamOfPart(RandomPurpose::Resampling, hypothesis.streamNumber), ancestors);
       hypothesis.states = Eigen::ArrayXXd(hypothesis.states(ancestors, Eigen::all));
       hypothesis.weights.setConstant(1.0 / static_cast<double>(count));
     }
