@@ -298,9 +298,8 @@ void BoardCalibrator::finish() {
   setWatching(false);
   const auto state = guide();
   compute(
-      [project = project(), seen = state->detections,
-       request = requestForCapturedViews(request_, *state),
-       goal = request_.goal](const CalibrationProgress& progress) {
+      [project = project(), seen = state->detections, goal = request_.goal,
+       request = requestForCapturedViews(request_, *state)](const CalibrationProgress& progress) {
         return Computed{calibrateFromBoards(project, *seen, request, goal, progress)};
       },
       false);

@@ -343,7 +343,8 @@ bool BernoulliTrack::hasJumped() const {
       hypotheses_.front().streamNumber == confidentBefore_) {
     return false;
   }
-  const auto before = std::ranges::find(predicted_, confidentBefore_, &TrackHypothesis::stream);
+  const auto before =
+      std::ranges::find(predicted_, confidentBefore_, &TrackHypothesis::streamNumber);
   return before != predicted_.end() &&
          (before->position() - hypotheses_.front().position()).norm() > before->radius;
 }
