@@ -50,7 +50,7 @@ bool areTargetsFound(const TrackingRun& run) {
 /// are known; those that are found are not there yet.
 void addOthers(const TrackingRun& run, TrackSnapshot& snapshot) {
   const bool areFound = areTargetsFound(run);
-  if (snapshot.tracked && !areFound) {
+  if (snapshot.isTracked && !areFound) {
     return;
   }
   for (std::size_t k = snapshot.targets.size(); k < run.targets().size(); ++k) {
@@ -243,7 +243,7 @@ void SnapshotBuilder::fillFromCurrentFrame(const TrackingRun& run, const History
   snapshot.frame = run.frames() ? run.frames()->index : -1;
   snapshot.clocks = run.clockEstimates();
   const TrackedFrame* recorded = history != nullptr ? history->at(snapshot.frame) : nullptr;
-  snapshot.tracked = recorded != nullptr;
+  snapshot.isTracked = recorded != nullptr;
   const std::int64_t tailEnd = isRecorded ? snapshot.frame : snapshot.frame - 1;
   show(run.currentFrame(recorded, kParticlesShown), run, history, tailEnd, snapshot);
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) { // all of them, and to the last bit
@@ -267,7 +267,7 @@ Status SnapshotBuilder::fillFromPastFrame(const TrackingRun& run, TimeTravel& tr
   snapshot.frame = frame;
   snapshot.clocks = run.clockEstimates();
   const TrackedFrame* trackedFrame = travel.history().at(frame);
-  snapshot.tracked = trackedFrame != nullptr;
+  snapshot.isTracked = trackedFrame != nullptr;
   show(trackedFrame != nullptr ? *trackedFrame : TrackedFrame(), run, &travel.history(), frame,
        snapshot);
   addImages(run, snapshot);
@@ -306,11 +306,12 @@ Status SnapshotBuilder::fillFromAnyFrame(const TrackingRun& run, TimeTravel& tra
 bool SnapshotBuilder::requestsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
   return run.definition()->family().hasMotionMasks
              ? (options_.withMasks || options_.withMaps) && snapshot.frames != nullptr
-             : options_.withMaps && snapshot.tracked;
+             : options_.withMaps && snapshot.isTracked;
 }
 
 bool SnapshotBuilder::lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
-  return snapshot.isPast && snapshot.tracked && !snapshot.isPreview && requestsMaps(run, snapshot);
+  return snapshot.isPast && snapshot.isTracked && !snapshot.isPreview &&
+         requestsMaps(run, snapshot);
 }
 
 void SnapshotBuilder::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const {

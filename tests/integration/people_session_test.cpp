@@ -98,7 +98,7 @@ TEST(PeopleSession, TracksAsTheCommandLineDoes) {
 TEST(PeopleSession, TellsHowFarTheRoomIsLearned) {
   Session session(office());
   session.stepFrame();
-  ASSERT_TRUE(eventually([&] { return session.newest()->tracked; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->isTracked; }));
   for (int k = 0; k < 6; ++k) {
     session.stepFrame();
   }
@@ -121,7 +121,7 @@ TEST(PeopleSession, KnowsTheBackgroundImageWithoutLearning) {
   session.setBackgroundImages({"", "", "", ""}, rooms);
   session.restart();
   session.stepFrame();
-  ASSERT_TRUE(eventually([&] { return session.newest()->tracked; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->isTracked; }));
   EXPECT_EQ(session.newest()->peopleCameras.at(0).learned, 1.0);
 }
 

@@ -87,7 +87,7 @@ TEST_P(BoxSessionTest, ABoxSetWhilePausedStartsAtTheFrameShown) {
   }));
   const auto shown = session.newest();
   EXPECT_EQ(shown->frame, 10);
-  EXPECT_TRUE(shown->tracked);
+  EXPECT_TRUE(shown->isTracked);
   EXPECT_EQ(shown->targets[0].status, TargetStatus::Held);
   EXPECT_EQ(shown->targets[0].box()->box, MovingPatch{}.box(10));
   session.play();
@@ -181,7 +181,7 @@ TEST_P(BoxSessionTest, ABoxOfTheFirstFrameIsThereBeforeAnyStep) {
   stepTo(session, 5);
   session.restart();
   ASSERT_TRUE(eventually(hasBox));
-  EXPECT_FALSE(session.newest()->tracked);
+  EXPECT_FALSE(session.newest()->isTracked);
   stepTo(session, 5);
   session.setMethod("dewpoint", ParameterValues(methodParameters("dewpoint")));
   ASSERT_TRUE(

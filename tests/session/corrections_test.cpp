@@ -163,7 +163,7 @@ TEST_P(CorrectionsOfARun, TakeThePlaceOfFormerOnesOfTheirFrame) {
   ASSERT_TRUE(eventually([&] { return session.framesSince(generation, position).restarted; }));
   ASSERT_TRUE(eventually([&] {
     const auto shown = session.newest();
-    return !shown->rerun && shown->tracked && session.trajectory().samples.size() == 16;
+    return !shown->rerun && shown->isTracked && session.trajectory().samples.size() == 16;
   }));
   EXPECT_TRUE(sameBits(played(session), playedWith(kTwo)));
 }

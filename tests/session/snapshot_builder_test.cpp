@@ -99,7 +99,7 @@ TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
   const TrackSnapshotPtr later = shown(session, 20);
   EXPECT_FALSE(then->isPast);
   EXPECT_TRUE(later->isPast);
-  EXPECT_TRUE(then->tracked && later->tracked);
+  EXPECT_TRUE(then->isTracked && later->isTracked);
   EXPECT_EQ(then->iterations, later->iterations);
   ASSERT_EQ(then->masks.size(), later->masks.size());
   EXPECT_EQ(cv::norm(then->masks[0], later->masks[0], cv::NORM_INF), 0.0);
@@ -138,8 +138,8 @@ TEST(SnapshotBuilder, AFrameIsDescribedWithoutBeingShown) {
   ASSERT_TRUE(past && current && later);
   EXPECT_EQ(session.newest(), before); // nothing was published
   EXPECT_EQ((*past)->frame, 12);
-  EXPECT_TRUE((*past)->tracked && (*current)->tracked);
-  EXPECT_FALSE((*later)->tracked || (*past)->isPreview);
+  EXPECT_TRUE((*past)->isTracked && (*current)->isTracked);
+  EXPECT_FALSE((*later)->isTracked || (*past)->isPreview);
   EXPECT_EQ((*past)->masks.size(), 2U);
   EXPECT_NE((*later)->frames, nullptr);
   const TrackSnapshotPtr shown12 = shown(session, 12);

@@ -247,7 +247,7 @@ void CameraView::paintEvent(QPaintEvent*) {
 }
 
 void CameraView::reportPainted() {
-  const bool isLive = shown_ && !shown_->frameCount && !shown_->isPast && shown_->tracked &&
+  const bool isLive = shown_ && !shown_->frameCount && !shown_->isPast && shown_->isTracked &&
                       shown_->state == PlayState::Playing;
   if (isLive && shown_->frame != reportedFrame_) {
     reportedFrame_ = shown_->frame;

@@ -199,8 +199,8 @@ void StatusBarPanel::refresh() {
   }
   details_->setSnapshot(snapshot_, target);
   const bool several = snapshot.targets.size() > 1;
-  state_ = target != nullptr && several && snapshot.tracked ? trackingState(*target)
-                                                            : trackingState(snapshot);
+  state_ = target != nullptr && several && snapshot.isTracked ? trackingState(*target)
+                                                              : trackingState(snapshot);
   name_ = several ? QString::fromStdString(target->target.name) : QString();
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
   stateText_.clear();

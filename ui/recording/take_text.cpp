@@ -42,10 +42,10 @@ QString timeLeft(const TakeStatus& take) {
   constexpr double kKnownAfter = 2.0; // seconds
   constexpr double kLongest = 99.0 * 3600.0;
   const auto bytes = static_cast<double>(bytesOf(take));
-  if (take.seconds < kKnownAfter || bytes <= 0.0) {
+  if (take.durationSeconds < kKnownAfter || bytes <= 0.0) {
     return {};
   }
-  const double left = static_cast<double>(take.freeBytes) * take.seconds / bytes;
+  const double left = static_cast<double>(take.freeBytes) * take.durationSeconds / bytes;
   return left > kLongest ? QString()
                          : QCoreApplication::translate("TakeText", "%1 left").arg(clockText(left));
 }
@@ -64,7 +64,7 @@ QString clockText(double seconds) {
 
 QString takeLine(const TakeStatus& take) {
   QStringList parts{QCoreApplication::translate("TakeText", "Recording take %1").arg(take.number),
-                    clockText(take.seconds)};
+                    clockText(take.durationSeconds)};
   const auto dropped = static_cast<int>(droppedOf(take));
   parts += QCoreApplication::translate("TakeText", "%n dropped image(s)", nullptr, dropped);
   parts += QCoreApplication::translate("TakeText", "%1 free").arg(sizeText(take.freeBytes));
@@ -92,10 +92,10 @@ QString takeDetails(const TakeStatus& take) {
 }
 
 QString preRollText(const TakeStatus& take) {
-  if (take.preRoll <= 0.0) {
+  if (take.preRollSeconds <= 0.0) {
     return {};
   }
-  const QString time = secondsText(take.preRoll, 1);
+  const QString time = secondsText(take.preRollSeconds, 1);
   const bool isShortened = std::ranges::any_of(
       take.cameras, [](const auto& camera) { return camera.preRoll.shortened; });
   return isShortened ? QCoreApplication::translate("TakeText",

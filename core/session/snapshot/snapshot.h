@@ -101,7 +101,7 @@ struct TrackSnapshot {
   std::vector<PeopleCameraState> peopleCameras;
   std::int64_t frame = -1; ///< number of the frame shown
   bool isPast = false;     ///< the frame shown is not the current frame of the run
-  bool tracked = false;    ///< the frame shown was tracked
+  bool isTracked = false;  ///< the frame shown was tracked
   /// True if the images are small previews, scaled up. The full images follow immediately, unless
   /// another frame is requested.
   bool isPreview = false;

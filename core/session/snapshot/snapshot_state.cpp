@@ -104,7 +104,7 @@ TrackingState worstState(const TrackSnapshot& snapshot, const Counts& counts) {
   if (snapshot.targets.empty() && !findsTargets) {
     return TrackingState::NoTarget;
   }
-  if (snapshot.isPast && !snapshot.tracked) {
+  if (snapshot.isPast && !snapshot.isTracked) {
     return TrackingState::NotTracked;
   }
   if (findsTargets) {

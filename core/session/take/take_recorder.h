@@ -39,8 +39,8 @@ struct TakeStatus {
   int number = 0; ///< number of the take, at least 1
   std::filesystem::path folder;
   std::string notes;
-  double seconds = 0.0; ///< time since the start, or the duration of a take that has ended
-  double preRoll = 0.0; ///< recorded time before the start, in seconds
+  double durationSeconds = 0.0; ///< time since the start, or the duration of a take that has ended
+  double preRollSeconds = 0.0;  ///< recorded time before the start, in seconds
   std::vector<CameraStatus> cameras; ///< state of each camera, in project order
   std::uint64_t freeBytes = 0;       ///< free space on the disk
   /// Error that prevented take.json or project.toml from being written; empty if there was none.

@@ -103,7 +103,7 @@ bool onEdge(const RoomView& view, const Body& body, int column, int row) {
     return true;
   }
   const Vector3f way = body.center - view.center;
-  const Vector3f& here = view.directions[view.index(column, row)];
+  const Vector3f& here = view.directions[view.pixelIndex(column, row)];
   const float along = way.dot(here);
   const float aside = std::sqrt(std::max(0.0F, way.squaredNorm() - along * along));
   const float pixel = along * (view.direction(column, row, 0.5F, 0.5F) - here).norm();
@@ -115,7 +115,7 @@ void addInstant(const RoomView& view, const Body& body, const cv::Rect& area,
   auto share = shares.begin();
   for (int row = area.y; row < area.y + area.height; ++row) {
     for (int column = area.x; column < area.x + area.width; ++column, ++share) {
-      const std::size_t pixel = view.index(column, row);
+      const std::size_t pixel = view.pixelIndex(column, row);
       const Vector3f& here = view.directions[pixel];
       if (here.isZero(0.0F)) {
         continue;
@@ -151,7 +151,8 @@ void castShadow(const RoomView& view, const Body& body, const cv::Rect& rows, cv
   const ShadowCaster caster{body.center, body.radius, lamp, kLampRadius, 0.002F, 0.01F};
   forEachShadedPixel(view, area, caster,
                      [&](int row, int column, std::size_t pixel, float covered, float /*blur*/) {
-                       image.at<cv::Vec3f>(row, column) *= 1.0F - covered * view.lit[pixel];
+                       image.at<cv::Vec3f>(row, column) *=
+                           1.0F - covered * view.lampFraction[pixel];
                      });
 }
 
@@ -197,7 +198,7 @@ void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure&
   std::vector<std::size_t> order(middle.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     order[i] = i;
-    if (middle[i].present) {
+    if (middle[i].isPresent) {
       castShadow(view, shadowBody(middle[i]), rows, image);
     }
   }
@@ -207,7 +208,7 @@ void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure&
   std::vector<Share> shares;
   for (const std::size_t i : order) {
     if (!middle[i].parts.empty()) {
-      if (middle[i].present) {
+      if (middle[i].isPresent) {
         paintParts(
             view, [&](double instant) { return bodiesAt(instant)[i].parts; }, exposure, rows,
             [&](const SurfacePoint& seen) { return partColor(seen, middle[i].light); }, image);
@@ -220,7 +221,7 @@ void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure&
     const cv::Rect first = boundsAt(opening[i]);
     const cv::Rect last = boundsAt(closing[i]);
     const cv::Rect area = (first | boundsAt(middle[i]) | last) & rows;
-    if (area.empty() || !middle[i].present) {
+    if (area.empty() || !middle[i].isPresent) {
       continue;
     }
     const double travel = cv::norm((first.tl() + first.br() - last.tl() - last.br()) / 2);

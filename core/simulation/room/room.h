@@ -56,7 +56,7 @@ struct RoomHit {
 /// Color of the room as a camera sees it at one point of its image.
 struct ShadedColor {
   Vector3f color{0.0F, 0.0F, 0.0F}; ///< BGR, [0, 255]
-  float lit = 0.0F;                 ///< fraction of the color that comes directly from the lamp
+  float lampFraction = 0.0F;        ///< fraction of the color that comes directly from the lamp
 };
 
 /// Type of furnishing in a room.

@@ -24,15 +24,15 @@ struct ShadowCaster {
 };
 
 /// Calls `shade(row, column, pixel, covered, blur)` for each pixel of `area` that shows the floor
-/// below the ball. `pixel` is view.index(column, row). `covered` is the fraction of the lamp, 0 to
-/// 1, that the ball hides from the floor at this pixel. The edge of the shadow is smooth, with half
-/// width `blur` (meters).
+/// below the ball. `pixel` is view.pixelIndex(column, row). `covered` is the fraction of the lamp,
+/// 0 to 1, that the ball hides from the floor at this pixel. The edge of the shadow is smooth, with
+/// half width `blur` (meters).
 template <class Shade>
 void forEachShadedPixel(const RoomView& view, const cv::Rect& area, const ShadowCaster& caster,
                         const Shade& shade) {
   for (int row = area.y; row < area.y + area.height; ++row) {
     for (int column = area.x; column < area.x + area.width; ++column) {
-      const std::size_t pixel = view.index(column, row);
+      const std::size_t pixel = view.pixelIndex(column, row);
       const float distance = view.distances[pixel];
       if (!(distance < 100.0F)) {
         continue;

@@ -82,7 +82,7 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
     const auto now = session.newest();
     const auto then = seen[frame];
     EXPECT_TRUE(now->isPast);
-    EXPECT_TRUE(now->tracked);
+    EXPECT_TRUE(now->isTracked);
     EXPECT_EQ(now->state, PlayState::Paused);
     EXPECT_EQ(now->history.head, kTravelFrames - 1);
     EXPECT_EQ(now->history.last, kTravelFrames - 1);
@@ -232,7 +232,7 @@ TEST(TimeTravel, AnUntrackedPartIsShownAndTrackedFrom) {
   Session session(drawnInputs("dewpoint", kTravelFrames));
   session.showFrame(50);
   ASSERT_TRUE(shows(session, 50));
-  EXPECT_FALSE(session.newest()->tracked);
+  EXPECT_FALSE(session.newest()->isTracked);
   EXPECT_TRUE(session.newest()->isPast);
   EXPECT_TRUE(samePixels(*session.newest()->frames, *DrawnRecording::frame(50)));
   EXPECT_EQ(session.newest()->targets.at(0).particles.rows(), 0);

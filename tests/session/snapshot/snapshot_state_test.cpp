@@ -12,7 +12,7 @@ TrackSnapshot snapshotOf(const std::vector<TargetStatus>& statuses) {
   TrackSnapshot snapshot;
   snapshot.rig = std::make_shared<const CameraRig>(test::twoCameras());
   snapshot.frames = std::make_shared<const FrameSet>();
-  snapshot.tracked = true;
+  snapshot.isTracked = true;
   for (const TargetStatus status : statuses) {
     TargetSnapshot& target = snapshot.targets.emplace_back();
     target.target.name = std::to_string(snapshot.targets.size());
@@ -47,7 +47,7 @@ TEST(SnapshotState, WithoutImagesTargetsOrTrackingThereIsNothingToJudge) {
   EXPECT_EQ(trackingState(snapshotOf({})), TrackingState::NoTarget);
   TrackSnapshot past = snapshotOf({TargetStatus::Held});
   past.isPast = true;
-  past.tracked = false;
+  past.isTracked = false;
   EXPECT_EQ(trackingState(past), TrackingState::NotTracked);
 }
 

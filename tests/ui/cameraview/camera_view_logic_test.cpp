@@ -38,7 +38,7 @@ TEST(CameraPicture, AHiddenTargetIsNotDrawn) {
   CameraRig rig(1);
   rig[0].intrinsics = {80, 60, 60.0, 60.0, 39.5, 29.5};
   bare.rig = std::make_shared<const CameraRig>(rig);
-  bare.tracked = true;
+  bare.isTracked = true;
   TrackSnapshot with = bare;
   TargetSnapshot& target = with.targets.emplace_back();
   auto& sphere = std::get<SphereEstimate>(target.estimate);

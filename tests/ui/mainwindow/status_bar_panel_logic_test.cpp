@@ -21,7 +21,7 @@ TrackSnapshot ofOneTarget() {
   snapshot.rig = std::make_shared<const CameraRig>(rig);
   snapshot.family = methodFamily("dewpoint");
   snapshot.frame = 0;
-  snapshot.tracked = true;
+  snapshot.isTracked = true;
   snapshot.targets.emplace_back().target.name = "ball";
   return snapshot;
 }

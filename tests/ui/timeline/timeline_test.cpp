@@ -79,7 +79,7 @@ void TimelineTest::scrubbingShowsThatFrameInAllViews() {
   QVERIFY(showsFrame(12));
   QTest::mouseRelease(timeline_, Qt::LeftButton, {}, timeline_->positionOf(12));
   QVERIFY(shown().isPast);
-  QVERIFY(shown().tracked);
+  QVERIFY(shown().isTracked);
   QCOMPARE(shown().frames->index, 12);
   QVERIFY(shown().targets.front().particles.rows() > 0);
   const QImage then = picture("cameraView0");
