@@ -88,7 +88,7 @@ Vector3f RoomView::direction(int column, int row, float right, float down) const
 void RoomView::renderRoom(const Room& room) {
   constexpr int kSide = 2; // 2x2 samples per pixel; chosen: what is at rest is rendered once
   distances.assign(directions.size(), std::numeric_limits<float>::infinity());
-  lit.assign(directions.size(), 0.0F);
+  lampFraction.assign(directions.size(), 0.0F);
   background = cv::Mat::zeros(height, width, CV_32FC3);
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
