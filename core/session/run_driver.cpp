@@ -156,8 +156,8 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
     return;
   }
   const RerunState range = *wanted;
-  from = range.from;
-  const bool isPast = from <= range.to;
+  from = range.firstFrame;
+  const bool isPast = from <= range.lastFrame;
   errors_.clear();
   RunDefinitionPtr before = current_.definition();
   if (method != nullptr) {

@@ -208,7 +208,7 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   session.setPersonCorrections(said);
   ASSERT_TRUE(eventually([&] {
     return present(*session.newest()) == 1 && session.newest()->frame == 80 &&
-           session.newest()->history.head == kFrames - 1 && !session.newest()->rerun;
+           session.newest()->history.newestTrackedFrame == kFrames - 1 && !session.newest()->rerun;
   }));
   session.showFrame(kFrames - 1);
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == kFrames - 1; }));
@@ -247,8 +247,8 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   EXPECT_EQ(firstPlace(), first);
   session.setPersonCorrections({});
   ASSERT_TRUE(eventually([&] {
-    return present(*session.newest()) == 0 && session.newest()->history.head == kFrames - 1 &&
-           !session.newest()->rerun;
+    return present(*session.newest()) == 0 &&
+           session.newest()->history.newestTrackedFrame == kFrames - 1 && !session.newest()->rerun;
   }));
 }
 

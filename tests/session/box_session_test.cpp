@@ -23,10 +23,10 @@ constexpr double kTolerance = 12.0; // px from the patch's center, which is 30 p
 
 /// Steps to this frame.
 void stepTo(Session& session, std::int64_t frame) {
-  while (session.newest()->history.head < frame) {
-    const std::int64_t before = session.newest()->history.head;
+  while (session.newest()->history.newestTrackedFrame < frame) {
+    const std::int64_t before = session.newest()->history.newestTrackedFrame;
     session.stepFrame();
-    ASSERT_TRUE(eventually([&] { return session.newest()->history.head > before; }));
+    ASSERT_TRUE(eventually([&] { return session.newest()->history.newestTrackedFrame > before; }));
   }
 }
 

@@ -16,7 +16,7 @@ using test::DrawnRecording;
 using test::eventually;
 
 void iterateTo(Session& session, std::int64_t frame) {
-  while (session.newest()->history.head < frame) {
+  while (session.newest()->history.newestTrackedFrame < frame) {
     const std::int64_t before = session.newest()->iterations;
     session.stepFrame();
     ASSERT_TRUE(eventually([&] { return session.newest()->iterations > before; }));

@@ -153,8 +153,8 @@ void RunDetails::refresh(const TrackSnapshot& snapshot, const TargetSnapshot* ta
   seed_->setText(QString::number(snapshot.seed));
   history_->setText(
       tr("%1 of %2 MB")
-          .arg(numberText(static_cast<double>(snapshot.history.bytes) / kMegabyte, 0),
-               numberText(static_cast<double>(snapshot.history.maxBytes) / kMegabyte, 0)));
+          .arg(numberText(static_cast<double>(snapshot.history.memoryBytes) / kMegabyte, 0),
+               numberText(static_cast<double>(snapshot.history.maxMemoryBytes) / kMegabyte, 0)));
 }
 
 void RunDetails::openAbove(const QWidget* widget) {

@@ -60,17 +60,17 @@ enum class PlayState { Paused, Playing, Ended };
 
 /// Range of frames that can be shown, and the memory used for them.
 struct HistoryState {
-  std::int64_t first = 0; ///< oldest frame that can be shown
-  std::int64_t last = -1; ///< newest frame that can be shown; -1: none yet
-  std::int64_t head = -1; ///< newest frame that was tracked; -1: none yet
-  std::size_t bytes = 0;  ///< memory used by images, particles and copies of the method
-  std::size_t maxBytes = 0;
+  std::int64_t firstFrame = 0;          ///< oldest frame that can be shown
+  std::int64_t lastFrame = -1;          ///< newest frame that can be shown; -1: none yet
+  std::int64_t newestTrackedFrame = -1; ///< newest frame that was tracked; -1: none yet
+  std::size_t memoryBytes = 0; ///< memory used by images, particles and copies of the method
+  std::size_t maxMemoryBytes = 0;
 };
 
 /// Range of past frames that a run is tracking again.
 struct RerunState {
-  std::int64_t from = 0; ///< first frame tracked again
-  std::int64_t to = 0;   ///< last frame tracked again
+  std::int64_t firstFrame = 0; ///< first frame tracked again
+  std::int64_t lastFrame = 0;  ///< last frame tracked again
 };
 
 /// Statistics of how well a run meets its time budget per iteration (parameter `time_budget`),

@@ -112,7 +112,7 @@ void SpeedTest::theRateIsShownWhilePlaying() {
     action("actionPlay")->trigger();
   }
   QVERIFY(waitFor([&] { return rate->text().endsWith(QStringLiteral(" fps")); }));
-  QVERIFY(waitFor([this] { return shown().history.head > 10; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame > 10; }));
   action("actionPlay")->trigger();
   QVERIFY(waitFor([&] { return rate->text().isEmpty(); }));
   // Frames that are shown again are not tracked.

@@ -66,7 +66,7 @@ private:
 void InspectorTest::init() {
   makeWindow({.size = {1500, 950}, .theme = Theme::Light, .play = false});
   open();
-  QVERIFY(waitFor([this] { return shown().history.head == 0; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == 0; }));
 }
 
 void InspectorTest::fewParametersAreInSightAndTheRestInSections() {

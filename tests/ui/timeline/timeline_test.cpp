@@ -63,11 +63,11 @@ void TimelineTest::init() {
   open();
   timeline_ = window_->findChild<Timeline*>(QStringLiteral("timeline"));
   QVERIFY(timeline_ != nullptr);
-  QVERIFY(waitFor([this] { return shown().history.head == 0; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == 0; }));
   for (qint64 frame = 1; frame < kTracked; ++frame) {
     trigger("actionNextFrame");
   }
-  QVERIFY(waitFor([this] { return shown().history.head == kTracked - 1; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == kTracked - 1; }));
 }
 
 void TimelineTest::scrubbingShowsThatFrameInAllViews() {
@@ -126,7 +126,8 @@ void TimelineTest::playGoesOnFromTheFrameShown() {
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(35));
   QVERIFY(showsFrame(35));
   QTest::keyClick(window_.get(), Qt::Key_Space);
-  QVERIFY(waitFor([this] { return shown().history.head > kTracked; })); // and goes on tracking
+  QVERIFY(waitFor(
+      [this] { return shown().history.newestTrackedFrame > kTracked; })); // and goes on tracking
 }
 
 void TimelineTest::aNewNameIsShownAtOnceWhileLookingBack() {
