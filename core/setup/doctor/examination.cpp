@@ -10,7 +10,7 @@
 
 namespace dewpoint::setup {
 
-bool Examination::has(FindingKind kind) const {
+bool Examination::hasFinding(FindingKind kind) const {
   return std::ranges::find(findings, kind, &Finding::kind) != findings.end();
 }
 

@@ -65,7 +65,7 @@ struct Examination {
     findings.push_back({kind, std::move(values), file, ""});
   }
   /// Returns whether there is a finding of this kind.
-  bool has(FindingKind kind) const;
+  bool hasFinding(FindingKind kind) const;
   bool hasProblem() const { return worstLevelOf(findings) == FindingLevel::Problem; }
   /// Returns the name of a camera for use in sentences: "camera 'left'".
   std::string nameOf(std::size_t camera) const;

@@ -61,14 +61,14 @@ MovableFurniture makeStool(double height) {
   stool.parts = {
       boxPart({0.0F, 0.0F, top - kHalfThick}, {kHalfSeat, kHalfSeat, kHalfThick}, cushion),
       boxPart({0.0F, 0.0F, foot}, {kHalfFoot, kHalfFoot, foot}, steel)};
-  stool.reach = 0.25; // kHalfSeat to its corners, rounded up
+  stool.enclosingRadius = 0.25; // kHalfSeat to its corners, rounded up
   return stool;
 }
 
 MovableFurniture makeCabinet(const Vector3f& halfSize, const Vector3f& color) {
   MovableFurniture cabinet;
   cabinet.parts = {boxPart({0.0F, 0.0F, halfSize.z()}, halfSize, color)};
-  cabinet.reach = halfSize.head<2>().cast<double>().norm();
+  cabinet.enclosingRadius = halfSize.head<2>().cast<double>().norm();
   return cabinet;
 }
 

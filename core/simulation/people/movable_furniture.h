@@ -27,7 +27,8 @@ struct MovableFurniture {
   /// pose to the next. Before the time of the first pose, it stays at the first pose. After the
   /// time of the last pose, it stays at the last pose.
   std::vector<FurniturePose> waypoints;
-  double reach = 0.3; ///< radius of a circle on the floor that encloses the furniture, meters
+  double enclosingRadius =
+      0.3; ///< radius of a circle on the floor that encloses the furniture, meters
 
   /// Returns the pose at a time in seconds.
   FurniturePose poseAt(double time) const;

@@ -226,7 +226,7 @@ TEST(BoardGuideThread, LooksAtTheNewestImagesInItsOwnThread) {
   };
   for (int k = 0; k < kStill; ++k) {
     const auto frames = room.frames(pose);
-    watch.show(frames);
+    watch.offer(frames);
     until([&] { return watch.newest()->frame == frames->index; });
   }
   EXPECT_EQ(watch.newest()->cameras[0].lens.views, 1);

@@ -90,7 +90,7 @@ void BoardCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
   liveFrames_ = live ? snapshot->frames : nullptr;
   if (live && watching_ && !snapshot->isPast && snapshot->frames != lastWatchedFrames_) {
     lastWatchedFrames_ = snapshot->frames;
-    watch_->show(snapshot->frames);
+    watch_->offer(snapshot->frames);
   }
   if (live != live_ || first != (shownFrame_ < 0)) {
     live_ = live;

@@ -295,7 +295,8 @@ bool isMovedFurniturePossible(const PeopleScenario& scenario) {
   const MovableFurniture& first = scenario.scene.furniture.front();
   const MovableFurniture& second = scenario.scene.furniture.back();
   for (double time = kAppearTime; time < scenario.timeAfterMeeting; time += kCheckStep) {
-    if ((first.at(time).position - second.at(time).position).norm() < first.reach + second.reach) {
+    if ((first.poseAt(time).position - second.poseAt(time).position).norm() <
+        first.enclosingRadius + second.enclosingRadius) {
       return false;
     }
   }
@@ -309,7 +310,8 @@ bool isMovedFurniturePossible(const PeopleScenario& scenario) {
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const Vector2d point = from + share * (to - from);
       for (const Walker& walker : scenario.scene.people) {
-        if (!keepsOff(walker, point, piece.reach + kBodyRadius, scenario.timeAfterMeeting)) {
+        if (!keepsOff(walker, point, piece.enclosingRadius + kBodyRadius,
+                      scenario.timeAfterMeeting)) {
           return false;
         }
       }
