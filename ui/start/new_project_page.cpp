@@ -264,7 +264,7 @@ void NewProjectPage::findCalibration() {
   ++pendingSearches_; // nothing is created without a calibration that is about to be found
   refresh();
   searches_->add([this, recordings = std::move(recordings), names = std::move(names)] {
-    return [this, found = calibrationBeside(recordings, names)] {
+    return [this, found = calibrationFileBeside(recordings, names)] {
       --pendingSearches_;
       calibration_->propose(found ? QString::fromStdString(found->string()) : QString());
       refresh();

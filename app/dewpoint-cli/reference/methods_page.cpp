@@ -61,7 +61,7 @@ std::string methodsPage() {
       "line](command-line.md#parameters). Where a default says \"or from the cameras\", Dewpoint "
       "computes a value that fits your cameras, unless you set one.\n";
   std::string_view heading;
-  for (const Method* method : methodsByUse()) {
+  for (const Method* method : methodsInDisplayOrder()) {
     if (headingOf(*method) != heading) {
       heading = headingOf(*method);
       text += fmt::format("\n## {}\n\n", markdownText(heading));

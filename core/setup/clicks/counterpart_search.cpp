@@ -164,7 +164,7 @@ std::optional<Hypothesis> CounterpartSearch::hypothesisOf(std::size_t camera,
   }
   const Eigen::Vector3d position = object_.positionAt(depth);
   const double across = std::hypot(ClickedObject::kDirectionSigma * (position - ray->origin).norm(),
-                                   ClickedObject::kCenterSigmaRadii * object_.radiusAt(depth));
+                                   ClickedObject::kCenterSigmaInRadii * object_.radiusAt(depth));
   const double depthSigma = across / object_.ray.direction.cross(ray->direction).norm();
   Hypothesis hypothesis;
   hypothesis.position = position;

@@ -193,7 +193,7 @@ double ClickedObject::radiusPxIn(const Camera& other, const Eigen::Vector3d& pos
 
 double ClickedObject::centerSigma(const Camera& camera, double radiusPx) {
   // Two cameras' directions are compared.
-  return std::hypot(kDirectionSigma * meanFocalLength(camera), kCenterSigmaRadii * radiusPx);
+  return std::hypot(kDirectionSigma * meanFocalLength(camera), kCenterSigmaInRadii * radiusPx);
 }
 
 std::optional<ClickedObject> clickedObject(const Camera& camera, const cv::Mat& image,

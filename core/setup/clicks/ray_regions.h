@@ -43,7 +43,7 @@ struct ClickedObject {
   static constexpr double kDirectionSigma = 0.0061; ///< radians: 0.25 degrees for each camera
   /// Part of centerSigma() that is caused by motion and by each camera seeing another side, as a
   /// fraction of the region's radius. Chosen by judgment.
-  static constexpr double kCenterSigmaRadii = 0.35;
+  static constexpr double kCenterSigmaInRadii = 0.35;
   /// Largest distance, in standard deviations, at which regions are searched for. It covers 99.7 %
   /// of a normal distribution.
   static constexpr double kSearchSigmas = 3.0;

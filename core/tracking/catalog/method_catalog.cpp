@@ -192,7 +192,7 @@ std::span<const Method> methods() {
   return kMethods;
 }
 
-std::vector<const Method*> methodsByUse() {
+std::vector<const Method*> methodsInDisplayOrder() {
   std::vector<const Method*> all;
   std::ranges::transform(kMethods, std::back_inserter(all),
                          [](const Method& method) { return &method; });

@@ -122,7 +122,7 @@ const Method* findMethod(std::string_view name);
 /// Returns methods() in the order in which they are offered to the user. Methods of papers, which
 /// are intended for teaching and comparison, are last. Methods with the same headingOf() are
 /// adjacent.
-std::vector<const Method*> methodsByUse();
+std::vector<const Method*> methodsInDisplayOrder();
 /// Returns the heading of the group of methods to which a method belongs in a list. The heading
 /// names the purpose of the group.
 std::string_view headingOf(const Method& method);

@@ -52,7 +52,7 @@ TEST(MethodCatalog, PagesOfSeveralMethodsAreListedOnce) {
 }
 
 TEST(MethodCatalog, MethodsByUseStandUnderOneHeadingEach) {
-  const auto all = methodsByUse();
+  const auto all = methodsInDisplayOrder();
   EXPECT_EQ(all.size(), methods().size());
   EXPECT_EQ(all.front(), &methods().front());
   std::vector<std::string_view> headings;
