@@ -61,7 +61,8 @@ TEST(Solid, ItsAxesAreRotatedAboutTheVertical) {
   EXPECT_LT((toSolidFrame(box, Vector3f::UnitY()) - Vector3f::UnitX()).norm(), 1e-6F);
   const Vector3f any{0.3F, -0.7F, 0.2F};
   EXPECT_LT((toSolidFrame(box, toWorld(box, any)) - any).norm(), 1e-6F);
-  EXPECT_GE(box.boundingRadius, box.halfSize.norm() - 1e-6F) << "the corners lie in the sphere around it";
+  EXPECT_GE(box.boundingRadius, box.halfSize.norm() - 1e-6F)
+      << "the corners lie in the sphere around it";
 }
 
 } // namespace
