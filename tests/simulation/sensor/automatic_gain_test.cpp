@@ -17,7 +17,7 @@ TEST(ControlLoop, CancelsADisturbance) {
   EXPECT_EQ(loopCorrections({1.0, 0, 0.0, 4.0}, std::vector<double>{1.0, 1.0, 1.0}, 0.0),
             (std::vector<double>{0.0, -1.0, -1.0}));
   // 0.2 per frame, seen two frames late: settles (0.2 < 2 sin(pi / 10) = 0.62) into its
-  // deadbandStops.
+  // deadband.
   const auto slow = loopCorrections({0.2, 2, 0.03, 4.0}, std::vector<double>(120, 1.0), 0.0);
   EXPECT_NEAR(slow[3], -0.6, 1e-12) << "three times the first error";
   EXPECT_NEAR(slow.back(), -1.0, 0.03);
