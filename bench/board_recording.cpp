@@ -157,7 +157,7 @@ BoardRecording simulatedRig(std::uint64_t seed, bool rendered) {
     seen.name = rig[k].name;
     seen.width = image.width;
     seen.height = image.height;
-    seen.searched = kInstants;
+    seen.searchedImages = kInstants;
     for (int i = 0; i < kInstants; ++i) {
       const RandomStream random(seed, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k),
                                 RandomPurpose::Noise);

@@ -66,8 +66,8 @@ Result<Half> calibrated(const BoardRecording& recording, const setup::BoardDetec
     if (lenses) {
       IntrinsicsRequest lens;
       lens.board = recording.board;
-      lens.views =
-          chooseViews(recording.board, camera.views, camera.width, camera.height, defaults.views);
+      lens.views = chooseViews(recording.board, camera.views, camera.width, camera.height,
+                               defaults.maxViews);
       lens.width = camera.width;
       lens.height = camera.height;
       auto result = calibrateIntrinsics(lens);
@@ -81,7 +81,7 @@ Result<Half> calibrated(const BoardRecording& recording, const setup::BoardDetec
     }
     estimated.push_back(half.lenses[k] ? &*half.lenses[k] : nullptr);
   }
-  const auto chosen = chooseInstants(views, widths, defaults.instants, std::nullopt);
+  const auto chosen = chooseInstants(views, widths, defaults.maxInstants, std::nullopt);
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     request.cameras[k].views = chosen[k];
   }

@@ -100,7 +100,7 @@ void show(Session& session, std::int64_t frame, Times& times) {
       seen = true;
       times.first.push_back(millisecondsSince(begin));
     }
-    if (snapshot->frame == frame && !snapshot->preview) {
+    if (snapshot->frame == frame && !snapshot->isPreview) {
       times.exact.push_back(millisecondsSince(begin));
       return;
     }
@@ -127,11 +127,11 @@ int main(int argc, char** argv) {
   while (session.newest()->state != PlayState::Ended) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  const std::int64_t frames = session.newest()->history.head + 1;
+  const std::int64_t frames = session.newest()->history.newestTrackedFrame + 1;
   const HistoryState history = session.newest()->history;
   fmt::print("{} frames tracked in {:.1f} s; history {:.0f} of {:.0f} MB, process {:.0f} MB\n",
-             frames, millisecondsSince(begin) / 1e3, megabytes(history.bytes),
-             megabytes(history.maxBytes), residentMegabytes());
+             frames, millisecondsSince(begin) / 1e3, megabytes(history.memoryBytes),
+             megabytes(history.maxMemoryBytes), residentMegabytes());
   const double cpu = cpuSeconds();
   Times jumps;
   for (std::int64_t k = 1; k <= 200; ++k) {

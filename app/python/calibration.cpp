@@ -103,13 +103,13 @@ BoardOutcome calibrateWithBoard(ProjectHandle& handle, const BoardArguments& arg
 
 BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, bool lenses,
                             bool poses, const std::string& model, const std::string& pixels,
-                            int frameLimit, int views, int instants,
+                            int maxSearchedFrames, int views, int instants,
                             const std::optional<std::int64_t>& worldFrame, bool refineLenses,
                             const py::object& progress) {
   if (!lenses && !poses) {
     raiseBadValue("lenses", "at least one of lenses and poses must be True");
   }
-  if (frameLimit < 1 || views < 3 || instants < 1 || worldFrame.value_or(0) < 0) {
+  if (maxSearchedFrames < 1 || views < 3 || instants < 1 || worldFrame.value_or(0) < 0) {
     raiseBadValue("looks", "looks and instants from 1, views from 3, world_frame from 0 on");
   }
   BoardArguments arguments;
@@ -119,13 +119,13 @@ BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, boo
                                                      {"8", IntrinsicsModel::EightCoefficients},
                                                      {"fisheye", IntrinsicsModel::Fisheye}},
                                                     "model", model);
-  arguments.request.pixels = chosen<PixelShape>({{"measured", PixelShape::Measured},
-                                                 {"square", PixelShape::Square},
-                                                 {"free", PixelShape::Free}},
-                                                "pixels", pixels);
-  arguments.request.frameLimit = frameLimit;
-  arguments.request.views = views;
-  arguments.request.instants = instants;
+  arguments.request.pixelShape = chosen<PixelShape>({{"measured", PixelShape::Measured},
+                                                     {"square", PixelShape::Square},
+                                                     {"free", PixelShape::Free}},
+                                                    "pixels", pixels);
+  arguments.request.maxSearchedFrames = maxSearchedFrames;
+  arguments.request.maxViews = views;
+  arguments.request.maxInstants = instants;
   arguments.request.floorFrame = worldFrame;
   arguments.request.refineIntrinsics = refineLenses;
   return calibrateWithBoard(handle, arguments, progress);
@@ -146,9 +146,9 @@ void bindResults(py::module_& module) {
       .def_readonly("format", &CalibrationImport::formatTitle, "The name of the format.")
       .def_readonly("decisions", &CalibrationImport::decisions,
                     "The assumptions about units, axes and directions, in sentences.")
-      .def_readonly("matched_by_order", &CalibrationImport::matchedByOrder,
+      .def_readonly("matched_by_order", &CalibrationImport::wasMatchedByOrder,
                     "Whether the cameras were matched by order because no names match.")
-      .def_readonly("lens_only", &CalibrationImport::lensOnly,
+      .def_readonly("lens_only", &CalibrationImport::hasOnlyIntrinsics,
                     "Whether the file has no poses, so that those of the project are kept.")
       .def_readonly(
           "largest_pixels", &CalibrationImport::largestPixels,

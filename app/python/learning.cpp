@@ -98,14 +98,14 @@ setup::FootageClicks clicksFrom(const Project& project, const CameraKey& camera,
 }
 
 ColorLesson lessonFrom(const setup::FootageLearningResult& taught) {
-  const ColorAssessment& assessment = taught.lesson.color.assessment;
+  const ColorAssessment& assessment = taught.learningResult.color.assessment;
   ColorLesson lesson{taught.project.targets[taught.target],
-                     taught.lesson.radius,
+                     taught.learningResult.radius,
                      {},
                      assessment.score(),
                      assessment.targetShare,
                      assessment.backgroundShare};
-  for (const ColorSample& sample : taught.lesson.samples) {
+  for (const ColorSample& sample : taught.learningResult.samples) {
     if (sample.found) {
       const auto& camera = taught.project.cameras[static_cast<std::size_t>(sample.camera)];
       lesson.found.emplace_back(camera.camera.name, sample.x, sample.y);

@@ -80,7 +80,7 @@ ProjectHandlePtr makeNew(const py::object& cameras,
   if (made.lacksCalibration) {
     warn("without a calibration, the camera positions are guesses");
   }
-  if (made.matchedByOrder) {
+  if (made.wasMatchedByOrder) {
     warn("the calibration uses other camera names; the cameras were matched by order");
   }
   return handleOf(std::move(made.project), "");

@@ -91,7 +91,8 @@ Broadcaster::Broadcaster(const BroadcastInputs& inputs, std::vector<Line> lines,
 Broadcaster::~Broadcaster() = default;
 
 void Broadcaster::offer(TrackSnapshotPtr snapshot) {
-  if (!snapshot || !snapshot->rig || !snapshot->frames || !snapshot->tracked || snapshot->past) {
+  if (!snapshot || !snapshot->rig || !snapshot->frames || !snapshot->isTracked ||
+      snapshot->isPast) {
     return;
   }
   {

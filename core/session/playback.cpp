@@ -130,13 +130,13 @@ void Playback::rerun(const RerunState& range, std::optional<std::int64_t> viewAf
                                  : playState(),
                  viewAfterwards};
   if (const Rerunning* underWay = currentRerun()) {
-    next.range.to = std::max(range.to, underWay->range.to);
+    next.range.lastFrame = std::max(range.lastFrame, underWay->range.lastFrame);
     next.afterwards = underWay->afterwards;
     next.viewAfterwards = viewAfterwards ? viewAfterwards : underWay->viewAfterwards;
   }
   state_ = next;
   missing_ = Missing::Nothing; // of a snapshot that is over
-  leaveHead(range.from);
+  leaveHead(range.firstFrame);
 }
 
 void Playback::continueTrackingAt(std::int64_t frame) {
@@ -171,7 +171,7 @@ void Playback::noteIteration() {
 
 std::optional<std::int64_t> Playback::noteReached(std::int64_t head) {
   const Rerunning* underWay = currentRerun();
-  if (underWay == nullptr || head < underWay->range.to) {
+  if (underWay == nullptr || head < underWay->range.lastFrame) {
     return std::nullopt;
   }
   const Rerunning done = *underWay;

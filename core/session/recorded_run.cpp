@@ -43,7 +43,7 @@ void addNotice(const std::string& text, std::vector<std::string>& notices) {
 ParticleSample particlesOf(const TrackingRun& run, std::size_t target, int limit) {
   Eigen::ArrayXXd positions;
   Eigen::ArrayXd weights;
-  run.particles(target, limit, positions, weights);
+  run.copyParticles(target, limit, positions, weights);
   return {positions, weights};
 }
 

@@ -32,8 +32,8 @@ std::optional<RerunState> framesToRerun(const RunWithHistory& current, const Pla
   if (const auto underWay = playback.rerunRange()) {
     // What lies ahead of it is tracked again anyway, and so is a head that was only taken.
     const bool isUntracked = playback.head() == Playback::Head::Taken;
-    range.from = std::min(range.from, isUntracked ? head : playback.nextFrame());
-    range.to = std::max(range.to, underWay->to);
+    range.firstFrame = std::min(range.firstFrame, isUntracked ? head : playback.nextFrame());
+    range.lastFrame = std::max(range.lastFrame, underWay->lastFrame);
   }
   return range;
 }

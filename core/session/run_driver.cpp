@@ -156,8 +156,8 @@ void RunDriver::rerun(std::int64_t from, const command::SetMethod* method, bool 
     return;
   }
   const RerunState range = *wanted;
-  from = range.from;
-  const bool isPast = from <= range.to;
+  from = range.firstFrame;
+  const bool isPast = from <= range.lastFrame;
   errors_.clear();
   RunDefinitionPtr before = current_.definition();
   if (method != nullptr) {
@@ -217,7 +217,7 @@ void RunDriver::setMethod(const command::SetMethod& request) {
 void RunDriver::setTargets(const std::vector<Target>& targets) {
   RunDefinition wanted = definition();
   wanted.targets = targets;
-  if (run().definition()->family().tracksAgainOnEdit) {
+  if (run().definition()->family().retracksAfterEdit) {
     changeBoxes(std::move(wanted));
     return;
   }
@@ -329,25 +329,25 @@ void RunDriver::setThreads(int wanted) {
 
 void RunDriver::showFrame(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
   if (const auto viewed = playback_.viewedFrame()) {
-    snapshot.past = true;
-    const auto shown = builder.showPast(run(), timeTravel(), *viewed, quickly, snapshot);
+    snapshot.isPast = true;
+    const auto shown = builder.fillFromPastFrame(run(), timeTravel(), *viewed, quickly, snapshot);
     if (shown) {
       return;
     }
     note(shown.error());
     playback_.returnToNewestFrame();
-    snapshot.past = false;
+    snapshot.isPast = false;
   }
   const bool isRecorded = playback_.head() == Playback::Head::Recorded;
-  builder.showCurrent(run(), current_.history(), isRecorded, snapshot);
+  builder.fillFromCurrentFrame(run(), current_.history(), isRecorded, snapshot);
 }
 
 void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot& snapshot) {
-  SnapshotBuilder::showDefinition(definition(), snapshot);
+  SnapshotBuilder::fillFromDefinition(definition(), snapshot);
   if (current_.exists()) {
     showFrame(builder, quickly, snapshot);
   }
-  playback_.notePublished(snapshot.preview,
+  playback_.notePublished(snapshot.isPreview,
                           current_.exists() && builder.lacksMaps(run(), snapshot));
   snapshot.state = playback_.playState();
   snapshot.rerun = playback_.rerunRange();

@@ -96,14 +96,14 @@ public:
   void addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                const TimeTravel::ShouldContinue& shouldContinue);
   /// Fills in a snapshot of any frame that can be shown, without changing the frame that is shown.
-  /// Returns the errors of SnapshotBuilder::describe().
+  /// Returns the errors of SnapshotBuilder::fillFromAnyFrame().
   Status describe(const SnapshotBuilder& builder, std::int64_t frame,
                   const TimeTravel::ShouldContinue& shouldContinue, TrackSnapshot& snapshot) {
-    SnapshotBuilder::showDefinition(definition(), snapshot);
+    SnapshotBuilder::fillFromDefinition(definition(), snapshot);
     snapshot.cameraMotions = watches_.motion().reports();
     snapshot.frameCount = input_.frameCount();
     snapshot.history = timeTravel().state();
-    return builder.describe(run(), timeTravel(), frame, shouldContinue, snapshot);
+    return builder.fillFromAnyFrame(run(), timeTravel(), frame, shouldContinue, snapshot);
   }
 
 private:

@@ -50,7 +50,7 @@ bool areTargetsFound(const TrackingRun& run) {
 /// are known; those that are found are not there yet.
 void addOthers(const TrackingRun& run, TrackSnapshot& snapshot) {
   const bool areFound = areTargetsFound(run);
-  if (snapshot.tracked && !areFound) {
+  if (snapshot.isTracked && !areFound) {
     return;
   }
   for (std::size_t k = snapshot.targets.size(); k < run.targets().size(); ++k) {
@@ -209,20 +209,20 @@ void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& 
     }
   }
   addOthers(run, snapshot);
-  if (run.definition()->family().tracksAgainOnEdit) {
+  if (run.definition()->family().retracksAfterEdit) {
     showPresentBoxes(run, snapshot);
   }
   showPresentNames(run, snapshot);
 }
 
 void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot) const {
-  if (options_.shapes) {
+  if (options_.withShapes) {
     addShapes(snapshot);
   }
   if (!snapshot.frames) {
     return;
   }
-  if (!snapshot.preview) {
+  if (!snapshot.isPreview) {
     addHistograms(run, snapshot);
   }
   // Of targets that were found nobody knows which true ones they are.
@@ -232,22 +232,23 @@ void SnapshotBuilder::addImages(const TrackingRun& run, TrackSnapshot& snapshot)
     }
   }
   // A target without a color has no mask.
-  if (options_.masks && !snapshot.preview && snapshot.family.masksColors()) {
+  if (options_.withMasks && !snapshot.isPreview && snapshot.family.hasColorMasks()) {
     snapshot.masks = colorMasks(snapshot);
   }
 }
 
-void SnapshotBuilder::showCurrent(const TrackingRun& run, const History* history, bool isRecorded,
-                                  TrackSnapshot& snapshot) const {
+void SnapshotBuilder::fillFromCurrentFrame(const TrackingRun& run, const History* history,
+                                           bool isRecorded, TrackSnapshot& snapshot) const {
   snapshot.frames = run.frames();
   snapshot.frame = run.frames() ? run.frames()->index : -1;
   snapshot.clocks = run.clockEstimates();
   const TrackedFrame* recorded = history != nullptr ? history->at(snapshot.frame) : nullptr;
-  snapshot.tracked = recorded != nullptr;
+  snapshot.isTracked = recorded != nullptr;
   const std::int64_t tailEnd = isRecorded ? snapshot.frame : snapshot.frame - 1;
   show(run.currentFrame(recorded, kParticlesShown), run, history, tailEnd, snapshot);
   for (std::size_t k = 0; k < snapshot.targets.size(); ++k) { // all of them, and to the last bit
-    run.particles(k, kParticlesShown, snapshot.targets[k].particles, snapshot.targets[k].weights);
+    run.copyParticles(k, kParticlesShown, snapshot.targets[k].particles,
+                      snapshot.targets[k].weights);
   }
   addImages(run, snapshot);
   if (requestsMaps(run, snapshot)) {
@@ -255,9 +256,10 @@ void SnapshotBuilder::showCurrent(const TrackingRun& run, const History* history
   }
 }
 
-Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
-                                 bool quickly, TrackSnapshot& snapshot) const {
-  auto frames = quickly ? travel.previewAt(frame, snapshot.preview) : travel.frames(frame);
+Status SnapshotBuilder::fillFromPastFrame(const TrackingRun& run, TimeTravel& travel,
+                                          std::int64_t frame, bool quickly,
+                                          TrackSnapshot& snapshot) const {
+  auto frames = quickly ? travel.previewAt(frame, snapshot.isPreview) : travel.frames(frame);
   if (!frames) {
     return tl::make_unexpected(frames.error());
   }
@@ -265,31 +267,32 @@ Status SnapshotBuilder::showPast(const TrackingRun& run, TimeTravel& travel, std
   snapshot.frame = frame;
   snapshot.clocks = run.clockEstimates();
   const TrackedFrame* trackedFrame = travel.history().at(frame);
-  snapshot.tracked = trackedFrame != nullptr;
+  snapshot.isTracked = trackedFrame != nullptr;
   show(trackedFrame != nullptr ? *trackedFrame : TrackedFrame(), run, &travel.history(), frame,
        snapshot);
   addImages(run, snapshot);
   return {};
 }
 
-void SnapshotBuilder::showDefinition(const RunDefinition& definition, TrackSnapshot& snapshot) {
+void SnapshotBuilder::fillFromDefinition(const RunDefinition& definition, TrackSnapshot& snapshot) {
   snapshot.rig = definition.rig;
   snapshot.family = definition.family();
   snapshot.backgroundImages = definition.backgroundImages;
   snapshot.seed = definition.seed;
 }
 
-Status SnapshotBuilder::describe(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
-                                 const TimeTravel::ShouldContinue& shouldContinue,
-                                 TrackSnapshot& snapshot) const {
+Status SnapshotBuilder::fillFromAnyFrame(const TrackingRun& run, TimeTravel& travel,
+                                         std::int64_t frame,
+                                         const TimeTravel::ShouldContinue& shouldContinue,
+                                         TrackSnapshot& snapshot) const {
   if (!shouldContinue()) {
     return failure(ErrorCode::Canceled, "", "", "");
   }
   if (travel.nearest(frame) != frame) {
     return failure(ErrorCode::NotFound, "", "", fmt::format("frame {}", frame));
   }
-  snapshot.past = true; // as it was recorded, so that the current frame looks like the others
-  if (const Status shown = showPast(run, travel, frame, false, snapshot); !shown) {
+  snapshot.isPast = true; // as it was recorded, so that the current frame looks like the others
+  if (const Status shown = fillFromPastFrame(run, travel, frame, false, snapshot); !shown) {
     return shown;
   }
   if (lacksMaps(run, snapshot)) {
@@ -301,23 +304,24 @@ Status SnapshotBuilder::describe(const TrackingRun& run, TimeTravel& travel, std
 }
 
 bool SnapshotBuilder::requestsMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
-  return run.definition()->family().masksMotion
-             ? (options_.masks || options_.maps) && snapshot.frames != nullptr
-             : options_.maps && snapshot.tracked;
+  return run.definition()->family().hasMotionMasks
+             ? (options_.withMasks || options_.withMaps) && snapshot.frames != nullptr
+             : options_.withMaps && snapshot.isTracked;
 }
 
 bool SnapshotBuilder::lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const {
-  return snapshot.past && snapshot.tracked && !snapshot.preview && requestsMaps(run, snapshot);
+  return snapshot.isPast && snapshot.isTracked && !snapshot.isPreview &&
+         requestsMaps(run, snapshot);
 }
 
 void SnapshotBuilder::addMaps(const TrackingRun& run, TrackSnapshot& snapshot) const {
   const auto* const finding = run.capability<PeopleFinding>();
-  if (finding != nullptr && options_.masks) {
+  if (finding != nullptr && options_.withMasks) {
     snapshot.masks = motionMasks(run, *finding);
     snapshot.masksShowMotion = true;
   }
   const auto* const motion = run.capability<MotionMapping>();
-  if (motion != nullptr && options_.maps) {
+  if (motion != nullptr && options_.withMaps) {
     snapshot.motionMaps = motionMaps(run, *motion);
   }
   const auto* const mapping = run.capability<LikelihoodMapping>();

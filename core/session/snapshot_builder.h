@@ -13,9 +13,9 @@ namespace dewpoint::session {
 
 /// Optional contents of snapshots; each takes computing time.
 struct SnapshotOptions {
-  bool masks = false;  ///< TrackSnapshot::masks
-  bool maps = false;   ///< TargetSnapshot::maps
-  bool shapes = false; ///< TargetSnapshot::shape
+  bool withMasks = false;  ///< TrackSnapshot::masks
+  bool withMaps = false;   ///< TargetSnapshot::maps
+  bool withShapes = false; ///< TargetSnapshot::shape
 };
 
 /// Builds snapshots of one frame: the current frame of the run, or a past one. Both kinds have the
@@ -29,20 +29,21 @@ public:
 
   /// Fills `snapshot` with the current frame of the run. `history` is null if none is kept;
   /// `isRecorded` is true if it contains the current estimates.
-  void showCurrent(const TrackingRun& run, const History* history, bool isRecorded,
-                   TrackSnapshot& snapshot) const;
+  void fillFromCurrentFrame(const TrackingRun& run, const History* history, bool isRecorded,
+                            TrackSnapshot& snapshot) const;
   /// Fills `snapshot` with a frame other than the current one. If `quickly` is true, the images may
   /// be previews (small images scaled up). Returns an error if the frame cannot be read.
-  Status showPast(const TrackingRun& run, TimeTravel& travel, std::int64_t frame, bool quickly,
-                  TrackSnapshot& snapshot) const;
+  Status fillFromPastFrame(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
+                           bool quickly, TrackSnapshot& snapshot) const;
   /// Fills in the parts of `snapshot` that do not depend on the frame, such as the rig and the
   /// method.
-  static void showDefinition(const RunDefinition& definition, TrackSnapshot& snapshot);
+  static void fillFromDefinition(const RunDefinition& definition, TrackSnapshot& snapshot);
   /// Fills `snapshot` with any frame that can be shown, including the current one, with the maps
   /// and masks that the options request. Returns NotFound, Canceled (if `shouldContinue` returned
   /// false), or an error of reading the frame.
-  Status describe(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
-                  const TimeTravel::ShouldContinue& shouldContinue, TrackSnapshot& snapshot) const;
+  Status fillFromAnyFrame(const TrackingRun& run, TimeTravel& travel, std::int64_t frame,
+                          const TimeTravel::ShouldContinue& shouldContinue,
+                          TrackSnapshot& snapshot) const;
   /// Returns whether the snapshot shows a past frame without the maps or masks that the options
   /// request and that only addMaps() can provide.
   bool lacksMaps(const TrackingRun& run, const TrackSnapshot& snapshot) const;

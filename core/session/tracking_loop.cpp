@@ -207,17 +207,17 @@ TrackingLoop::Publish TrackingLoop::handle(const command::SetPace& request) {
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowMasks& request) {
-  builder_.options().masks = request.shown;
+  builder_.options().withMasks = request.shown;
   return Publish::Now;
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowMaps& request) {
-  builder_.options().maps = request.shown;
+  builder_.options().withMaps = request.shown;
   return Publish::Now;
 }
 
 TrackingLoop::Publish TrackingLoop::handle(const command::ShowBodyShapes& request) {
-  builder_.options().shapes = request.shown;
+  builder_.options().withShapes = request.shown;
   return Publish::Now;
 }
 

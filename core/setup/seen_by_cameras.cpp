@@ -6,7 +6,7 @@
 
 namespace dewpoint::setup {
 
-std::optional<WorldBox> volumeSeenBy(const Project& project) {
+std::optional<WorldBox> volumeSeenByCameras(const Project& project) {
   return seenVolume(rigOf(project));
 }
 

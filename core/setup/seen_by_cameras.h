@@ -11,6 +11,6 @@ namespace dewpoint::setup {
 /// Returns the bounding box of the volume that at least two cameras of a project see, in meters,
 /// world frame; see geometry::seenVolume(). If no two views overlap, the box covers the volumes
 /// seen by single cameras. Returns nothing if no camera is calibrated.
-std::optional<WorldBox> volumeSeenBy(const Project& project);
+std::optional<WorldBox> volumeSeenByCameras(const Project& project);
 
 } // namespace dewpoint::setup

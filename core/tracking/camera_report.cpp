@@ -35,12 +35,13 @@ std::string words(const CameraReport& report) {
   case CameraStatus::Hidden:
     return "hidden";
   case CameraStatus::Distractor:
-    return report.pixels >= 1.0 ? fmt::format("{:.0f} px away from a distractor", report.pixels)
-                                : "at a distractor";
+    return report.distancePx >= 1.0
+               ? fmt::format("{:.0f} px away from a distractor", report.distancePx)
+               : "at a distractor";
   case CameraStatus::NoColor:
     return "no matching color";
   case CameraStatus::Elsewhere:
-    return fmt::format("color found {:.0f} px away", std::max(1.0, report.pixels));
+    return fmt::format("color found {:.0f} px away", std::max(1.0, report.distancePx));
   case CameraStatus::Unclear:
     return "right color, wrong shape";
   }
@@ -49,8 +50,8 @@ std::string words(const CameraReport& report) {
 
 } // namespace
 
-std::string describeReasons(const std::vector<CameraReport>& reports,
-                            const std::vector<std::string>& cameraNames) {
+std::string describeUnconfirmedCameras(const std::vector<CameraReport>& reports,
+                                       const std::vector<std::string>& cameraNames) {
   std::string sentence;
   for (std::size_t k = 0; k < reports.size(); ++k) {
     const std::string what = words(reports[k]);
@@ -81,7 +82,8 @@ bool isDark(const cv::Mat& image) {
   return bright <= kBrightShare * all;
 }
 
-std::optional<double> distanceToNearest(const cv::Mat& mask, const Eigen::Vector2d& point) {
+std::optional<double> distanceToNearestMaskPixel(const cv::Mat& mask,
+                                                 const Eigen::Vector2d& point) {
   double nearest = std::numeric_limits<double>::infinity();
   for (int row = 0; row < mask.rows; ++row) {
     const double down = row - point.y();

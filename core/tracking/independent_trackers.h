@@ -32,7 +32,7 @@ concept TargetFilter = std::copy_constructible<F> &&
   { filter.iterate(team) } -> std::same_as<SphereEstimate>;
   { filter.correct(position) } -> std::same_as<SphereEstimate>;
   { finished.iterationsPerFrame() } -> std::same_as<int>;
-  finished.particles(0, positions, weights);
+  finished.copyParticles(0, positions, weights);
   { finished.cameraReports() } -> std::same_as<std::vector<CameraReport>>;
   { finished.memoryBytes() } -> std::same_as<std::size_t>;
 };
@@ -112,9 +112,9 @@ public:
   }
   std::size_t trackCount() const override { return estimates_.size(); }
   TrackEstimate estimate(std::size_t track) const override { return estimates_.at(track); }
-  void particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
-                 Eigen::ArrayXd& weights) const override {
-    filters_.at(track).particles(limit, positions, weights);
+  void copyParticles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
+                     Eigen::ArrayXd& weights) const override {
+    filters_.at(track).copyParticles(limit, positions, weights);
   }
   std::vector<CameraReport> cameraReports(std::size_t track) const override {
     return filters_.at(track).cameraReports();

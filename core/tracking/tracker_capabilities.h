@@ -103,11 +103,11 @@ public:
 class ParticleCloud {
 public:
   virtual ~ParticleCloud() = default;
-  /// Returns an even selection of at most `limit` particles of a track: rows of x, y, z (meters),
+  /// Copies an even selection of at most `limit` particles of a track: rows of x, y, z (meters),
   /// with linear weights that sum to 1 over all particles. For a person, the particles are the
   /// points of the body. Returns no particles if the track is absent.
-  virtual void particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
-                         Eigen::ArrayXd& weights) const = 0;
+  virtual void copyParticles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
+                             Eigen::ArrayXd& weights) const = 0;
 };
 
 /// Tracker that reports for each camera whether the camera confirms a track, and the reason if not.

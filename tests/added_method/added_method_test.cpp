@@ -29,7 +29,7 @@ private:
   /// Whether all targets are shown there, in meters, as held.
   bool areParkedAt(double x, double y) {
     return waitFor([&] {
-      return shown().tracked && !shown().targets.empty() &&
+      return shown().isTracked && !shown().targets.empty() &&
              std::ranges::all_of(shown().targets, [&](const TargetSnapshot& target) {
                const auto position = positionOf(target.estimate);
                return isHeld(target.estimate) && position &&
@@ -60,7 +60,7 @@ void AddedMethodTest::isReadFromAProjectFileAndTracked() {
 
 void AddedMethodTest::isChosenBesideTheOthers() {
   open();
-  QVERIFY(waitFor([&] { return shown().tracked; }));
+  QVERIFY(waitFor([&] { return shown().isTracked; }));
   auto* choice = find<QComboBox>("methodChoice");
   QCOMPARE(choice->currentData().toString(), QStringLiteral("dewpoint"));
   const int row = choice->findData(QStringLiteral("parked"));

@@ -106,7 +106,7 @@ TEST(Architecture, FewPlacesCallAFunctionThatComparesTheKind) {
     const char* call;
     int most;
   };
-  constexpr Limit kLimits[] = {{"findsTargets()", 7},      {"masksColors()", 5},
+  constexpr Limit kLimits[] = {{"findsTargets()", 7},      {"hasColorMasks()", 5},
                                {"writesPositions()", 3},   {"writesBodies()", 2},
                                {"get_if<BoxEstimate>", 2}, {"get_if<PersonEstimate>", 2}};
   for (const Limit& limit : kLimits) {

@@ -33,7 +33,7 @@ std::shared_ptr<TrackSnapshot> trackedFrame(std::int64_t frame) {
   snapshot->frames = frames;
   snapshot->frame = frame;
   snapshot->iterations = frame + 1;
-  snapshot->tracked = true;
+  snapshot->isTracked = true;
   TargetSnapshot& target = snapshot->targets.emplace_back();
   target.target.name = "ball";
   SphereEstimate sphere;
@@ -61,9 +61,9 @@ TEST(Broadcaster, SendsEachNewFrameOnce) {
     auto broadcaster = Broadcaster::open(inputs);
     ASSERT_TRUE(broadcaster);
     auto untracked = trackedFrame(0);
-    untracked->tracked = false;
+    untracked->isTracked = false;
     auto past = trackedFrame(0);
-    past->past = true;
+    past->isPast = true;
     (*broadcaster)->offer(nullptr);
     (*broadcaster)->offer(std::make_shared<TrackSnapshot>()); // before the first frame
     (*broadcaster)->offer(untracked);

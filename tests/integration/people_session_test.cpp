@@ -75,7 +75,7 @@ TEST(PeopleSession, TracksAsTheCommandLineDoes) {
   session.setBodyShapesShown(true);
   playThrough(session);
   const TrackSnapshotPtr last = session.newest();
-  EXPECT_EQ(last->family.targets, TargetSource::Images);
+  EXPECT_EQ(last->family.targetSource, TargetSource::Images);
   ASSERT_EQ(last->targets.size(), 2U); // both are inside by frame 90
   EXPECT_EQ(last->targets[0].target.name, "person 1");
   EXPECT_EQ(last->targets[1].target.name, "person 2");
@@ -98,7 +98,7 @@ TEST(PeopleSession, TracksAsTheCommandLineDoes) {
 TEST(PeopleSession, TellsHowFarTheRoomIsLearned) {
   Session session(office());
   session.stepFrame();
-  ASSERT_TRUE(eventually([&] { return session.newest()->tracked; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->isTracked; }));
   for (int k = 0; k < 6; ++k) {
     session.stepFrame();
   }
@@ -121,7 +121,7 @@ TEST(PeopleSession, KnowsTheBackgroundImageWithoutLearning) {
   session.setBackgroundImages({"", "", "", ""}, rooms);
   session.restart();
   session.stepFrame();
-  ASSERT_TRUE(eventually([&] { return session.newest()->tracked; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->isTracked; }));
   EXPECT_EQ(session.newest()->peopleCameras.at(0).learned, 1.0);
 }
 
@@ -136,7 +136,7 @@ TEST(PeopleSession, ShowsThePeopleOfThen) {
   ASSERT_TRUE(eventually(
       [&] { return session.newest()->frame == 70 && !session.newest()->masks.empty(); }));
   TrackSnapshotPtr then = session.newest();
-  EXPECT_TRUE(then->past);
+  EXPECT_TRUE(then->isPast);
   ASSERT_EQ(then->targets.size(), 2U); // as many rows as the run has, whoever was there
   const auto sample = std::ranges::find_if(
       all.samples, [](const auto& one) { return one.frame == 70 && one.target == "person 1"; });
@@ -180,11 +180,13 @@ TEST(PeopleSession, TakesOtherMethodsAndBack) {
   playThrough(session);
   const Trajectory first = session.trajectory();
   session.setMethod("barrera", ParameterValues(methodParameters("barrera")));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets != TargetSource::Images; }));
+  ASSERT_TRUE(
+      eventually([&] { return session.newest()->family.targetSource != TargetSource::Images; }));
   EXPECT_TRUE(session.newest()->targets.empty()); // the project has none
   const Project again = officeProject();
   session.setMethod(again.method, again.parameters);
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets == TargetSource::Images; }));
+  ASSERT_TRUE(
+      eventually([&] { return session.newest()->family.targetSource == TargetSource::Images; }));
   playThrough(session);
   EXPECT_TRUE(test::sameBits(first, session.trajectory()));
 }
@@ -206,7 +208,7 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   session.setPersonCorrections(said);
   ASSERT_TRUE(eventually([&] {
     return present(*session.newest()) == 1 && session.newest()->frame == 80 &&
-           session.newest()->history.head == kFrames - 1 && !session.newest()->rerun;
+           session.newest()->history.newestTrackedFrame == kFrames - 1 && !session.newest()->rerun;
   }));
   session.showFrame(kFrames - 1);
   ASSERT_TRUE(eventually([&] { return session.newest()->frame == kFrames - 1; }));
@@ -245,8 +247,8 @@ TEST(PeopleSession, PeopleArePlacedAndTakenAway) {
   EXPECT_EQ(firstPlace(), first);
   session.setPersonCorrections({});
   ASSERT_TRUE(eventually([&] {
-    return present(*session.newest()) == 0 && session.newest()->history.head == kFrames - 1 &&
-           !session.newest()->rerun;
+    return present(*session.newest()) == 0 &&
+           session.newest()->history.newestTrackedFrame == kFrames - 1 && !session.newest()->rerun;
   }));
 }
 
@@ -300,9 +302,9 @@ TEST(PeopleSession, AnotherMethodWhileLookingBackLearnsTheRoomFromTheBeginning) 
     session.setMethodFrom(65, project.method, project.parameters);
     return eventually([&] {
       const auto snapshot = session.newest();
-      return (snapshot->family.targets == TargetSource::Images) == people && !snapshot->rerun &&
-             snapshot->frame == 65 &&
-             snapshot->past; // the moment that was looked at is shown again
+      return (snapshot->family.targetSource == TargetSource::Images) == people &&
+             !snapshot->rerun && snapshot->frame == 65 &&
+             snapshot->isPast; // the moment that was looked at is shown again
     });
   };
   Project other = officeProject();

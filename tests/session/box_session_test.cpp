@@ -23,10 +23,10 @@ constexpr double kTolerance = 12.0; // px from the patch's center, which is 30 p
 
 /// Steps to this frame.
 void stepTo(Session& session, std::int64_t frame) {
-  while (session.newest()->history.head < frame) {
-    const std::int64_t before = session.newest()->history.head;
+  while (session.newest()->history.newestTrackedFrame < frame) {
+    const std::int64_t before = session.newest()->history.newestTrackedFrame;
     session.stepFrame();
-    ASSERT_TRUE(eventually([&] { return session.newest()->history.head > before; }));
+    ASSERT_TRUE(eventually([&] { return session.newest()->history.newestTrackedFrame > before; }));
   }
 }
 
@@ -63,7 +63,7 @@ TEST_P(BoxSessionTest, FollowsAndLeavesNothingInSpace) {
   EXPECT_TRUE(isOnPatch(track.samples[29]));
   EXPECT_TRUE(session.trajectory().samples.empty());
   const auto shown = session.newest();
-  EXPECT_EQ(shown->family.targets, TargetSource::Box);
+  EXPECT_EQ(shown->family.targetSource, TargetSource::Box);
   EXPECT_TRUE(shown->targets[0].tail.empty());
   EXPECT_TRUE(shown->notices.empty());
   const CameraOverlay overlay = cameraOverlay(*shown, 0, shown->targets[0]);
@@ -87,7 +87,7 @@ TEST_P(BoxSessionTest, ABoxSetWhilePausedStartsAtTheFrameShown) {
   }));
   const auto shown = session.newest();
   EXPECT_EQ(shown->frame, 10);
-  EXPECT_TRUE(shown->tracked);
+  EXPECT_TRUE(shown->isTracked);
   EXPECT_EQ(shown->targets[0].status, TargetStatus::Held);
   EXPECT_EQ(shown->targets[0].box()->box, MovingPatch{}.box(10));
   session.play();
@@ -181,12 +181,14 @@ TEST_P(BoxSessionTest, ABoxOfTheFirstFrameIsThereBeforeAnyStep) {
   stepTo(session, 5);
   session.restart();
   ASSERT_TRUE(eventually(hasBox));
-  EXPECT_FALSE(session.newest()->tracked);
+  EXPECT_FALSE(session.newest()->isTracked);
   stepTo(session, 5);
   session.setMethod("dewpoint", ParameterValues(methodParameters("dewpoint")));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets != TargetSource::Box; }));
+  ASSERT_TRUE(
+      eventually([&] { return session.newest()->family.targetSource != TargetSource::Box; }));
   session.setMethod(GetParam(), ParameterValues(methodParameters(GetParam())));
-  ASSERT_TRUE(eventually([&] { return session.newest()->family.targets == TargetSource::Box; }));
+  ASSERT_TRUE(
+      eventually([&] { return session.newest()->family.targetSource == TargetSource::Box; }));
   ASSERT_TRUE(eventually(hasBox));
 }
 

@@ -134,7 +134,7 @@ TEST_P(CorrectionsOfARun, AreMadeAtTheFrameTheRunStandsAt) {
   std::vector<PositionCorrection> corrections;
   for (std::int64_t frame = 0; frame <= 22; ++frame) {
     session.stepFrame();
-    ASSERT_TRUE(eventually([&] { return session.newest()->history.head == frame; }));
+    ASSERT_TRUE(eventually([&] { return session.newest()->history.newestTrackedFrame == frame; }));
     if (frame == 15 || frame == 22) {
       corrections.push_back(beside(frame));
       session.setCorrections(corrections);
@@ -152,7 +152,7 @@ TEST_P(CorrectionsOfARun, TakeThePlaceOfFormerOnesOfTheirFrame) {
   for (std::int64_t frame = 0; frame <= 15; ++frame) {
     session.stepFrame();
   }
-  ASSERT_TRUE(eventually([&] { return session.newest()->history.head == 15; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->history.newestTrackedFrame == 15; }));
   PositionCorrection rough = beside(15);
   rough.position.z() += 0.02;
   std::uint64_t generation = 0;
@@ -163,7 +163,7 @@ TEST_P(CorrectionsOfARun, TakeThePlaceOfFormerOnesOfTheirFrame) {
   ASSERT_TRUE(eventually([&] { return session.framesSince(generation, position).restarted; }));
   ASSERT_TRUE(eventually([&] {
     const auto shown = session.newest();
-    return !shown->rerun && shown->tracked && session.trajectory().samples.size() == 16;
+    return !shown->rerun && shown->isTracked && session.trajectory().samples.size() == 16;
   }));
   EXPECT_TRUE(sameBits(played(session), playedWith(kTwo)));
 }

@@ -180,8 +180,8 @@ TEST(Playback, ARerunDuringAnotherOneEndsWhereAndAsThatWouldHave) {
       }
       playback.rerun({1, 6}, std::nullopt); // the head has come to 6
       ASSERT_TRUE(playback.rerunRange());
-      EXPECT_EQ(playback.rerunRange()->from, 1);
-      EXPECT_EQ(playback.rerunRange()->to, kHead);
+      EXPECT_EQ(playback.rerunRange()->firstFrame, 1);
+      EXPECT_EQ(playback.rerunRange()->lastFrame, kHead);
       EXPECT_EQ(playback.nextFrame(), 1);
       playback.noteReached(6);
       EXPECT_EQ(nameOf(playback), "Rerunning");
@@ -193,7 +193,7 @@ TEST(Playback, ARerunDuringAnotherOneEndsWhereAndAsThatWouldHave) {
   Playback farther;
   farther.rerun({4, 6}, std::nullopt);
   farther.rerun({1, kHead}, std::nullopt);
-  EXPECT_EQ(farther.rerunRange()->to, kHead);
+  EXPECT_EQ(farther.rerunRange()->lastFrame, kHead);
   Playback looking;
   looking.show(kOther, kHead);
   looking.rerun({4, kHead}, looking.viewedFrame());
@@ -207,8 +207,8 @@ TEST(Playback, ARerunKnowsWhatToShowAfterwards) {
   playback.rerun({1, kHead}, playback.viewedFrame());
   EXPECT_FALSE(playback.viewedFrame());
   ASSERT_TRUE(playback.rerunRange());
-  EXPECT_EQ(playback.rerunRange()->from, 1);
-  EXPECT_EQ(playback.rerunRange()->to, kHead);
+  EXPECT_EQ(playback.rerunRange()->firstFrame, 1);
+  EXPECT_EQ(playback.rerunRange()->lastFrame, kHead);
   EXPECT_EQ(playback.noteReached(kHead), kOther);
   EXPECT_FALSE(playback.rerunRange());
   playback.rerun({1, kHead}, std::nullopt);

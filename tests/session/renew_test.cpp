@@ -109,7 +109,7 @@ TEST(Renew, TheFrameShownStaysShown) {
   ASSERT_TRUE(eventually([&] { return session.oldResults().frames.empty(); }));
   session.onSnapshot({});
   EXPECT_FALSE(showedAnother);
-  EXPECT_EQ(session.newest()->history.head, kRenewedFrames - 1);
+  EXPECT_EQ(session.newest()->history.newestTrackedFrame, kRenewedFrames - 1);
   EXPECT_NE(session.newest()->targets[0].particles.rows(), 0);
   EXPECT_NE(before, session.newest());
 }
@@ -139,7 +139,7 @@ TEST(Renew, WhatWasTrackedBeforeAChangeWhilePlayingIsOld) {
   for (std::int64_t frame = 0; frame < 20; ++frame) {
     other.stepFrame();
   }
-  ASSERT_TRUE(eventually([&] { return other.newest()->history.head == 19; }));
+  ASSERT_TRUE(eventually([&] { return other.newest()->history.newestTrackedFrame == 19; }));
   EXPECT_TRUE(sameBits(session.trajectory(), other.trajectory()));
 }
 

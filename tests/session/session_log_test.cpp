@@ -37,7 +37,7 @@ TEST(Session, TheLogIsReadInPiecesAndKnowsRestarts) {
   EXPECT_GT(record.microseconds, 0.0);
   // The spread is the root of the trace of the covariance.
   EXPECT_NEAR(record.spreadPerAxis.norm(), record.spread, 1e-9);
-  EXPECT_TRUE(record.held);
+  EXPECT_TRUE(record.isHeld);
   EXPECT_EQ(record.position, std::get<SphereEstimate>(session.newest()->targets[0].estimate).mean);
   EXPECT_FALSE(record.truth.allFinite()); // nobody knows it
   EXPECT_TRUE(std::isnan(record.boxWidth));

@@ -49,7 +49,7 @@ TEST(Session, ShowsTheFirstFramePausedAndUntracked) {
 TEST(Session, CountsHowOftenTheTimeBudgetIsKept) {
   Session without(inputs());
   playedToTheEnd(without);
-  EXPECT_EQ(without.newest()->budget.milliseconds, 0.0);
+  EXPECT_EQ(without.newest()->budget.budgetMilliseconds, 0.0);
   for (const double budget : {1000.0, 1e-12}) {
     Project project = test::twoCameraProject();
     project.method = "dewpoint";
@@ -58,9 +58,9 @@ TEST(Session, CountsHowOftenTheTimeBudgetIsKept) {
     Session session(inputs({}, project));
     playedToTheEnd(session);
     const BudgetStatistics figures = session.newest()->budget;
-    EXPECT_EQ(figures.milliseconds, budget);
+    EXPECT_EQ(figures.budgetMilliseconds, budget);
     EXPECT_EQ(figures.iterations, 12);
-    EXPECT_EQ(figures.late, budget > 1.0 ? 0 : 12);
+    EXPECT_EQ(figures.lateIterations, budget > 1.0 ? 0 : 12);
   }
 }
 

@@ -16,7 +16,7 @@ using test::DrawnRecording;
 using test::eventually;
 
 void iterateTo(Session& session, std::int64_t frame) {
-  while (session.newest()->history.head < frame) {
+  while (session.newest()->history.newestTrackedFrame < frame) {
     const std::int64_t before = session.newest()->iterations;
     session.stepFrame();
     ASSERT_TRUE(eventually([&] { return session.newest()->iterations > before; }));
@@ -26,7 +26,7 @@ void iterateTo(Session& session, std::int64_t frame) {
 TrackSnapshotPtr shown(Session& session, std::int64_t frame) {
   session.showFrame(frame);
   EXPECT_TRUE(
-      eventually([&] { return session.newest()->frame == frame && !session.newest()->preview; }));
+      eventually([&] { return session.newest()->frame == frame && !session.newest()->isPreview; }));
   return session.newest();
 }
 
@@ -97,9 +97,9 @@ TEST(SnapshotBuilder, AFrameLooksTheSameNowAndLater) {
   ASSERT_EQ(then->frame, 20);
   iterateTo(session, 21);
   const TrackSnapshotPtr later = shown(session, 20);
-  EXPECT_FALSE(then->past);
-  EXPECT_TRUE(later->past);
-  EXPECT_TRUE(then->tracked && later->tracked);
+  EXPECT_FALSE(then->isPast);
+  EXPECT_TRUE(later->isPast);
+  EXPECT_TRUE(then->isTracked && later->isTracked);
   EXPECT_EQ(then->iterations, later->iterations);
   ASSERT_EQ(then->masks.size(), later->masks.size());
   EXPECT_EQ(cv::norm(then->masks[0], later->masks[0], cv::NORM_INF), 0.0);
@@ -138,8 +138,8 @@ TEST(SnapshotBuilder, AFrameIsDescribedWithoutBeingShown) {
   ASSERT_TRUE(past && current && later);
   EXPECT_EQ(session.newest(), before); // nothing was published
   EXPECT_EQ((*past)->frame, 12);
-  EXPECT_TRUE((*past)->tracked && (*current)->tracked);
-  EXPECT_FALSE((*later)->tracked || (*past)->preview);
+  EXPECT_TRUE((*past)->isTracked && (*current)->isTracked);
+  EXPECT_FALSE((*later)->isTracked || (*past)->isPreview);
   EXPECT_EQ((*past)->masks.size(), 2U);
   EXPECT_NE((*later)->frames, nullptr);
   const TrackSnapshotPtr shown12 = shown(session, 12);

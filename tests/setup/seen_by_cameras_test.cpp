@@ -18,12 +18,12 @@ Camera lookingFrom(const Eigen::Vector3d& position) {
 
 TEST(SeenByCameras, IsTheVolumeOfTheProjectsRig) {
   Project project;
-  EXPECT_FALSE(setup::volumeSeenBy(project));
+  EXPECT_FALSE(setup::volumeSeenByCameras(project));
   for (const Eigen::Vector3d& position :
        {Eigen::Vector3d(0.0, -2.0, 0.5), Eigen::Vector3d(2.0, 0.0, 0.5)}) {
     project.cameras.emplace_back().camera = lookingFrom(position);
   }
-  const auto volume = setup::volumeSeenBy(project);
+  const auto volume = setup::volumeSeenByCameras(project);
   ASSERT_TRUE(volume);
   EXPECT_TRUE(volume->contains({0.0, 0.0, 0.5})) << "where both look";
   EXPECT_FALSE(volume->contains({0.0, -3.0, 0.5})) << "behind the first camera";

@@ -41,13 +41,13 @@ protected:
 
 TEST_F(CameraReportTest, NoTroubleWhileItIsSeen) {
   EXPECT_EQ(statuses(run_), (All{CameraStatus::None, CameraStatus::None}));
-  EXPECT_EQ(describeReasons(run_.tracker().cameraReports(0), {"left", "right"}), "");
+  EXPECT_EQ(describeUnconfirmedCameras(run_.tracker().cameraReports(0), {"left", "right"}), "");
 }
 
 TEST_F(CameraReportTest, HiddenFromOneCamera) {
   run_.show({kTarget, cover(run_.rig()[1])});
   EXPECT_EQ(statuses(run_), (All{CameraStatus::None, CameraStatus::Hidden}));
-  EXPECT_EQ(describeReasons(run_.tracker().cameraReports(0), {"left", "right"}),
+  EXPECT_EQ(describeUnconfirmedCameras(run_.tracker().cameraReports(0), {"left", "right"}),
             "camera right: hidden");
 }
 
@@ -75,7 +75,7 @@ TEST_F(CameraReportTest, BesideADistractor) {
     const auto a = projector.project(kTarget.center, kTarget.radius).value();
     const auto b = projector.project(other.center, other.radius).value();
     const double gap = (a.center - b.center).norm() - a.radius - b.radius;
-    EXPECT_NEAR(reports[k].pixels, gap, 2.0);
+    EXPECT_NEAR(reports[k].distancePx, gap, 2.0);
   }
 }
 
@@ -118,7 +118,7 @@ TEST(BarreraReports, SayWhereTheColorIs) {
     const Projector projector(rig[k]);
     const auto middle = projector.project(sphereOf(**tracker).mean).value();
     const auto ball = SphereProjector(rig[k]).project(far.center, far.radius).value();
-    EXPECT_NEAR(report.pixels, (middle - ball.center).norm() - ball.radius, 1.5);
+    EXPECT_NEAR(report.distancePx, (middle - ball.center).norm() - ball.radius, 1.5);
   }
   (*tracker)->beginFrame(drawn::framesOf(rig, {}, 11));
   (*tracker)->iterate(team);
@@ -127,17 +127,18 @@ TEST(BarreraReports, SayWhereTheColorIs) {
 }
 
 TEST(ReasonSentence, NamesCamerasAndRounds) {
-  EXPECT_EQ(describeReasons({{CameraStatus::Distractor, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
+  EXPECT_EQ(describeUnconfirmedCameras(
+                {{CameraStatus::Distractor, 3.4}, {CameraStatus::Hidden, 0.0}}, {"a"}),
             "camera a: 3 px away from a distractor; camera 2: hidden");
-  EXPECT_EQ(describeReasons({}, {}), "");
+  EXPECT_EQ(describeUnconfirmedCameras({}, {}), "");
 }
 
 TEST(DistanceToNearest, IsThatOfTheNearestPixel) {
   cv::Mat mask = cv::Mat::zeros(20, 30, CV_8UC1);
-  EXPECT_FALSE(distanceToNearest(mask, {3.0, 4.0}));
+  EXPECT_FALSE(distanceToNearestMaskPixel(mask, {3.0, 4.0}));
   mask.at<std::uint8_t>(10, 12) = 255;
   mask.at<std::uint8_t>(4, 8) = 255;
-  EXPECT_DOUBLE_EQ(distanceToNearest(mask, {5.0, 8.0}).value(), 5.0); // 3, 4, 5
+  EXPECT_DOUBLE_EQ(distanceToNearestMaskPixel(mask, {5.0, 8.0}).value(), 5.0); // 3, 4, 5
 }
 
 } // namespace

@@ -53,8 +53,8 @@ protected:
     ASSERT_EQ(sphereOf(a).existenceProbability, sphereOf(b).existenceProbability) << frame;
     Eigen::ArrayXXd positions[2];
     Eigen::ArrayXd weights[2];
-    capability<ParticleCloud>(a)->particles(0, 1000, positions[0], weights[0]);
-    capability<ParticleCloud>(b)->particles(0, 1000, positions[1], weights[1]);
+    capability<ParticleCloud>(a)->copyParticles(0, 1000, positions[0], weights[0]);
+    capability<ParticleCloud>(b)->copyParticles(0, 1000, positions[1], weights[1]);
     ASSERT_TRUE((positions[0] == positions[1]).all()) << frame;
     ASSERT_TRUE((weights[0] == weights[1]).all()) << frame;
   }

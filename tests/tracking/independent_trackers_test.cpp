@@ -66,8 +66,8 @@ TEST(IndependentTrackers, NoneKnowsOfTheOthers) {
   Eigen::ArrayXXd ours;
   Eigen::ArrayXXd theirs;
   Eigen::ArrayXd weights;
-  capability<ParticleCloud>(**together)->particles(2, 50, ours, weights);
-  alone[2].particles(50, theirs, weights);
+  capability<ParticleCloud>(**together)->copyParticles(2, 50, ours, weights);
+  alone[2].copyParticles(50, theirs, weights);
   EXPECT_TRUE((ours == theirs).all());
   (*together)->restart(42);
   EXPECT_FALSE(sphereOf(**together).valid);

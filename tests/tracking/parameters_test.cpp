@@ -87,13 +87,13 @@ TEST(Parameters, WhatWasGivenCanBeLeftToTheCamerasAgain) {
 }
 
 TEST(Parameters, EveryMethodBelongsToAFamily) {
-  EXPECT_EQ(methodFamily("dewpoint").targets, TargetSource::Color);
-  EXPECT_EQ(methodFamily("sugandi").targets, TargetSource::Box);
-  EXPECT_EQ(methodFamily("mohedano-ms").targets, TargetSource::Images);
+  EXPECT_EQ(methodFamily("dewpoint").targetSource, TargetSource::Color);
+  EXPECT_EQ(methodFamily("sugandi").targetSource, TargetSource::Box);
+  EXPECT_EQ(methodFamily("mohedano-ms").targetSource, TargetSource::Images);
   for (const Method& method : methods()) {
     const MethodFamily family = methodFamily(method.name);
-    EXPECT_EQ(family.targets, method.family.targets) << method.name;
-    EXPECT_EQ(family.needsCalibration, family.targets != TargetSource::Box) << method.name;
+    EXPECT_EQ(family.targetSource, method.family.targetSource) << method.name;
+    EXPECT_EQ(family.needsCalibration, family.targetSource != TargetSource::Box) << method.name;
     EXPECT_NE(family.describe, nullptr) << method.name;
     EXPECT_TRUE(family.findsTargets() || family.noTargetsText != nullptr) << method.name;
     EXPECT_EQ(family.lacksTargets({}), !family.findsTargets()) << method.name;
@@ -120,9 +120,9 @@ TEST(Parameters, AFamilyAnswersWhatMustBeKnownBeforeARun) {
   EXPECT_EQ(people.firstFrameFor({}, 20), 0);
   EXPECT_TRUE(spheres.tracksSameTargetsAs(methodFamily("dewpoint")));
   EXPECT_FALSE(spheres.tracksSameTargetsAs(people));
-  EXPECT_TRUE(spheres.masksColors() && spheres.hasBestParticle && spheres.writesPositions());
-  EXPECT_TRUE(boxes.tracksAgainOnEdit && !boxes.writesPositions() && !boxes.hasBestParticle);
-  EXPECT_TRUE(people.masksMotion && people.writesBodies() && people.writesPositions());
+  EXPECT_TRUE(spheres.hasColorMasks() && spheres.hasBestParticle && spheres.writesPositions());
+  EXPECT_TRUE(boxes.retracksAfterEdit && !boxes.writesPositions() && !boxes.hasBestParticle);
+  EXPECT_TRUE(people.hasMotionMasks && people.writesBodies() && people.writesPositions());
 }
 
 TEST(Parameters, BadValuesAreRefusedWithTheirRangeAndChangeNothing) {

@@ -77,7 +77,7 @@ TEST_P(CorrectedPosition, HoldsAtOnce) {
   EXPECT_EQ(estimate.camerasSeeing, 2);
   Eigen::ArrayXXd positions;
   Eigen::ArrayXd weights;
-  capability<ParticleCloud>(*tracker)->particles(0, 1000, positions, weights);
+  capability<ParticleCloud>(*tracker)->copyParticles(0, 1000, positions, weights);
   ASSERT_GT(positions.rows(), 0);
   for (int axis = 0; axis < 3; ++axis) { // within five standard deviations, and what proposals add
     EXPECT_LT((positions.col(axis) - kLeft[axis]).abs().maxCoeff(), 0.05) << axis;

@@ -18,7 +18,7 @@ namespace {
 Result<std::vector<CameraSource>> examinedSources(const QStringList& locations) {
   std::vector<CameraSource> sources;
   for (const QString& location : locations) {
-    auto source = examinedSource(location.toStdString());
+    auto source = sourceAt(location.toStdString());
     if (!source) {
       return tl::make_unexpected(source.error());
     }
@@ -116,7 +116,7 @@ void CameraEdits::replaceByLocation(int camera, const QString& location) {
 
 void CameraEdits::exchange(int camera, int other) {
   edit(tr("Exchange cameras"), [&](Project& project) {
-    exchangeSources(project, static_cast<std::size_t>(camera), static_cast<std::size_t>(other));
+    swapSources(project, static_cast<std::size_t>(camera), static_cast<std::size_t>(other));
     return Status();
   });
 }

@@ -41,7 +41,7 @@ cv::Mat drawn(const CameraImageSource& source) {
   const bool squares = source.isZoomed && size.width >= kSquareFrom * part.width;
   cv::Mat picture = squares ? enlargedImage(tinted, size) : fittedImage(tinted, size);
   if (isMasked) {
-    outlineMask(picture, source.mask(part), tints);
+    drawMaskOutline(picture, source.mask(part), tints);
   }
   return picture;
 }

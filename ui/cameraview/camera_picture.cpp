@@ -46,7 +46,7 @@ QRect mapPlace(const TargetSnapshot& target, int camera) {
 
 /// The colors in which the targets are drawn over an image.
 std::vector<QColor> overlayColors(const TrackSnapshot& snapshot) {
-  return targetColors(displayColorSources(snapshot), DisplayGround::Image);
+  return targetColors(displayColorSources(snapshot), DisplayBackground::Image);
 }
 
 /// Several targets are told apart by their colors, of a single one the weights are.
@@ -58,7 +58,7 @@ CameraOverlay shownOverlay(const TrackSnapshot& snapshot, int camera, std::size_
                            const CameraViewOptions& look) {
   CameraOverlay overlay = cameraOverlay(snapshot, camera, snapshot.targets[target]);
   if (!look.bestShown) {
-    overlay.best.reset();
+    overlay.bestParticle.reset();
   }
   return overlay;
 }

@@ -218,7 +218,7 @@ bool CameraView::showNewest() {
 
 QString CameraView::problemText() const {
   // That of a recording is about all of its images, and does not cover one of them.
-  const bool isLive = snapshot_ && !snapshot_->frameCount && !snapshot_->past;
+  const bool isLive = snapshot_ && !snapshot_->frameCount && !snapshot_->isPast;
   const Error* notice = isLive ? noticeOf(*snapshot_, camera_) : nullptr;
   return notice != nullptr ? errorText(*notice) : QString();
 }
@@ -247,7 +247,7 @@ void CameraView::paintEvent(QPaintEvent*) {
 }
 
 void CameraView::reportPainted() {
-  const bool isLive = shown_ && !shown_->frameCount && !shown_->past && shown_->tracked &&
+  const bool isLive = shown_ && !shown_->frameCount && !shown_->isPast && shown_->isTracked &&
                       shown_->state == PlayState::Playing;
   if (isLive && shown_->frame != reportedFrame_) {
     reportedFrame_ = shown_->frame;

@@ -51,7 +51,7 @@ void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePl
   paintParticles(painter, overlay, placement, ramp);
   painter.setOpacity(1.0);
   if (overlay.box) {
-    paintBox(painter, *overlay.box, overlay.boxHidden, placement, color);
+    paintBox(painter, *overlay.box, overlay.isBoxHidden, placement, color);
   }
   if (overlay.outline) {
     // Dashed: the target itself, not what is known of its position.
@@ -72,8 +72,8 @@ void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePl
           {at + QPointF(0, -7), at + QPointF(7, 0), at + QPointF(0, 7), at + QPointF(-7, 0)}));
     });
   }
-  if (overlay.best) {
-    const QPointF at = placed(overlay.best->x(), overlay.best->y(), placement);
+  if (overlay.bestParticle) {
+    const QPointF at = placed(overlay.bestParticle->x(), overlay.bestParticle->y(), placement);
     // A triangle: another shape than the cross of the mean and the diamond of the truth.
     withHalo(painter, color, 1.5, [&] {
       painter.drawPolygon(

@@ -16,7 +16,7 @@ BoxPicker::BoxPicker(Document& document, QObject* parent) : QObject(parent), doc
 
 void BoxPicker::pick(const TrackSnapshotPtr& snapshot, int camera, const QRectF& region) {
   const auto index = static_cast<std::size_t>(camera);
-  const bool there = snapshot && snapshot->frames && !snapshot->preview &&
+  const bool there = snapshot && snapshot->frames && !snapshot->isPreview &&
                      index < snapshot->frames->frames.size() && snapshot->frames->frames[index];
   if (!there) {
     Q_EMIT failed(tr("No box can be set here, because this camera shows no image."));

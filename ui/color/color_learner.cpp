@@ -111,7 +111,7 @@ void ColorLearner::removeSample(int index) {
   const auto samples = setup::withoutSample(all, static_cast<std::size_t>(index));
   const int target = target_;
   const QString step = tr("Remove color sample");
-  if (!setup::anyClicked(samples)) {
+  if (!setup::hasClickedSample(samples)) {
     setup::ClickLearningResult same;
     const Target& taught = project.targets[static_cast<std::size_t>(target)];
     same.color.range = taught.color;

@@ -106,7 +106,7 @@ void ColorPanel::connectLearner() {
   connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
   connect(learner_, &ColorLearner::lessonReady, this,
           [this](const setup::ClickLearningResult& lesson) {
-            found_ = lesson.found;
+            found_ = lesson.outlines;
             shownRadius_ = lesson.radius;
             isPart_ = lesson.part.has_value();
           });
@@ -266,7 +266,7 @@ void ColorPanel::keepAssessmentCurrent() {
   if (outlined_ && moved) {
     clearRegions();
   }
-  const bool stays = snapshot_->state != PlayState::Playing && !snapshot_->preview &&
+  const bool stays = snapshot_->state != PlayState::Playing && !snapshot_->isPreview &&
                      snapshot_->frame != assessedFrame_;
   if ((!assessed_ || stays) && !assessSoon_->isActive() && picker_->isEnabled()) {
     assessSoon_->start();

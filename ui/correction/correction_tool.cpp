@@ -225,7 +225,7 @@ void CorrectionTool::showGuides(const std::vector<PointClick>& clicks,
     }
     std::vector<QPolygonF> lines;
     for (const PointClick& click : clicks) {
-      for (const ImageLine& line : clickedRay(*snapshot_, click, layer.camera)) {
+      for (const ImageLine& line : clickedRayLines(*snapshot_, click, layer.camera)) {
         QPolygonF& drawn = lines.emplace_back();
         for (const Eigen::Vector2d& pixel : line) {
           drawn << QPointF(pixel.x(), pixel.y());

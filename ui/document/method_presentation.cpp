@@ -32,11 +32,11 @@ const MethodPresentation& presentationOf(TargetSource targets) {
 } // namespace
 
 const MethodPresentation& presentationOf(const Project& project) {
-  return presentationOf(methodFamily(project.method).targets);
+  return presentationOf(methodFamily(project.method).targetSource);
 }
 
 const MethodPresentation& presentationOf(const TrackSnapshot& snapshot) {
-  return presentationOf(snapshot.family.targets);
+  return presentationOf(snapshot.family.targetSource);
 }
 
 } // namespace dewpoint::ui

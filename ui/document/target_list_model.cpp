@@ -35,8 +35,8 @@ void TargetListModel::refresh() {
     names << QString::fromStdString(target.name);
   }
   const auto sources = displayColorSources(document_.project().targets, document_.methodFamily());
-  onLight_ = targetColors(sources, DisplayGround::Light);
-  const auto before = std::exchange(onDark_, targetColors(sources, DisplayGround::Dark));
+  onLight_ = targetColors(sources, DisplayBackground::Light);
+  const auto before = std::exchange(onDark_, targetColors(sources, DisplayBackground::Dark));
   setNames(names);
   if (before != onDark_ && !names.isEmpty()) {
     Q_EMIT dataChanged(index(0), index(static_cast<int>(names.size()) - 1), {Qt::DecorationRole});

@@ -11,7 +11,7 @@ namespace dewpoint::ui {
 namespace {
 
 /// Frames that are fetched ahead of the encoder; each may be large.
-constexpr int kMaxWaiting = 3;
+constexpr int kMaxWaitingFrameSets = 3;
 
 cv::Mat colorsOfPicture(QImage& image) {
   // RGB32 lies in memory as blue, green, red, unused on the machines we support (toImage()).
@@ -92,7 +92,7 @@ void VideoExporter::requestNext() {
     }
     return;
   }
-  if (!drawer_->isReady() || waiting_ >= kMaxWaiting) {
+  if (!drawer_->isReady() || waiting_ >= kMaxWaitingFrameSets) {
     return; // comes back
   }
   const std::int64_t frame = frames[next_];

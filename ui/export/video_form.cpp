@@ -49,7 +49,7 @@ void VideoForm::makeFields() {
   views_->setMaximumHeight(120);
   from_ = makeDecimalField("videoFrom", -1.0, kMostVideoSeconds, 3, this);
   to_ = makeDecimalField("videoTo", -1.0, kMostVideoSeconds, 3, this);
-  speed_ = makeDecimalField("videoSpeed", 0.0, VideoTiming::kFastest, 2, this);
+  speed_ = makeDecimalField("videoSpeed", 0.0, VideoTiming::kMaxSpeed, 2, this);
   speed_->setSingleStep(0.1);
   speed_->setValue(1.0);
   size_ = named(new QComboBox(this), "videoSize");

@@ -87,12 +87,12 @@ VideoOffer offerOf(const Workbench& bench, const TimelineModel& time) {
   offer.recording = recordingOf(bench.document.project());
   offer.frames = [&time] {
     std::vector<FrameTime> frames;
-    for (std::int64_t frame = time.history.first; frame <= time.history.last; ++frame) {
+    for (std::int64_t frame = time.history.firstFrame; frame <= time.history.lastFrame; ++frame) {
       frames.push_back({frame, time.secondsOf(frame)});
     }
     return frames;
   };
-  offer.lastTracked = time.history.head;
+  offer.lastTracked = time.history.newestTrackedFrame;
   offer.framesPerSecond = time.framesPerSecond;
   return offer;
 }

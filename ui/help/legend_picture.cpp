@@ -71,7 +71,7 @@ CameraOverlay overlayOf(LegendSign sign, const QPointF& ball) {
     overlay.truth = center;
     break;
   case LegendSign::Best:
-    overlay.best = center;
+    overlay.bestParticle = center;
     break;
   case LegendSign::Ray:
   case LegendSign::Mask:
@@ -168,8 +168,8 @@ void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
   painter.setClipPath(edge);
   const QPointF ball(width() / 2.0, height() / 2.0);
   paintScene(painter, QRectF(rect()), ball);
-  const QColor color = toColor(
-      legibleOn(DisplayColor(kBall.redF(), kBall.greenF(), kBall.blueF()), DisplayGround::Image));
+  const QColor color = toColor(legibleColor(
+      DisplayColor(kBall.redF(), kBall.greenF(), kBall.blueF()), DisplayBackground::Image));
   if (sign_ == LegendSign::Mask) {
     QColor tint = color;
     tint.setAlphaF(kMaskTint);

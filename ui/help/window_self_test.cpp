@@ -95,7 +95,7 @@ int printSelfTest(const ProjectOpener& opener) {
   std::vector<SelfTestLine> lines = graphicsSelfTest();
   std::ranges::move(runSelfTest(selfTestParts(opener)), std::back_inserter(lines));
   std::printf("%s\n", qUtf8Printable(selfTestReport(lines)));
-  return worstOf(lines) == FindingLevel::Problem ? 1 : 0;
+  return worstLevelOf(lines) == FindingLevel::Problem ? 1 : 0;
 }
 
 } // namespace dewpoint::ui

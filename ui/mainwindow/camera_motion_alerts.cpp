@@ -22,8 +22,8 @@ void CameraMotionAlerts::setSnapshot(const TrackSnapshotPtr& shown) {
   }
   const TrackSnapshot& snapshot = *shown;
   const double now = snapshot.frames ? seconds(snapshot.frames->time) : 0.0;
-  const CameraMotionMessages::News news = news_.update(snapshot.cameraMotions, now);
-  if (news.withdrawn) {
+  const CameraMotionMessages::NewMessages news = news_.update(snapshot.cameraMotions, now);
+  if (news.withdrawsEarlier) {
     withdraw();
   }
   const QStringList names = cameraNames(snapshot);

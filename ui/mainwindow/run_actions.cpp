@@ -20,7 +20,7 @@ namespace {
 /// False: there is nothing to lose.
 bool askToRestart(const Workbench& bench, bool newSeed) {
   const TrackSnapshotPtr& shown = bench.session.shown();
-  if (shown == nullptr || shown->history.head <= 0) {
+  if (shown == nullptr || shown->history.newestTrackedFrame <= 0) {
     return false;
   }
   SessionController* run = &bench.session;
@@ -33,7 +33,8 @@ bool askToRestart(const Workbench& bench, bool newSeed) {
 /// False: the recording has not ended, or there is nothing to lose.
 bool askToPlayAgain(const Workbench& bench) {
   const TrackSnapshotPtr& shown = bench.session.shown();
-  if (shown == nullptr || shown->state != PlayState::Ended || shown->history.head <= 0) {
+  if (shown == nullptr || shown->state != PlayState::Ended ||
+      shown->history.newestTrackedFrame <= 0) {
     return false;
   }
   SessionController* run = &bench.session;

@@ -64,13 +64,13 @@ QString liveLatencyText(const LiveLatency& live) {
 }
 
 QString budgetText(const BudgetStatistics& budget) {
-  if (budget.milliseconds <= 0.0 || budget.iterations == 0) {
+  if (budget.budgetMilliseconds <= 0.0 || budget.iterations == 0) {
     return RunDetails::tr("not set");
   }
   const double kept =
-      1.0 - static_cast<double>(budget.late) / static_cast<double>(budget.iterations);
+      1.0 - static_cast<double>(budget.lateIterations) / static_cast<double>(budget.iterations);
   return RunDetails::tr("%1 (met by %2 % of the iterations of this run)")
-      .arg(millisecondsText(budget.milliseconds), percentText(kept, 1));
+      .arg(millisecondsText(budget.budgetMilliseconds), percentText(kept, 1));
 }
 
 } // namespace
@@ -153,8 +153,8 @@ void RunDetails::refresh(const TrackSnapshot& snapshot, const TargetSnapshot* ta
   seed_->setText(QString::number(snapshot.seed));
   history_->setText(
       tr("%1 of %2 MB")
-          .arg(numberText(static_cast<double>(snapshot.history.bytes) / kMegabyte, 0),
-               numberText(static_cast<double>(snapshot.history.maxBytes) / kMegabyte, 0)));
+          .arg(numberText(static_cast<double>(snapshot.history.memoryBytes) / kMegabyte, 0),
+               numberText(static_cast<double>(snapshot.history.maxMemoryBytes) / kMegabyte, 0)));
 }
 
 void RunDetails::openAbove(const QWidget* widget) {

@@ -44,7 +44,7 @@ QString playWord(const TrackSnapshot& snapshot) {
   if (snapshot.rerun) {
     return StatusBarPanel::tr("tracking again");
   }
-  if (snapshot.past && snapshot.state == PlayState::Paused) {
+  if (snapshot.isPast && snapshot.state == PlayState::Paused) {
     return StatusBarPanel::tr("looking back");
   }
   switch (snapshot.state) {
@@ -183,7 +183,7 @@ void StatusBarPanel::refresh() {
   frame_->setText(snapshot.frameCount ? tr("frame %1 / %2").arg(frame).arg(*snapshot.frameCount)
                                       : tr("frame %1").arg(frame));
   // While nothing is tracked, the rate of the last frames says nothing about this one.
-  const bool isTracking = snapshot.state == PlayState::Playing && !snapshot.past;
+  const bool isTracking = snapshot.state == PlayState::Playing && !snapshot.isPast;
   rate_->setText(isTracking && snapshot.framesPerSecond > 0.0
                      ? frameRateText(snapshot.framesPerSecond)
                      : QString());
@@ -199,8 +199,8 @@ void StatusBarPanel::refresh() {
   }
   details_->setSnapshot(snapshot_, target);
   const bool several = snapshot.targets.size() > 1;
-  state_ = target != nullptr && several && snapshot.tracked ? trackingState(*target)
-                                                            : trackingState(snapshot);
+  state_ = target != nullptr && several && snapshot.isTracked ? trackingState(*target)
+                                                              : trackingState(snapshot);
   name_ = several ? QString::fromStdString(target->target.name) : QString();
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
   stateText_.clear();

@@ -42,13 +42,13 @@ bool BackgroundImageTaker::canCapture(int camera) const {
 
 cv::Mat BackgroundImageTaker::shownImage(int camera) const {
   const auto row = static_cast<std::size_t>(std::max(0, camera));
-  const bool any = snapshot_ && !snapshot_->preview && snapshot_->frames &&
+  const bool any = snapshot_ && !snapshot_->isPreview && snapshot_->frames &&
                    row < snapshot_->frames->frames.size() && snapshot_->frames->frames[row];
   return any ? snapshot_->frames->frames[row]->image : cv::Mat();
 }
 
 QString BackgroundImageTaker::targetSeenBy(int camera) const {
-  const TargetSnapshot* seen = snapshot_ ? heldTargetInView(*snapshot_, camera) : nullptr;
+  const TargetSnapshot* seen = snapshot_ ? trackedTargetInView(*snapshot_, camera) : nullptr;
   return seen != nullptr ? QString::fromStdString(seen->target.name) : QString();
 }
 

@@ -51,7 +51,7 @@ void MethodChoice::showMethods(const Project& project) {
   auto* items = static_cast<QStandardItemModel*>(model());
   items->clear();
   QString heading;
-  for (const Method* method : methodsByUse()) {
+  for (const Method* method : methodsInDisplayOrder()) {
     const MethodTexts words = methodTexts(*method);
     if (words.heading != heading) {
       heading = words.heading;

@@ -268,7 +268,7 @@ void TargetPanel::addSpeeds() {
 
 QString TargetPanel::speedText(std::size_t target) const {
   const auto speed = target < speeds_.size() && isHeld(snapshot_->targets[target].estimate)
-                         ? speeds_[target].now()
+                         ? speeds_[target].metersPerSecond()
                          : std::nullopt;
   return speed ? tr("%1 m/s").arg(numberText(*speed, 2)) : QString();
 }

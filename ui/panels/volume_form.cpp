@@ -85,7 +85,7 @@ void VolumeForm::connectFields() {
     }
   }
   connect(fromCameras_, &QPushButton::clicked, this, [this] {
-    if (const auto seen = setup::volumeSeenBy(document_.project())) {
+    if (const auto seen = setup::volumeSeenByCameras(document_.project())) {
       set(tr("Set volume of interest"), *seen);
     }
   });
@@ -98,7 +98,7 @@ void VolumeForm::connectFields() {
 
 std::optional<WorldBox> VolumeForm::shown() const {
   const auto& own = document_.project().volumeOfInterest;
-  return own ? own : setup::volumeSeenBy(document_.project());
+  return own ? own : setup::volumeSeenByCameras(document_.project());
 }
 
 void VolumeForm::refresh() {

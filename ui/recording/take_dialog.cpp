@@ -28,7 +28,7 @@ TakeDialog::TakeDialog(const TakeDetails& details, bool exists, QWidget* parent)
   notes_->setObjectName(QStringLiteral("takeNotes"));
   notes_->setTabChangesFocus(true);
   preRoll_->setObjectName(QStringLiteral("takePreRoll"));
-  preRoll_->setRange(0, static_cast<int>(TakeRecorder::kLongestPreRoll));
+  preRoll_->setRange(0, static_cast<int>(TakeRecorder::kMaxPreRollSeconds));
   preRoll_->setValue(details.preRoll);
   preRollLabel_->setVisible(!exists_);
   preRoll_->setVisible(!exists_);

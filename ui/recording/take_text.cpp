@@ -42,10 +42,10 @@ QString timeLeft(const TakeStatus& take) {
   constexpr double kKnownAfter = 2.0; // seconds
   constexpr double kLongest = 99.0 * 3600.0;
   const auto bytes = static_cast<double>(bytesOf(take));
-  if (take.seconds < kKnownAfter || bytes <= 0.0) {
+  if (take.durationSeconds < kKnownAfter || bytes <= 0.0) {
     return {};
   }
-  const double left = static_cast<double>(take.freeBytes) * take.seconds / bytes;
+  const double left = static_cast<double>(take.freeBytes) * take.durationSeconds / bytes;
   return left > kLongest ? QString()
                          : QCoreApplication::translate("TakeText", "%1 left").arg(clockText(left));
 }
@@ -64,7 +64,7 @@ QString clockText(double seconds) {
 
 QString takeLine(const TakeStatus& take) {
   QStringList parts{QCoreApplication::translate("TakeText", "Recording take %1").arg(take.number),
-                    clockText(take.seconds)};
+                    clockText(take.durationSeconds)};
   const auto dropped = static_cast<int>(droppedOf(take));
   parts += QCoreApplication::translate("TakeText", "%n dropped image(s)", nullptr, dropped);
   parts += QCoreApplication::translate("TakeText", "%1 free").arg(sizeText(take.freeBytes));
@@ -92,10 +92,10 @@ QString takeDetails(const TakeStatus& take) {
 }
 
 QString preRollText(const TakeStatus& take) {
-  if (take.preRoll <= 0.0) {
+  if (take.preRollSeconds <= 0.0) {
     return {};
   }
-  const QString time = secondsText(take.preRoll, 1);
+  const QString time = secondsText(take.preRollSeconds, 1);
   const bool isShortened = std::ranges::any_of(
       take.cameras, [](const auto& camera) { return camera.preRoll.shortened; });
   return isShortened ? QCoreApplication::translate("TakeText",
@@ -110,7 +110,7 @@ QString preRollText(const TakeStatus& take) {
 QString replayText(const ReplayComparison& found) {
   const auto number = [](std::int64_t frame) { return QString::number(frame + 1); };
   QStringList parts;
-  if (found.framesBefore > 0) {
+  if (found.framesBeforeTake > 0) {
     parts += QCoreApplication::translate(
         "TakeText", "The run began before the take, so the run cannot be tracked again from its "
                     "beginning. To avoid this, restart the run while you record.");
@@ -118,21 +118,22 @@ QString replayText(const ReplayComparison& found) {
     parts += QCoreApplication::translate(
                  "TakeText",
                  "Tracking the take gives exactly the results of the live run in all %1 frames.")
-                 .arg(found.frames);
+                 .arg(found.liveFrames);
   } else {
-    parts += QCoreApplication::translate(
-                 "TakeText",
-                 "%1 of %2 frames differ from the live run, the first one is frame %3. Positions "
-                 "differ by up to %4.")
-                 .arg(found.differing)
-                 .arg(found.frames)
-                 .arg(number(found.firstDifference.value_or(0)), lengthText(found.largestDistance));
+    parts +=
+        QCoreApplication::translate(
+            "TakeText",
+            "%1 of %2 frames differ from the live run, the first one is frame %3. Positions "
+            "differ by up to %4.")
+            .arg(found.differingFrames)
+            .arg(found.liveFrames)
+            .arg(number(found.firstDifferingFrame.value_or(0)), lengthText(found.largestDistance));
   }
-  if (found.incomplete > 0) {
+  if (found.incompleteFrames > 0) {
     parts += QCoreApplication::translate("TakeText",
                                          "Images of %1 frames were dropped, the first in frame %2.")
-                 .arg(found.incomplete)
-                 .arg(number(found.firstIncomplete.value_or(0)));
+                 .arg(found.incompleteFrames)
+                 .arg(number(found.firstIncompleteFrame.value_or(0)));
   }
   for (const ResultRange& range : found.otherSettings) {
     parts +=

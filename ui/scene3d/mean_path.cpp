@@ -4,7 +4,7 @@
 namespace dewpoint::ui {
 
 void MeanPath::add(const TrackSnapshot& snapshot) {
-  if (snapshot.past || snapshot.rerun || snapshot.iterations < iterations_ ||
+  if (snapshot.isPast || snapshot.rerun || snapshot.iterations < iterations_ ||
       snapshot.targets.size() != paths_.size()) {
     paths_.assign(snapshot.targets.size(), {});
   } else if (snapshot.iterations == iterations_) {

@@ -266,7 +266,7 @@ void Scene3d::prepareFrame(int width, int height) {
 }
 
 SceneColor Scene3d::colorOf(std::size_t target) const {
-  const std::vector<DisplayColor>& palette = displayPalette(DisplayGround::Light);
+  const std::vector<DisplayColor>& palette = displayPalette(DisplayBackground::Light);
   return target < parts_->targets.size() ? parts_->targets[target]->color()
                                          : palette[target % palette.size()];
 }

@@ -49,7 +49,7 @@ void SceneParts::applyPalette() {
 
 void SceneParts::applyTargetColors() {
   const std::vector<DisplayColor> colors =
-      displayColors(colorSources, dark ? DisplayGround::Dark : DisplayGround::Light);
+      displayColors(colorSources, dark ? DisplayBackground::Dark : DisplayBackground::Light);
   for (std::size_t k = 0; k < std::min(targets.size(), colors.size()); ++k) {
     targets[k]->setColors(colors[k], palette(), dark);
   }
@@ -57,7 +57,7 @@ void SceneParts::applyTargetColors() {
 
 ScenePalette SceneParts::plannedPalette() const {
   ScenePalette colors = palette();
-  colors.camera = displayPalette(DisplayGround::Light)[2]; // no target is drawn as a pyramid
+  colors.camera = displayPalette(DisplayBackground::Light)[2]; // no target is drawn as a pyramid
   return colors;
 }
 

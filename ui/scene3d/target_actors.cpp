@@ -103,10 +103,10 @@ void TargetActors::showLinesOfSight(const std::vector<SightLine>& lines) {
   std::vector<std::vector<Eigen::Vector3d>> seen;
   std::vector<std::vector<Eigen::Vector3d>> hidden;
   for (const SightLine& line : lines) {
-    if (line.sees) {
+    if (line.seesTarget) {
       seen.push_back({line.from, line.to});
     } else {
-      const auto strokes = dashes(line.from, line.to, kSightDashes);
+      const auto strokes = dashedLine(line.from, line.to, kSightDashes);
       hidden.insert(hidden.end(), strokes.begin(), strokes.end());
     }
   }

@@ -24,7 +24,7 @@ SessionBridge::~SessionBridge() {
 }
 
 TrackSnapshotPtr SessionBridge::withFilledFrames(const TrackSnapshotPtr& snapshot) {
-  return frameFiller_->filled(snapshot);
+  return frameFiller_->withMissingImages(snapshot);
 }
 
 std::unique_ptr<Session> SessionBridge::release() {

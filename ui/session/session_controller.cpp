@@ -241,7 +241,7 @@ void SessionController::applyMethod() {
   // What was tracked of a recording is tracked again: how long the other method takes is not known
   // before. Of live cameras whoever looks at an earlier frame wants to see it from there.
   const bool isRecorded = shown_ && shown_->frameCount;
-  if (selection_.isPast() || (isRecorded && shown_->history.head >= 0)) {
+  if (selection_.isPast() || (isRecorded && shown_->history.newestTrackedFrame >= 0)) {
     session.setMethodFrom(isRecorded ? 0 : selection_.currentFrame(), project.method,
                           project.parameters);
   } else {
@@ -356,7 +356,7 @@ void SessionController::rerun() {
 }
 
 void SessionController::startAfterLearning(bool isNewTarget) {
-  const bool isTracked = shown_ && shown_->frameCount && shown_->history.head > 0;
+  const bool isTracked = shown_ && shown_->frameCount && shown_->history.newestTrackedFrame > 0;
   if (!shown_ || isPlaying() || !isNewTarget || isTracked) {
     return;
   }
@@ -373,10 +373,10 @@ void SessionController::startAfterBoxDrawn(bool isFirstBox) {
   }
   // From a frame that was tracked already it is tracked again by itself, up to where the run
   // stands; at the end there is nothing to play.
-  const bool again = shown_->past && shown_->frame <= shown_->history.head;
+  const bool again = shown_->isPast && shown_->frame <= shown_->history.newestTrackedFrame;
   const auto hasBox = [](const Target& one) { return one.box.has_value(); };
-  const bool only =
-      std::ranges::count_if(document_.project().targets, hasBox) == 1 && shown_->history.head <= 0;
+  const bool only = std::ranges::count_if(document_.project().targets, hasBox) == 1 &&
+                    shown_->history.newestTrackedFrame <= 0;
   if (only && !again) {
     play();
   }

@@ -238,7 +238,7 @@ void CameraTable::showKnown(int row) {
     text = tr("Reading…");
   } else if (isRead) {
     const FootageFacts& facts = *known->second.facts;
-    const int frames = static_cast<int>(facts.frames);
+    const int frames = static_cast<int>(facts.frameCount);
     text = facts.framesPerSecond > 0.0
                ? tr("✓ %1×%2 · %3 frames per second · %n frames", nullptr, frames)
                      .arg(facts.width)
@@ -267,15 +267,15 @@ QString CameraTable::mismatchText() const {
   }
   const FootageDifferences differences = footageDifferences(recordings);
   QStringList sentences;
-  if (differences.rates) {
+  if (differences.ratesDiffer) {
     sentences << tr("The videos have different frame rates: frame N does not show the same time in "
                     "each of them.");
   }
-  if (differences.shortest) {
+  if (differences.shortestFrameCount) {
     sentences << tr("The videos differ in length: only the first %n frames are used.", nullptr,
-                    static_cast<int>(*differences.shortest));
+                    static_cast<int>(*differences.shortestFrameCount));
   }
-  if (differences.sizes) {
+  if (differences.sizesDiffer) {
     sentences << tr("The videos differ in size: each camera keeps its own size.");
   }
   return sentences.join(QLatin1Char('\n'));

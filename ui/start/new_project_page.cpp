@@ -264,7 +264,7 @@ void NewProjectPage::findCalibration() {
   ++pendingSearches_; // nothing is created without a calibration that is about to be found
   refresh();
   searches_->add([this, recordings = std::move(recordings), names = std::move(names)] {
-    return [this, found = calibrationBeside(recordings, names)] {
+    return [this, found = calibrationFileBeside(recordings, names)] {
       --pendingSearches_;
       calibration_->propose(found ? QString::fromStdString(found->string()) : QString());
       refresh();
@@ -378,7 +378,7 @@ void NewProjectPage::finish(const Result<CreatedProject>& result) {
     return;
   }
   QString note;
-  if (result->matchedByOrder) {
+  if (result->wasMatchedByOrder) {
     note = tr("The calibration uses other camera names. The cameras were matched by order.");
   }
   QStringList names;

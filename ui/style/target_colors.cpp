@@ -6,12 +6,12 @@
 
 namespace dewpoint::ui {
 
-DisplayGround displayGround(const QPalette& palette) {
-  return isDarkPalette(palette) ? DisplayGround::Dark : DisplayGround::Light;
+DisplayBackground displayGround(const QPalette& palette) {
+  return isDarkPalette(palette) ? DisplayBackground::Dark : DisplayBackground::Light;
 }
 
 std::vector<QColor> targetColors(const std::vector<DisplayColorSource>& sources,
-                                 DisplayGround ground) {
+                                 DisplayBackground ground) {
   std::vector<QColor> colors;
   colors.reserve(sources.size());
   for (const DisplayColor& color : displayColors(sources, ground)) {

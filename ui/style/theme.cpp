@@ -91,7 +91,7 @@ QColor trackingStateColor(TrackingState state, const QPalette& palette) {
 }
 
 QColor targetColor(int target) {
-  const std::vector<DisplayColor>& palette = displayPalette(DisplayGround::Image);
+  const std::vector<DisplayColor>& palette = displayPalette(DisplayBackground::Image);
   return toColor(palette[static_cast<std::size_t>(target) % palette.size()]);
 }
 

@@ -10,7 +10,7 @@ namespace dewpoint::ui {
 const CameraMotionReport* cameraMotionOf(const TrackSnapshot& snapshot, int camera) {
   const CameraMotionReport* found = nullptr;
   for (const CameraMotionReport& report : snapshot.cameraMotions) {
-    if (static_cast<int>(report.event.camera) == camera && !report.isBack) {
+    if (static_cast<int>(report.event.camera) == camera && !report.isBackInPose) {
       found = &report;
     }
   }

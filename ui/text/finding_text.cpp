@@ -40,7 +40,7 @@ QString translated(std::string_view words, const std::vector<std::string>& value
 } // namespace
 
 QString findingText(const Finding& finding) {
-  return translated(textsOf(finding.kind).what, finding.values);
+  return translated(textsOf(finding.kind).sentence, finding.values);
 }
 
 QString findingAdvice(const Finding& finding) {

@@ -70,9 +70,9 @@ void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
     place();
   }
   const qint64 oldest =
-      model_.records.empty() ? model_.history.first : model_.records.front().frame;
-  const qint64 first = model_.live ? std::min<qint64>(oldest, model_.history.first) : 0;
-  const qint64 last = model_.live ? model_.history.last : snapshot.frameCount.value_or(1) - 1;
+      model_.records.empty() ? model_.history.firstFrame : model_.records.front().frame;
+  const qint64 first = model_.live ? std::min<qint64>(oldest, model_.history.firstFrame) : 0;
+  const qint64 last = model_.live ? model_.history.lastFrame : snapshot.frameCount.value_or(1) - 1;
   scale_.setExtent(first, std::max(first, last));
   requested_.onShown(snapshot.frame);
   const int least = TimelineRows::minimumHeightFor(
@@ -186,7 +186,7 @@ bool Timeline::event(QEvent* event) {
 void Timeline::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Window));
-  if (model_.history.last < 0) {
+  if (model_.history.lastFrame < 0) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(
         rect().adjusted(16, 0, -16, 0), Qt::AlignCenter | Qt::TextWordWrap,
@@ -207,7 +207,7 @@ void Timeline::resizeEvent(QResizeEvent* event) {
 }
 
 void Timeline::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || model_.history.last < 0) {
+  if (event->button() != Qt::LeftButton || model_.history.lastFrame < 0) {
     return;
   }
   const qint64 frame = scale_.frameAt(event->position().x());
@@ -233,7 +233,7 @@ void Timeline::setHovered(qint64 frame) {
 }
 
 void Timeline::hover(const QPointF& place) {
-  const bool inside = model_.history.last >= 0 && place.x() >= gutter_;
+  const bool inside = model_.history.lastFrame >= 0 && place.x() >= gutter_;
   const qint64 frame = inside ? scale_.frameAt(place.x()) : -1;
   if (frame != hovered_) {
     setHovered(frame);
@@ -303,7 +303,7 @@ void Timeline::keyPressEvent(QKeyEvent* event) {
   case Qt::Key_Home:
     return requestFrame(scale_.first(), extend);
   case Qt::Key_End:
-    return extend ? requestFrame(std::max<qint64>(0, model_.history.head), true)
+    return extend ? requestFrame(std::max<qint64>(0, model_.history.newestTrackedFrame), true)
                   : selection_.requestLiveFrame();
   case Qt::Key_Plus:
   case Qt::Key_Equal:

@@ -44,7 +44,7 @@ public:
   void goTo(qint64 frame) { requestFrame(frame); }
   /// Returns the first and the last frame that can be shown.
   std::pair<qint64, qint64> reachableFrames() const {
-    return {model_.live ? model_.history.first : scale_.first(), scale_.last()};
+    return {model_.live ? model_.history.firstFrame : scale_.first(), scale_.last()};
   }
   /// Returns the frame requested last or, if no request is pending, the current frame.
   qint64 latestFrame() const;

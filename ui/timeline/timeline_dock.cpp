@@ -80,7 +80,7 @@ void connectActions(const Workbench& bench, ViewDock* dock, Timeline* timeline) 
 /// Whoever changes something while looking back at live cameras is told what that changes; of a
 /// recording what is shown follows the change (ResultRefresher).
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
-  const bool again = changes.boxes && bench.document.methodFamily().tracksAgainOnEdit;
+  const bool again = changes.boxes && bench.document.methodFamily().retracksAfterEdit;
   const bool isLive = bench.session.shown() && !bench.session.shown()->frameCount;
   if (isLive && bench.selection.isPast() && (changes.parameters || changes.targets) && !again) {
     bench.messages.showNotice(
@@ -109,11 +109,11 @@ Timeline* installTimeline(const Workbench& bench) {
                    });
   QObject::connect(&bench.session, &SessionController::snapshotChanged, timeline,
                    [bench, timeline](const TrackSnapshotPtr& snapshot) {
-                     bench.action("actionNow")->setEnabled(snapshot && snapshot->past);
+                     bench.action("actionNow")->setEnabled(snapshot && snapshot->isPast);
                      if (snapshot) {
                        bench.selection.setCurrentFrame(snapshot->frame,
                                                        timeline->model().secondsOf(snapshot->frame),
-                                                       snapshot->past);
+                                                       snapshot->isPast);
                      }
                    });
   QObject::connect(timeline, &Timeline::menuRequested, timeline,

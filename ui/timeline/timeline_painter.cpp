@@ -127,8 +127,9 @@ void paintMarkers(QPainter& painter, const TimelineModel& model, const TimelineS
 void paintHead(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                const TimelineRows& rows, const Selection& selection, const QPalette& palette) {
   const QRectF body = rows.ribbons.united(rows.cameras);
-  if (selection.isPast() && model.history.head >= 0) { // where the run stands meanwhile
-    const double x = scale.x(static_cast<double>(model.history.head) + 0.5);
+  if (selection.isPast() &&
+      model.history.newestTrackedFrame >= 0) { // where the run stands meanwhile
+    const double x = scale.x(static_cast<double>(model.history.newestTrackedFrame) + 0.5);
     painter.setPen(QPen(palette.color(QPalette::Text), 1.2, Qt::DashLine));
     painter.drawLine(QPointF(x, rows.axis.bottom()), QPointF(x, body.bottom()));
   }
@@ -225,9 +226,9 @@ void paintFooter(QPainter& painter, const TimelineModel& model, const TimelineRo
   }
   const QString text =
       QCoreApplication::translate("Timeline", "tracking frames %2 to %3 again: now at %1")
-          .arg(model.history.head + 1)
-          .arg(model.rerun->from + 1)
-          .arg(model.rerun->to + 1);
+          .arg(model.history.newestTrackedFrame + 1)
+          .arg(model.rerun->firstFrame + 1)
+          .arg(model.rerun->lastFrame + 1);
   painter.setPen(palette.color(QPalette::PlaceholderText));
   painter.drawText(rows.footer, Qt::AlignRight | Qt::AlignVCenter, text);
 }

@@ -37,12 +37,12 @@ void hatch(QPainter& painter, const QRectF& area) {
 
 void paintForgottenFrames(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                           const TimelineRows& rows, const QPalette& palette) {
-  if (model.history.first <= scale.first()) {
+  if (model.history.firstFrame <= scale.first()) {
     return;
   }
   QRectF gone = rows.ribbons.united(rows.cameras);
-  gone.setRight(
-      std::clamp(scale.x(static_cast<double>(model.history.first)), gone.left(), gone.right()));
+  gone.setRight(std::clamp(scale.x(static_cast<double>(model.history.firstFrame)), gone.left(),
+                           gone.right()));
   painter.fillRect(gone, withAlpha(palette.color(QPalette::Window), kForgottenVeil));
 }
 

@@ -47,9 +47,9 @@ Status takeRequest(BoardOptions& options) {
   options.request.model = options.model == "8"         ? IntrinsicsModel::EightCoefficients
                           : options.model == "fisheye" ? IntrinsicsModel::Fisheye
                                                        : IntrinsicsModel::FiveCoefficients;
-  options.request.pixels = options.pixels == "square" ? PixelShape::Square
-                           : options.pixels == "free" ? PixelShape::Free
-                                                      : PixelShape::Measured;
+  options.request.pixelShape = options.pixels == "square" ? PixelShape::Square
+                               : options.pixels == "free" ? PixelShape::Free
+                                                          : PixelShape::Measured;
   return {};
 }
 
@@ -82,7 +82,7 @@ void printIntrinsics(const BoardDetections::PerCamera& seen, const IntrinsicsRes
     fmt::print("{}\n", seen.name);
   }
   fmt::print("the board was found in {} of {} images; {} are used\n", seen.views.size(),
-             seen.searched, std::ranges::count(result.views, true, &ViewFit::used));
+             seen.searchedImages, std::ranges::count(result.views, true, &ViewFit::used));
   if (const std::string missed = missedText(seen); !missed.empty()) {
     fmt::print("{}\n", missed);
   }
@@ -102,7 +102,7 @@ void printLenses(const BoardDetections& seen, const LensesFromBoards& lenses) {
       printIntrinsics(seen.cameras[k], *lenses.cameras[k], lenses.cameras.size() > 1);
     }
   }
-  for (const Error& kept : lenses.kept) {
+  for (const Error& kept : lenses.keptIntrinsics) {
     fmt::print("note: {}.\n", keptIntrinsicsText(kept));
   }
 }
@@ -119,7 +119,7 @@ void printPositions(const BoardDetections& seen, const BoardOutcome& outcome) {
     if (std::ranges::none_of(fit.views, &ViewFit::used)) {
       fmt::print("{} in {} images; it keeps its pose\n",
                  fit.views.empty() ? "never saw the board" : "fits in none of its views",
-                 seen.cameras[k].searched);
+                 seen.cameras[k].searchedImages);
       printViews(fit.views);
       continue;
     }
@@ -171,8 +171,8 @@ int intrinsicsOfPictures(const BoardOptions& options) {
   Project project;
   project.cameras.emplace_back().camera.name = "camera";
   BoardOptions all = options;
-  all.request.views =
-      std::max<int>(options.request.views, static_cast<int>(files.size())); // all of them
+  all.request.maxViews =
+      std::max<int>(options.request.maxViews, static_cast<int>(files.size())); // all of them
   return calibrate(all, {true, false}, project, *seen, progress);
 }
 
@@ -282,7 +282,7 @@ void addBoardOptions(CLI::App& command, BoardOptions& options) {
                   "marker in meters)")
       ->required();
   command
-      .add_option("--looks", options.request.frameLimit,
+      .add_option("--looks", options.request.maxSearchedFrames,
                   "Number of frames of the recording to search for the board")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
@@ -325,7 +325,8 @@ void addCalibrateIntrinsicsCommand(CLI::App& group, int& exitCode) {
           "for comparable results; \"exact\" keeps neighboring corners out of the search window")
       ->check(CLI::IsMember({"sample", "exact"}))
       ->capture_default_str();
-  command->add_option("--views", options->request.views, "Number of images of a recording to use")
+  command
+      ->add_option("--views", options->request.maxViews, "Number of images of a recording to use")
       ->check(CLI::Range(3, 1000))
       ->capture_default_str();
   addOutputOptions(*command, options->output, true);
@@ -348,7 +349,7 @@ void addCalibrateExtrinsicsCommand(CLI::App& group, int& exitCode) {
                    "rows of the board, Y toward its upper edge, Z up. Without this option, the "
                    "first camera keeps its pose")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40));
-  command->add_option("--instants", options->request.instants, "Number of board poses to use")
+  command->add_option("--instants", options->request.maxInstants, "Number of board poses to use")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   command->add_flag("--refine-lenses", options->request.refineIntrinsics,

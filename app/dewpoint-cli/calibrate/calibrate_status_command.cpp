@@ -42,9 +42,9 @@ void printWorld(const CalibrationStatus& status) {
     fmt::print("          {:.1f} mm outside this volume (95 %, extrapolated)\n",
                inMillimeters(*status.accuracyOutside));
   }
-  if (status.check) {
-    fmt::print("length    {:.4f} m measured, {:.4f} m found\n", status.check->measured,
-               status.check->found);
+  if (status.lengthCheck) {
+    fmt::print("length    {:.4f} m measured, {:.4f} m found\n", status.lengthCheck->measured,
+               status.lengthCheck->found);
   }
 }
 

@@ -99,7 +99,7 @@ void printCameras(const WandRefinement& refinement) {
              options.findFocal ? "   focal" : "");
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
-    const PoseShift shift = poseShift(refinement.before[c], camera);
+    const PoseShift shift = poseShift(refinement.camerasBefore[c], camera);
     fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9.2f} {:>11.2f}", camera.name, result.views[c],
                result.dropped[c],
                result.views[c] > 0 ? fmt::format("{:.3f}", result.cameraMedianResidualPx[c]) : "-",
@@ -178,16 +178,16 @@ int calibrate(WandCommandOptions options) {
   printDecisions(options.wand, result->result);
   printAccuracyOf(*result);
   for (const FarOffCamera& camera : farOffCameras(*result)) {
-    fmt::print("note: {}\n", farOffText(camera, result->before));
+    fmt::print("note: {}\n", farOffText(camera, result->camerasBefore));
   }
   const CameraRig& cameras = result->result.cameras;
   for (const MotionGap& gap : result->gaps) {
-    fmt::print("note: {}\n", motionGapText(gap, result->before));
+    fmt::print("note: {}\n", motionGapText(gap, result->camerasBefore));
   }
-  const std::optional<std::string> kept = isUnneeded(*result) ? std::optional(unneededText(*result))
-                                          : isKnownBetter(*result)
-                                              ? std::optional(knownBetterText(*result))
-                                              : std::nullopt;
+  const std::optional<std::string> kept =
+      isUnnecessary(*result)   ? std::optional(unnecessaryText(*result))
+      : isKnownBetter(*result) ? std::optional(knownBetterText(*result))
+                               : std::nullopt;
   const bool better = !isInaccurate(*result) && !kept;
   if (kept && options.apply) {
     report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
@@ -246,7 +246,7 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
                                     "was held at two positions that are METERS apart")
                        ->expected(3)
                        ->excludes(length);
-  command->add_flag("--diameter", wand.fromDiameter, "Scale from the ball's diameter")
+  command->add_flag("--diameter", wand.usesBallDiameter, "Scale from the ball's diameter")
       ->excludes(length)
       ->excludes(distance);
   command->add_option("--floor", wand.floorTimes,

@@ -54,7 +54,7 @@ Result<std::vector<MeasuredPoint>> pointsCalled(const Project& project,
 }
 
 void printStep(std::string_view what, const WorldStepResult& step) {
-  fmt::print("{:<8} rotated by {:.2f} degrees", what, inDegrees(step.rotated));
+  fmt::print("{:<8} rotated by {:.2f} degrees", what, inDegrees(step.rotationAngle));
   if (step.scale != 1.0) {
     fmt::print(", all lengths x {:.5f}", step.scale);
   }
@@ -81,8 +81,8 @@ Result<Project> onBoardFloor(Project project, const WorldCommandOptions& options
       .map([](FloorFromBoard found) {
         fmt::print("{:<8} rotated by {:.2f} degrees, board seen by {} camera{} with an error of "
                    "{:.2f} px (RMS)\n",
-                   "board", inDegrees(found.rotated), found.cameras, found.cameras == 1 ? "" : "s",
-                   found.rmsPx);
+                   "board", inDegrees(found.rotationAngle), found.cameraCount,
+                   found.cameraCount == 1 ? "" : "s", found.rmsPx);
         return std::move(found.project);
       });
 }

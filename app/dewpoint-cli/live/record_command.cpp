@@ -108,7 +108,7 @@ bool isBroken(const TakeStatus& take) {
 /// Prints what each camera has recorded; returns whether all of them have.
 bool printTake(const TakeStatus& take) {
   bool complete = true;
-  fmt::print("Take {}: {:.1f} s in {}\n", take.number, take.seconds, take.folder.string());
+  fmt::print("Take {}: {:.1f} s in {}\n", take.number, take.durationSeconds, take.folder.string());
   for (const TakeStatus::CameraStatus& camera : take.cameras) {
     const RecordedCounts& counts = camera.counts;
     if (counts.images == 0) {
@@ -213,7 +213,7 @@ void printPreRoll(const TakeStatus& take, double wanted) {
   if (wanted <= 0.0) {
     return;
   }
-  fmt::print("Before the start: {:.1f} s\n", take.preRoll);
+  fmt::print("Before the start: {:.1f} s\n", take.preRollSeconds);
   for (const TakeStatus::CameraStatus& camera : take.cameras) {
     if (camera.preRoll.shortened) {
       fmt::print(stderr,
@@ -352,7 +352,7 @@ void addRecordCommand(CLI::App& app, int& exitCode) {
   command
       ->add_option("--pre-roll", options->preRoll,
                    "Also record this many seconds before the start (with --wait; default: 0)")
-      ->check(CLI::Range(0.0, TakeRecorder::kLongestPreRoll))
+      ->check(CLI::Range(0.0, TakeRecorder::kMaxPreRollSeconds))
       ->needs(wait);
   command
       ->add_option("--tcp", options->tcp,

@@ -58,12 +58,13 @@ void printJson(const std::vector<Finding>& findings) {
     const FindingTexts& words = textsOf(finding.kind);
     list.push_back({{"level", levelName(words.level)},
                     {"check", std::string(words.name)},
-                    {"what", fillPlaceholders(words.what, finding.values)},
+                    {"what", fillPlaceholders(words.sentence, finding.values)},
                     {"file", finding.file},
                     {"field", finding.field},
                     {"advice", fillPlaceholders(words.advice, finding.values)}});
   }
-  const nlohmann::ordered_json root{{"level", levelName(worstOf(findings))}, {"findings", list}};
+  const nlohmann::ordered_json root{{"level", levelName(worstLevelOf(findings))},
+                                    {"findings", list}};
   fmt::print("{}\n", root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
@@ -80,7 +81,7 @@ int examineAndPrint(const DoctorOptions& options) {
       fmt::print("{}\n", findingLine(finding));
     }
   }
-  return worstOf(findings) == FindingLevel::Problem ? kExitProblems : kExitDone;
+  return worstLevelOf(findings) == FindingLevel::Problem ? kExitProblems : kExitDone;
 }
 
 } // namespace

@@ -113,8 +113,8 @@ void printLearned(const Target& target, const setup::ClickLearningResult& lesson
 /// Makes a target of each of the other things that have the color and size of the one that was
 /// taught, and says how many.
 void addAllAlike(setup::FootageLearningResult& taught) {
-  const int missing =
-      setup::missingTargetCount(taught.project, taught.target, taught.lesson.color.assessment);
+  const int missing = setup::missingTargetCount(taught.project, taught.target,
+                                                taught.learningResult.color.assessment);
   setup::addTargetCopies(taught.project, taught.target, missing, [](const Project& project) {
     return setup::unusedTargetName(
         project, [](std::size_t number) { return fmt::format("target {}", number); });
@@ -124,13 +124,13 @@ void addAllAlike(setup::FootageLearningResult& taught) {
 
 /// Says what was learned, and writes its mask and the project.
 Status keep(const LearnColorOptions& options, setup::FootageLearningResult& taught) {
-  printLearned(taught.project.targets[taught.target], taught.lesson, taught.project);
+  printLearned(taught.project.targets[taught.target], taught.learningResult, taught.project);
   if (options.followAll) {
     addAllAlike(taught);
   }
-  const auto drawn = options.mask.empty()
-                         ? Status()
-                         : writeMask(options.mask, taught.image, taught.lesson.color.ranges());
+  const auto drawn = options.mask.empty() ? Status()
+                                          : writeMask(options.mask, taught.image,
+                                                      taught.learningResult.color.ranges());
   return !drawn || options.out.empty() ? drawn : saveProject(taught.project, options.out);
 }
 

@@ -156,7 +156,7 @@ int makeNew(NewOptions& options) {
     fmt::print(stderr,
                "dewpoint-cli: note: without --calibration, the camera positions are guesses.\n");
   }
-  if (made->matchedByOrder) {
+  if (made->wasMatchedByOrder) {
     fmt::print(stderr, "dewpoint-cli: note: the calibration uses other camera names; the cameras "
                        "were matched by order.\n");
   }

@@ -43,7 +43,7 @@ int testAndPrint(bool asJson) {
       fmt::print("{}\n", selfTestText(line));
     }
   }
-  const FindingLevel worst = worstOf(lines);
+  const FindingLevel worst = worstLevelOf(lines);
   if (asJson) {
     const nlohmann::ordered_json root{{"level", levelName(worst)}, {"lines", list}};
     fmt::print("{}\n", root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));

@@ -42,7 +42,7 @@ std::string methodSection(const Method& method) {
   const std::string origin = method.text.paper.empty()
                                  ? "Dewpoint's own method."
                                  : fmt::format("Reproduces {}.", markdownText(method.text.paper));
-  const int cameras = method.family.fewestCameras;
+  const int cameras = method.family.minCameras;
   const std::string needs =
       fmt::format("Needs at least {} camera{}{}.", cameras, cameras == 1 ? "" : "s",
                   method.family.needsCalibration ? ", calibrated" : "; no calibration");
@@ -61,7 +61,7 @@ std::string methodsPage() {
       "line](command-line.md#parameters). Where a default says \"or from the cameras\", Dewpoint "
       "computes a value that fits your cameras, unless you set one.\n";
   std::string_view heading;
-  for (const Method* method : methodsByUse()) {
+  for (const Method* method : methodsInDisplayOrder()) {
     if (headingOf(*method) != heading) {
       heading = headingOf(*method);
       text += fmt::format("\n## {}\n\n", markdownText(heading));

@@ -48,8 +48,8 @@ Result<Scene> chosenScene(const SimulateOptions& options) {
   }
   scene->seed = options.seed.value_or(scene->seed);
   scene->frameCount = options.frames.value_or(scene->frameCount);
-  scene->distractors = options.distractors.value_or(scene->distractors);
-  scene->occluder = scene->occluder || options.occluder;
+  scene->distractorCount = options.distractors.value_or(scene->distractorCount);
+  scene->hasOccluder = scene->hasOccluder || options.occluder;
   if (options.motion) {
     scene->balls.front().motion = kMotions.at(*options.motion);
   }

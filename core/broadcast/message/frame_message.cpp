@@ -44,7 +44,7 @@ std::vector<TrajectorySample> renumbered(std::vector<TrajectorySample> samples) 
 std::vector<int> camerasSeeing(const TrackSnapshot& snapshot, const TargetSnapshot& target) {
   std::vector<int> cameras;
   for (const SightLine& line : sightLines(snapshot, target)) {
-    if (line.sees) {
+    if (line.seesTarget) {
       cameras.push_back(line.camera);
     }
   }

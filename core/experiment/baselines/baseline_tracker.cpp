@@ -247,8 +247,8 @@ void BaselineTracker::updateEstimate(std::size_t target,
   estimates_[target] = estimate;
 }
 
-void BaselineTracker::particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                                Eigen::ArrayXd& weights) const {
+void BaselineTracker::copyParticles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
+                                    Eigen::ArrayXd& weights) const {
   const bool shown = limit > 0 && estimates_.at(target).valid;
   positions.resize(shown ? 1 : 0, 3);
   weights = Eigen::ArrayXd::Ones(positions.rows());

@@ -193,7 +193,7 @@ Scene sceneOfClip(std::uint64_t seed) {
   Scene scene = demoScene();
   scene.seed = seed;
   scene.frameCount = kClipFrames;
-  scene.distractors = 0;
+  scene.distractorCount = 0;
   scene.noiseSigma = 5.0;
   SceneBall& ball = scene.balls.front();
   ball.motion = Motion::Smooth;

@@ -49,7 +49,7 @@ Result<std::map<int, Instant>> instantsOf(const ConvergenceCase& setup, std::uin
         }
         Instant& instant = instants[iteration];
         Eigen::ArrayXd weights;
-        run.particles(0, estimate.particleCount, instant.particles, weights);
+        run.copyParticles(0, estimate.particleCount, instant.particles, weights);
         instant.estimate = estimate;
         for (const FramePtr& frame : run.frames()->frames) {
           instant.images.push_back(frame->image.clone());

@@ -28,7 +28,7 @@ Scene stillScene(const ConvergenceCase& setup) {
   scene.balls.front().motion = Motion::Still;
   scene.balls.front().position = setup.ball;
   scene.cameras = setup.cameras;
-  scene.clutter = setup.clutter;
+  scene.hasClutter = setup.clutter;
   return scene;
 }
 

@@ -49,7 +49,7 @@ Result<std::map<int, Eigen::ArrayXXd>> cloudsOfOneCamera(const ConvergenceCase& 
              [&](int iteration, const TrackingRun& run, const SphereEstimate& estimate) {
                if (std::ranges::find(kConeInstants, iteration) != kConeInstants.end()) {
                  Eigen::ArrayXd weights;
-                 run.particles(0, estimate.particleCount, clouds[iteration], weights);
+                 run.copyParticles(0, estimate.particleCount, clouds[iteration], weights);
                }
              })
       .map([&] { return clouds; });

@@ -45,7 +45,7 @@ DynamicsRun follow(const DynamicsSetup& setup, const Path& truth, std::uint64_t 
     run.beliefSpreads.push_back(estimate.spread());
     Eigen::ArrayXXd cloud;
     Eigen::ArrayXd weights;
-    tracker.particles(setup.particles, cloud, weights);
+    tracker.copyParticles(setup.particles, cloud, weights);
     run.cloudSpreads.push_back(spreadOf(cloud));
     if (std::ranges::binary_search(instants, k)) {
       run.clouds.push_back(std::move(cloud));

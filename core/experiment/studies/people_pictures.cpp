@@ -34,7 +34,7 @@ Gathering gatheringAt(const OfficeScene& scene, double time) {
   std::vector<Eigen::Vector2d> positions;
   for (const simulation::Walker& walker : scene.people) {
     const Eigen::Vector2d position = walker.position(time);
-    if (!walker.presentAt(time) || position.cwiseAbs().maxCoeff() > kHalfFloor) {
+    if (!walker.isPresentAt(time) || position.cwiseAbs().maxCoeff() > kHalfFloor) {
       continue;
     }
     for (const Eigen::Vector2d& other : positions) {

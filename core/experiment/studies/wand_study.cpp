@@ -141,7 +141,7 @@ private:
       options.targets.emplace_back("violet");
     }
     options.stickLength = stick ? kStick : 0.0;
-    options.fromDiameter = !stick;
+    options.usesBallDiameter = !stick;
     options.findOffsets = kind == WandCase::Unsynced;
     if (kind == WandCase::Far) {
       options.initialPositionError = 0.3;

@@ -95,7 +95,7 @@ std::vector<IterationRecord> RunRecorder::records(const TrackingRun& run) const 
     record.microseconds = iterationTimes_.back();
     record.particleCount = particleCountOf(estimate);
     record.existenceProbability = existenceProbabilityOf(estimate);
-    record.held = isHeld(estimate);
+    record.isHeld = isHeld(estimate);
     record.cameras = cameraEvidenceOf(estimate);
     if (const auto position = positionOf(estimate)) {
       record.spread = spreadOf(position->covariance);
@@ -128,11 +128,11 @@ void RunRecorder::countAgainstBudget(const ParameterValues& parameters, double m
   const bool has =
       std::ranges::find(declared, "time_budget", &ParameterDeclaration::key) != declared.end();
   const double budget = has ? parameters.at("time_budget") : 0.0;
-  if (budget != budget_.milliseconds) {
+  if (budget != budget_.budgetMilliseconds) {
     budget_ = {budget, 0, 0};
   }
   ++budget_.iterations;
-  budget_.late += milliseconds > budget ? 1 : 0;
+  budget_.lateIterations += milliseconds > budget ? 1 : 0;
 }
 
 void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFrame) {

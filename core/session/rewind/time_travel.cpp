@@ -65,12 +65,12 @@ Result<FrameSetPtr> TimeTravel::previewAt(std::int64_t frame, bool& preview) {
 
 HistoryState TimeTravel::state() const {
   HistoryState state;
-  state.first = cache_->oldest();
-  state.last = cache_->newest();
-  state.bytes = history_.bytes() + cache_->bytes();
-  state.maxBytes = history_.limits().sum();
+  state.firstFrame = cache_->oldest();
+  state.lastFrame = cache_->newest();
+  state.memoryBytes = history_.bytes() + cache_->bytes();
+  state.maxMemoryBytes = history_.limits().sum();
   if (const TrackedFrame* newest = history_.newest()) {
-    state.head = newest->frame;
+    state.newestTrackedFrame = newest->frame;
   }
   return state;
 }

@@ -22,7 +22,7 @@ bool haveSameValues(const ParameterValues& a, const ParameterValues& b) {
 }
 
 bool haveSameTargets(const RunDefinition& a, const RunDefinition& b) {
-  return a.family().tracksAgainOnEdit || a.family().findsTargets() ||
+  return a.family().retracksAfterEdit || a.family().findsTargets() ||
          std::ranges::equal(a.targets, b.targets, areTrackedAlike);
 }
 

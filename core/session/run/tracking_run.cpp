@@ -292,12 +292,12 @@ std::vector<BoxSample> TrackingRun::boxSamples() const {
   return samples;
 }
 
-void TrackingRun::particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                            Eigen::ArrayXd& weights) const {
+void TrackingRun::copyParticles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
+                                Eigen::ArrayXd& weights) const {
   positions.resize(0, 3);
   weights.resize(0);
   if (const auto* const cloud = capability<ParticleCloud>()) {
-    cloud->particles(target, limit, positions, weights);
+    cloud->copyParticles(target, limit, positions, weights);
   }
 }
 
@@ -350,7 +350,7 @@ TrackedFrame TrackingRun::trackedFrame(int particleLimit, const TrackedFrame* pr
     TrackedTarget& target = trackedFrame.targets[k];
     Eigen::ArrayXXd positions;
     Eigen::ArrayXd weights;
-    particles(k, particleLimit, positions, weights);
+    copyParticles(k, particleLimit, positions, weights);
     target.particles = positions.cast<float>();
     target.weights = weights.cast<float>();
     if (proposing != nullptr) {

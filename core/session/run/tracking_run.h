@@ -132,8 +132,8 @@ public:
   std::vector<BoxSample> boxSamples() const;
   /// Copies up to `limit` particles of a target: their positions, as rows of x, y, z in meters, and
   /// their linear weights.
-  void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                 Eigen::ArrayXd& weights) const;
+  void copyParticles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
+                     Eigen::ArrayXd& weights) const;
   /// Returns a record of the current estimates, without 3D particles but with up to
   /// `boxParticleLimit` particles per box. Status and camera reports are copied from `recorded`,
   /// the record already stored for this frame; `recorded` is null if there is none.

@@ -173,7 +173,7 @@ std::string selfTestText(const SelfTestLine& line) {
   return fmt::format("{:<8} {}: {}", levelName(line.level), line.subject, line.text);
 }
 
-FindingLevel worstOf(const std::vector<SelfTestLine>& lines) {
+FindingLevel worstLevelOf(const std::vector<SelfTestLine>& lines) {
   return worstLevel(lines, &SelfTestLine::level);
 }
 

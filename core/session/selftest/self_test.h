@@ -44,6 +44,6 @@ std::vector<SelfTestLine> runSelfTest(const SelfTestInputs& parts);
 std::string selfTestText(const SelfTestLine& line);
 
 /// Returns the worst level of all lines; Ok if there are no lines.
-FindingLevel worstOf(const std::vector<SelfTestLine>& lines);
+FindingLevel worstLevelOf(const std::vector<SelfTestLine>& lines);
 
 } // namespace dewpoint::session

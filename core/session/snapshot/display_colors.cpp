@@ -25,13 +25,13 @@ struct LightnessRange {
 
 /// In an image, lines cross the target itself. So they are lighter than most objects, and have a
 /// dark halo.
-LightnessRange lightnessOn(DisplayGround ground) {
+LightnessRange lightnessOn(DisplayBackground ground) {
   switch (ground) {
-  case DisplayGround::Light:
+  case DisplayBackground::Light:
     return {0.30, 0.74};
-  case DisplayGround::Dark:
+  case DisplayBackground::Dark:
     return {0.62, 0.92};
-  case DisplayGround::Image:
+  case DisplayBackground::Image:
     break;
   }
   return {0.76, 0.92};
@@ -137,7 +137,7 @@ std::optional<DisplayColor> centralColor(const ColorRange& range) {
   return found;
 }
 
-DisplayColor legibleOn(const DisplayColor& color, DisplayGround ground) {
+DisplayColor legibleColor(const DisplayColor& color, DisplayBackground ground) {
   Eigen::Vector3d lab = okLab(color);
   const LightnessRange range = lightnessOn(ground);
   const double lightness = std::clamp(lab[0], range.darkest, range.brightest);
@@ -152,39 +152,39 @@ bool areSimilar(const DisplayColor& one, const DisplayColor& other) {
   return areLabsSimilar(okLab(one), okLab(other));
 }
 
-const std::vector<DisplayColor>& displayPalette(DisplayGround ground) {
+const std::vector<DisplayColor>& displayPalette(DisplayBackground ground) {
   static const std::vector<DisplayColor> kWindow{colorFromHex(0xd55e00), colorFromHex(0x0072b2),
                                                  colorFromHex(0x009e73), colorFromHex(0xcc79a7),
                                                  colorFromHex(0xe69f00), colorFromHex(0xb8a500)};
   static const std::vector<DisplayColor> kImage{colorFromHex(0xff8640), colorFromHex(0x56b4e9),
                                                 colorFromHex(0x2fc79a), colorFromHex(0xe59ac6),
                                                 colorFromHex(0xe69f00), colorFromHex(0xf0e442)};
-  return ground == DisplayGround::Image ? kImage : kWindow;
+  return ground == DisplayBackground::Image ? kImage : kWindow;
 }
 
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
-                                        DisplayGround ground) {
+                                        DisplayBackground ground) {
   // All grounds share one choice, so that a target has one hue in all views. It is made for the
   // ground with the narrowest range of lightness: what differs there differs on the others, too.
-  constexpr DisplayGround kDecisive = DisplayGround::Image;
+  constexpr DisplayBackground kDecisive = DisplayBackground::Image;
   const std::size_t own = std::min(sources.size(), kMaxOwnColors);
   std::vector<std::optional<LabColor>> chosen(own); // as seen on the decisive ground
   std::vector<DisplayColor> colors(sources.size());
   for (std::size_t k = 0; k < own; ++k) {
-    if (sources[k].fixed) {
-      chosen[k] = labColor(*sources[k].fixed);
-      colors[k] = *sources[k].fixed;
-    } else if (!sources[k].learned.empty()) {
-      if (const auto middle = centralColor(sources[k].learned[0])) {
-        chosen[k] = labColor(legibleOn(*middle, kDecisive));
-        colors[k] = legibleOn(*middle, ground);
+    if (sources[k].fixedColor) {
+      chosen[k] = labColor(*sources[k].fixedColor);
+      colors[k] = *sources[k].fixedColor;
+    } else if (!sources[k].learnedColors.empty()) {
+      if (const auto middle = centralColor(sources[k].learnedColors[0])) {
+        chosen[k] = labColor(legibleColor(*middle, kDecisive));
+        colors[k] = legibleColor(*middle, ground);
       }
     }
   }
   // All of a group that look alike give way, so that none of them depends on their order.
   const auto before = chosen;
   for (std::size_t k = 0; k < own; ++k) {
-    for (std::size_t other = 0; other < own && !sources[k].fixed; ++other) {
+    for (std::size_t other = 0; other < own && !sources[k].fixedColor; ++other) {
       if (other != k && before[k] && before[other] &&
           areLabsSimilar(before[k]->lab, before[other]->lab)) {
         chosen[k].reset();
@@ -211,7 +211,7 @@ std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& s
         break;
       }
     }
-    colors[k] = k >= own && sources[k].fixed ? *sources[k].fixed : palette[index];
+    colors[k] = k >= own && sources[k].fixedColor ? *sources[k].fixedColor : palette[index];
   }
   return colors;
 }

@@ -15,7 +15,7 @@ namespace dewpoint::session {
 using DisplayColor = Eigen::Vector3d;
 
 /// Background on which a target is drawn.
-enum class DisplayGround {
+enum class DisplayBackground {
   Light, ///< light window
   Dark,  ///< dark window
   Image, ///< camera image; colors are lighter than learned, because the target itself may be in it
@@ -23,8 +23,8 @@ enum class DisplayGround {
 
 /// Inputs that determine the display color of a target.
 struct DisplayColorSource {
-  ColorRanges learned{};               ///< empty: the method does not identify targets by color
-  std::optional<DisplayColor> fixed{}; ///< color for a person's identity, used unchanged
+  ColorRanges learnedColors{}; ///< empty: the method does not identify targets by color
+  std::optional<DisplayColor> fixedColor{}; ///< color for a person's identity, used unchanged
 
   bool operator==(const DisplayColorSource&) const = default;
 };
@@ -33,25 +33,25 @@ struct DisplayColorSource {
 /// range contains many different colors.
 std::optional<DisplayColor> centralColor(const ColorRange& range);
 
-/// Returns a color of the same hue, darkened or lightened until it is legible on this ground.
-DisplayColor legibleOn(const DisplayColor& color, DisplayGround ground);
+/// Returns a color of the same hue, darkened or lightened until it is legible on this background.
+DisplayColor legibleColor(const DisplayColor& color, DisplayBackground background);
 
 /// Returns whether two colors are hard to distinguish. The colors are compared in the color space
 /// OKLab (Ottosson 2020), with half weight for lightness.
 bool areSimilar(const DisplayColor& one, const DisplayColor& other);
 
 /// Returns the colors for targets whose own colors are too similar or unclear: the color-blind-safe
-/// set of Okabe and Ito (2008), in shades that are legible on this ground. An index has the same
-/// hue on every ground.
-const std::vector<DisplayColor>& displayPalette(DisplayGround ground);
+/// set of Okabe and Ito (2008), in shades that are legible on this background. An index has the
+/// same hue on every background.
+const std::vector<DisplayColor>& displayPalette(DisplayBackground background);
 
 /// Returns one display color per target: the center of its first learned range, made legible on the
-/// ground. Some targets get the color at their index in `displayPalette()` (used cyclically)
+/// background. Some targets get the color at their index in `displayPalette()` (used cyclically)
 /// instead, or the next one that no other target has: targets with similar colors, targets without
 /// a clear color, and all targets after the first `kMaxOwnColors`. A target has the same hue on
 /// every ground.
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
-                                        DisplayGround ground);
+                                        DisplayBackground background);
 /// Number of targets that can be displayed in their learned color. More could not be distinguished,
 /// and comparing all of them would take too long.
 inline constexpr std::size_t kMaxOwnColors = 100;

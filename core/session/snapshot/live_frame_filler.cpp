@@ -3,8 +3,8 @@
 
 namespace dewpoint::session {
 
-TrackSnapshotPtr LiveFrameFiller::filled(const TrackSnapshotPtr& snapshot) {
-  const bool live = snapshot && snapshot->frames && !snapshot->frameCount && !snapshot->past;
+TrackSnapshotPtr LiveFrameFiller::withMissingImages(const TrackSnapshotPtr& snapshot) {
+  const bool live = snapshot && snapshot->frames && !snapshot->frameCount && !snapshot->isPast;
   if (!live) {
     return snapshot;
   }
@@ -21,8 +21,9 @@ TrackSnapshotPtr LiveFrameFiller::filled(const TrackSnapshotPtr& snapshot) {
       masks_[k] = hasMask ? masks[k] : cv::Mat();
       continue;
     }
-    const double age = frames_[k] ? seconds(now.time - frames_[k]->captureTime) : kMaxImageAge;
-    if (age >= 0.0 && age < kMaxImageAge) {
+    const double age =
+        frames_[k] ? seconds(now.time - frames_[k]->captureTime) : kMaxImageAgeSeconds;
+    if (age >= 0.0 && age < kMaxImageAgeSeconds) {
       seen.frames[k] = frames_[k];
       if (hasMask) {
         masks[k] = masks_[k];

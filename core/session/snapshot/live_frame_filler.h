@@ -14,10 +14,11 @@ namespace dewpoint::session {
 class LiveFrameFiller {
 public:
   /// Returns the snapshot for display. In a live run, cameras without an image get their last one
-  /// (and its mask) if it is younger than kMaxImageAge. Other snapshots are returned unchanged.
-  TrackSnapshotPtr filled(const TrackSnapshotPtr& snapshot);
+  /// (and its mask) if it is younger than kMaxImageAgeSeconds. Other snapshots are returned
+  /// unchanged.
+  TrackSnapshotPtr withMissingImages(const TrackSnapshotPtr& snapshot);
 
-  static constexpr double kMaxImageAge = 0.5; ///< seconds
+  static constexpr double kMaxImageAgeSeconds = 0.5; ///< seconds
 
 private:
   std::vector<FramePtr> frames_; ///< last image of each camera

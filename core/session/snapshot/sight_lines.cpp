@@ -61,8 +61,8 @@ std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSna
   return lines;
 }
 
-std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClick& click,
-                                  int camera) {
+std::vector<ImageLine> clickedRayLines(const TrackSnapshot& snapshot, const PointClick& click,
+                                       int camera) {
   const Camera* shown = cameraOf(snapshot, camera);
   const auto ray = rayOf(snapshot, click);
   return shown != nullptr && ray && click.camera != camera ? projectedRay(Projector(*shown), *ray)
@@ -79,8 +79,8 @@ std::vector<Eigen::Vector3d> clickedRayEnds(const TrackSnapshot& snapshot, const
   return {ray->origin, ray->origin + length * ray->direction};
 }
 
-std::vector<std::vector<Eigen::Vector3d>> dashes(const Eigen::Vector3d& from,
-                                                 const Eigen::Vector3d& to, int count) {
+std::vector<std::vector<Eigen::Vector3d>> dashedLine(const Eigen::Vector3d& from,
+                                                     const Eigen::Vector3d& to, int count) {
   std::vector<std::vector<Eigen::Vector3d>> strokes;
   for (int k = 0; k < count; ++k) {
     const double whole = 2.0 * count - 1.0;

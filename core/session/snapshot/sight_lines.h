@@ -18,7 +18,7 @@ struct SightLine {
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
   /// True if the camera confirms at least a part of the target. Otherwise, the target is hidden
   /// from this camera.
-  bool sees = true;
+  bool seesTarget = true;
 };
 
 /// Returns one line of sight for each camera in whose image the estimate lies. Cameras without an
@@ -28,8 +28,8 @@ std::vector<SightLine> sightLines(const TrackSnapshot& snapshot, const TargetSna
 /// Returns the line of sight through a clicked pixel as it appears in the image of another camera
 /// `camera`, as connected lines in pixels. Empty if the click was made in `camera` itself, or if
 /// `camera` is not in the snapshot.
-std::vector<ImageLine> clickedRay(const TrackSnapshot& snapshot, const PointClick& click,
-                                  int camera);
+std::vector<ImageLine> clickedRayLines(const TrackSnapshot& snapshot, const PointClick& click,
+                                       int camera);
 
 /// Returns the two ends of the line of sight through a clicked pixel, for display, in meters, world
 /// frame. The line begins at the camera center and extends 25 % beyond `position`, the position
@@ -38,7 +38,7 @@ std::vector<Eigen::Vector3d> clickedRayEnds(const TrackSnapshot& snapshot, const
                                             const Eigen::Vector3d& position);
 
 /// Returns a dashed line: `count` dashes from one point to another, with gaps of the same length.
-std::vector<std::vector<Eigen::Vector3d>> dashes(const Eigen::Vector3d& from,
-                                                 const Eigen::Vector3d& to, int count);
+std::vector<std::vector<Eigen::Vector3d>> dashedLine(const Eigen::Vector3d& from,
+                                                     const Eigen::Vector3d& to, int count);
 
 } // namespace dewpoint::session

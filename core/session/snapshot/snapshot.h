@@ -40,8 +40,8 @@ struct TargetSnapshot {
   BoxParticles boxParticles;                            ///< particles of a BoxEstimate
   /// Color histograms of a BoxEstimate; null if there is no image.
   std::shared_ptr<const ColorHistograms> histograms;
-  /// Per camera: whether it confirms the target, and the reason if it does not (describeReasons());
-  /// may be empty.
+  /// Per camera: whether it confirms the target, and the reason if it does not
+  /// (describeUnconfirmedCameras()); may be empty.
   std::vector<CameraReport> cameraReports;
   /// Candidate positions of this frame; may be empty.
   std::vector<CandidatePosition> positionCandidates;
@@ -60,25 +60,25 @@ enum class PlayState { Paused, Playing, Ended };
 
 /// Range of frames that can be shown, and the memory used for them.
 struct HistoryState {
-  std::int64_t first = 0; ///< oldest frame that can be shown
-  std::int64_t last = -1; ///< newest frame that can be shown; -1: none yet
-  std::int64_t head = -1; ///< newest frame that was tracked; -1: none yet
-  std::size_t bytes = 0;  ///< memory used by images, particles and copies of the method
-  std::size_t maxBytes = 0;
+  std::int64_t firstFrame = 0;          ///< oldest frame that can be shown
+  std::int64_t lastFrame = -1;          ///< newest frame that can be shown; -1: none yet
+  std::int64_t newestTrackedFrame = -1; ///< newest frame that was tracked; -1: none yet
+  std::size_t memoryBytes = 0; ///< memory used by images, particles and copies of the method
+  std::size_t maxMemoryBytes = 0;
 };
 
 /// Range of past frames that a run is tracking again.
 struct RerunState {
-  std::int64_t from = 0; ///< first frame tracked again
-  std::int64_t to = 0;   ///< last frame tracked again
+  std::int64_t firstFrame = 0; ///< first frame tracked again
+  std::int64_t lastFrame = 0;  ///< last frame tracked again
 };
 
 /// Statistics of how well a run meets its time budget per iteration (parameter `time_budget`),
 /// since the budget was set or the run began.
 struct BudgetStatistics {
-  double milliseconds = 0.0;   ///< time budget per iteration; 0: none
-  std::int64_t iterations = 0; ///< number of iterations
-  std::int64_t late = 0;       ///< number of iterations that took longer than the budget
+  double budgetMilliseconds = 0.0; ///< time budget per iteration; 0: none
+  std::int64_t iterations = 0;     ///< number of iterations
+  std::int64_t lateIterations = 0; ///< number of iterations that took longer than the budget
 };
 
 /// Everything that views can show of one frame. Immutable once published.
@@ -100,11 +100,11 @@ struct TrackSnapshot {
   /// State of each camera, only for methods for people; empty for other methods.
   std::vector<PeopleCameraState> peopleCameras;
   std::int64_t frame = -1; ///< number of the frame shown
-  bool past = false;       ///< the frame shown is not the current frame of the run
-  bool tracked = false;    ///< the frame shown was tracked
+  bool isPast = false;     ///< the frame shown is not the current frame of the run
+  bool isTracked = false;  ///< the frame shown was tracked
   /// True if the images are small previews, scaled up. The full images follow immediately, unless
   /// another frame is requested.
-  bool preview = false;
+  bool isPreview = false;
   HistoryState history;            ///< other frames that can be shown
   std::optional<RerunState> rerun; ///< set while past frames are tracked again
   std::optional<std::int64_t> frameCount;
@@ -147,7 +147,7 @@ struct IterationRecord {
   Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero();
   int particleCount = 0;
   double existenceProbability = 0.0; ///< over all cameras
-  bool held = false;                 ///< see isHeld()
+  bool isHeld = false;               ///< see isHeld()
   /// Likelihood, existence probability and visible fraction per camera, in the order of the cameras
   /// in the rig; empty if the method does not compute them.
   std::vector<CameraEvidence> cameras = {};

@@ -104,7 +104,7 @@ TrackingState worstState(const TrackSnapshot& snapshot, const Counts& counts) {
   if (snapshot.targets.empty() && !findsTargets) {
     return TrackingState::NoTarget;
   }
-  if (snapshot.past && !snapshot.tracked) {
+  if (snapshot.isPast && !snapshot.isTracked) {
     return TrackingState::NotTracked;
   }
   if (findsTargets) {
@@ -148,7 +148,7 @@ const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferr
   return lost != targets.end() ? &*lost : held != targets.end() ? &*held : &targets.front();
 }
 
-const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera) {
+const TargetSnapshot* trackedTargetInView(const TrackSnapshot& snapshot, int camera) {
   const Camera* its = cameraOf(snapshot, camera);
   if (its == nullptr) {
     return nullptr;

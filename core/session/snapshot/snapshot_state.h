@@ -34,7 +34,7 @@ const TargetSnapshot* targetToExplain(const TrackSnapshot& snapshot, int preferr
 
 /// Returns the first target that is held (confirmed by the cameras) and whose estimate, or whose
 /// box in this camera, lies within the camera's image. Null if there is none.
-const TargetSnapshot* heldTargetInView(const TrackSnapshot& snapshot, int camera);
+const TargetSnapshot* trackedTargetInView(const TrackSnapshot& snapshot, int camera);
 
 /// Returns the pixel of a camera at which a target's position appears, even if it lies outside the
 /// image. Returns nothing if the position is behind the camera.

@@ -43,7 +43,7 @@ void TargetSpeed::add(const TrackSnapshot& snapshot, const TargetSnapshot& targe
   }
 }
 
-std::optional<double> TargetSpeed::now() const {
+std::optional<double> TargetSpeed::metersPerSecond() const {
   if (shown_ >= track_.size()) {
     return std::nullopt;
   }

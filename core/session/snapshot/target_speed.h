@@ -23,7 +23,7 @@ public:
   void clear() { track_.clear(); }
   /// Returns the speed of the target in the frame added last, in meters per second; nothing if
   /// unknown.
-  std::optional<double> now() const;
+  std::optional<double> metersPerSecond() const;
 
 private:
   std::vector<TrajectorySample> track_; ///< samples of the last frames shown, ascending

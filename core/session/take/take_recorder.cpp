@@ -92,7 +92,7 @@ Result<std::unique_ptr<TakeRecorder>> TakeRecorder::start(const Project& project
   for (std::size_t k = 0; k < take->project_.cameras.size() && k < feeds.size(); ++k) {
     const ProjectCamera& camera = take->project_.cameras[k];
     take->recordings_.push_back(std::make_unique<StreamRecording>(
-        feeds[k], StreamFiles{camera.location, camera.times}, options.raw, zero,
+        feeds[k], StreamFiles{camera.location, camera.times}, options.rawStorage, zero,
         cameraField(camera.camera.name), take->begin_));
   }
   take->watch_ =
@@ -181,8 +181,8 @@ Status TakeRecorder::writeNotes(bool finished) const {
   json["started"] = date_;
   json["notes"] = now.notes;
   json["finished"] = finished;
-  json["seconds"] = now.seconds;
-  json["pre_roll"] = now.preRoll;
+  json["seconds"] = now.durationSeconds;
+  json["pre_roll"] = now.preRollSeconds;
   json["cameras"] = nlohmann::ordered_json::array();
   for (const TakeStatus::CameraStatus& camera : now.cameras) {
     nlohmann::ordered_json& one = json["cameras"].emplace_back();
@@ -238,7 +238,7 @@ TakeStatus TakeRecorder::status() const {
   TakeStatus status;
   status.number = number_;
   status.folder = folder_;
-  status.preRoll = preRoll_;
+  status.preRollSeconds = preRoll_;
   for (std::size_t k = 0; k < recordings_.size(); ++k) {
     const ProjectCamera& camera = project_.cameras[k];
     status.cameras.push_back({camera.camera.name, fs::path(camera.location).filename().string(),
@@ -248,7 +248,8 @@ TakeStatus TakeRecorder::status() const {
   const fs::space_info space = fs::space(folder_, problem);
   status.freeBytes = problem ? 0 : space.available;
   std::scoped_lock lock(mutex_);
-  status.seconds = duration_.value_or(std::chrono::duration<double>(Clock::now() - begin_).count());
+  status.durationSeconds =
+      duration_.value_or(std::chrono::duration<double>(Clock::now() - begin_).count());
   status.problem = problem_;
   status.notes = options_.notes;
   return status;

@@ -21,7 +21,7 @@ namespace dewpoint::session {
 
 /// Options for recording a take.
 struct TakeOptions {
-  RawStorage raw = RawStorage::Jpeg;
+  RawStorage rawStorage = RawStorage::Jpeg;
   std::string notes = {}; ///< free text, kept in take.json
   /// Number of the take; if not set, the next one after all takes in the folder.
   std::optional<int> number = std::nullopt;
@@ -39,8 +39,8 @@ struct TakeStatus {
   int number = 0; ///< number of the take, at least 1
   std::filesystem::path folder;
   std::string notes;
-  double seconds = 0.0; ///< time since the start, or the duration of a take that has ended
-  double preRoll = 0.0; ///< recorded time before the start, in seconds
+  double durationSeconds = 0.0; ///< time since the start, or the duration of a take that has ended
+  double preRollSeconds = 0.0;  ///< recorded time before the start, in seconds
   std::vector<CameraStatus> cameras; ///< state of each camera, in project order
   std::uint64_t freeBytes = 0;       ///< free space on the disk
   /// Error that prevented take.json or project.toml from being written; empty if there was none.
@@ -57,7 +57,7 @@ struct TakeStatus {
 class TakeRecorder {
 public:
   /// Longest pre-roll, in seconds: the time before the start of a take whose images are kept.
-  static constexpr double kLongestPreRoll = 60.0;
+  static constexpr double kMaxPreRollSeconds = 60.0;
   /// Memory limit for the images kept from before the start, for all cameras together: 512 MiB.
   static constexpr std::size_t kPreRollBytes = std::size_t{512} << 20;
 

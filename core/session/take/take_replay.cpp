@@ -208,13 +208,13 @@ void countIncomplete(const std::vector<StoredSet>& sets, ReplayComparison& compa
     const auto isThere = [](const auto& image) { return image && image->number >= 0; };
     hasBegun = hasBegun || std::ranges::any_of(set.images, isThere);
     if (!hasBegun) {
-      ++comparison.framesBefore;
+      ++comparison.framesBeforeTake;
       continue;
     }
-    ++comparison.frames;
+    ++comparison.liveFrames;
     if (std::ranges::any_of(set.images, isLost)) {
-      ++comparison.incomplete;
-      comparison.firstIncomplete = comparison.firstIncomplete.value_or(set.index);
+      ++comparison.incompleteFrames;
+      comparison.firstIncompleteFrame = comparison.firstIncompleteFrame.value_or(set.index);
     }
   }
 }
@@ -232,7 +232,7 @@ Status replaySets(const Project& project, const std::vector<StoredSet>& sets,
   }
   StoredSets images(project);
   for (const StoredSet& set : sets) {
-    if (!progress(comparison.compared, comparison.frames)) {
+    if (!progress(comparison.comparedFrames, comparison.liveFrames)) {
       return failure(ErrorCode::Canceled, "", "", "");
     }
     auto frames = images.read(set);
@@ -246,10 +246,10 @@ Status replaySets(const Project& project, const std::vector<StoredSet>& sets,
       }
       same = isSameFrame(set.index, run->samples(), live, comparison);
     }
-    ++comparison.compared;
+    ++comparison.comparedFrames;
     if (!same) {
-      ++comparison.differing;
-      comparison.firstDifference = comparison.firstDifference.value_or(set.index);
+      ++comparison.differingFrames;
+      comparison.firstDifferingFrame = comparison.firstDifferingFrame.value_or(set.index);
     }
   }
   return {};
@@ -294,7 +294,7 @@ Result<ReplayComparison> compareReplay(const fs::path& take, int threads,
   }
   comparison.hasTimeBudget = hasTimeBudget(project->parameters);
   countIncomplete(*sets, comparison);
-  if (comparison.framesBefore == 0) {
+  if (comparison.framesBeforeTake == 0) {
     if (const Status tracked = replaySets(*project, *sets, live, threads, progress, comparison);
         !tracked) {
       return tl::make_unexpected(tracked.error());
@@ -305,23 +305,24 @@ Result<ReplayComparison> compareReplay(const fs::path& take, int threads,
 
 std::vector<std::string> describeReplay(const ReplayComparison& found) {
   std::vector<std::string> lines;
-  if (found.framesBefore > 0) {
+  if (found.framesBeforeTake > 0) {
     lines.push_back(fmt::format("The run began {} frames before the take, so it cannot be tracked "
                                 "again from its beginning.",
-                                found.framesBefore));
+                                found.framesBeforeTake));
   } else if (found.isSame()) {
-    lines.push_back(fmt::format("Same in all {} frames, to the last bit.", found.frames));
-  } else if (found.differing > 0) {
+    lines.push_back(fmt::format("Same in all {} frames, to the last bit.", found.liveFrames));
+  } else if (found.differingFrames > 0) {
     lines.push_back(fmt::format("{} of {} frames differ, the first one is frame {}; positions "
                                 "differ by up to {:.3g} mm.",
-                                found.differing, found.frames, *found.firstDifference + 1,
+                                found.differingFrames, found.liveFrames,
+                                *found.firstDifferingFrame + 1,
                                 inMillimeters(found.largestDistance)));
   } else {
     lines.emplace_back("No frame was tracked.");
   }
-  if (found.incomplete > 0) {
+  if (found.incompleteFrames > 0) {
     lines.push_back(fmt::format("Images of {} frames are not in the take, the first of frame {}.",
-                                found.incomplete, *found.firstIncomplete + 1));
+                                found.incompleteFrames, *found.firstIncompleteFrame + 1));
   }
   for (const ResultRange& range : found.otherSettings) {
     lines.push_back(fmt::format("Frames {} to {} were tracked with other settings.",

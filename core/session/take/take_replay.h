@@ -16,24 +16,25 @@ namespace dewpoint::session {
 /// Comparison of the live trajectory of a take with the trajectory obtained by tracking its
 /// recorded images again, with the same seed and settings.
 struct ReplayComparison {
-  std::int64_t frames = 0; ///< live frames in the take
+  std::int64_t liveFrames = 0; ///< live frames in the take
   /// Number of live frames before the first one whose images are in the take. If it is not 0,
   /// nothing is compared, because tracking depends on all frames since the start of the run.
-  std::int64_t framesBefore = 0;
-  std::int64_t compared = 0; ///< frames that were tracked again and compared
+  std::int64_t framesBeforeTake = 0;
+  std::int64_t comparedFrames = 0; ///< frames that were tracked again and compared
   /// Compared frames in which the estimate of at least one target differs.
-  std::int64_t differing = 0;
-  std::optional<std::int64_t> firstDifference; ///< number of the first differing frame
+  std::int64_t differingFrames = 0;
+  std::optional<std::int64_t> firstDifferingFrame; ///< number of the first differing frame
   double largestDistance = 0.0; ///< largest distance between the two positions of a target, meters
-  std::int64_t incomplete = 0;  ///< frames that lack an image in the take
-  std::optional<std::int64_t> firstIncomplete;
+  std::int64_t incompleteFrames = 0; ///< frames that lack an image in the take
+  std::optional<std::int64_t> firstIncompleteFrame;
   std::vector<ResultRange> otherSettings;  ///< frames whose live results came from earlier settings
   bool hasTimeBudget = false;              ///< results depend on the speed of the computer
   std::vector<std::string> changedCameras; ///< cameras whose images are stored with changed pixels
 
   /// Returns whether all frames were compared and their results are bit-identical.
   bool isSame() const {
-    return compared > 0 && compared == frames && differing == 0 && framesBefore == 0;
+    return comparedFrames > 0 && comparedFrames == liveFrames && differingFrames == 0 &&
+           framesBeforeTake == 0;
   }
 };
 

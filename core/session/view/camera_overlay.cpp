@@ -66,7 +66,7 @@ void addBox(const BoxEstimate& estimate, const BoxParticles& particles, CameraOv
     overlay.weights.push_back(largest > 0.0F ? particles.weights(i) / largest : 0.0F);
   }
   overlay.box = estimate.box;
-  overlay.boxHidden = !isHeld(estimate);
+  overlay.isBoxHidden = !isHeld(estimate);
 }
 
 /// Every how many of its particles one is shown, so that one image has no more than a person can
@@ -101,7 +101,7 @@ void addPlace(const Camera& camera, const TargetSnapshot& target, Eigen::Index s
     }
   }
   if (const auto best = bestParticleOf(target.estimate)) {
-    overlay.best = projector.project(*best);
+    overlay.bestParticle = projector.project(*best);
   }
   if (target.truth) {
     overlay.truth = projector.project(*target.truth);

@@ -28,12 +28,13 @@ struct CameraOverlay {
   /// Ellipse that contains 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.).
   std::optional<ImageEllipse> ellipse;
   std::optional<ImageEllipse> outline; ///< projected outline of a target that is not a ball
-  std::optional<Eigen::Vector2d> best; ///< projection of the particle with the highest weight
+  std::optional<Eigen::Vector2d>
+      bestParticle; ///< projection of the particle with the highest weight
   std::optional<Eigen::Vector2d> truth;
   /// Bounding box, for methods that track boxes in the image. `estimate` and `ellipse` are then
   /// empty.
   std::optional<ImageBox> box;
-  bool boxHidden = false; ///< the target is hidden; the box is at its estimated position
+  bool isBoxHidden = false; ///< the target is hidden; the box is at its estimated position
 };
 
 /// Returns the radius of the particle cloud in the image, in pixels: the distance from the estimate

@@ -12,12 +12,12 @@ namespace {
 
 DisplayColorSource colorSource(const Target& target, const MethodFamily& family) {
   DisplayColorSource source;
-  if (family.masksColors()) {
-    source.learned = target.colors();
+  if (family.hasColorMasks()) {
+    source.learnedColors = target.colors();
   }
   if (const auto identity = identityFromName(target.name)) {
     const cv::Scalar color = identityColor(*identity); // blue, green, red
-    source.fixed = DisplayColor(color[2], color[1], color[0]) / 255.0;
+    source.fixedColor = DisplayColor(color[2], color[1], color[0]) / 255.0;
   }
   return source;
 }

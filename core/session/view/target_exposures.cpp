@@ -127,7 +127,7 @@ TargetExposure exposureOfSample(const cv::Mat& image, const ColorSample& sample)
 std::vector<ExposureInView> exposuresInView(const TrackSnapshot& snapshot, int camera) {
   std::vector<ExposureInView> found;
   const auto index = static_cast<std::size_t>(camera);
-  const bool hasImage = camera >= 0 && snapshot.frames && !snapshot.preview &&
+  const bool hasImage = camera >= 0 && snapshot.frames && !snapshot.isPreview &&
                         index < snapshot.frames->frames.size() && snapshot.frames->frames[index] &&
                         snapshot.frames->frames[index]->image.type() == CV_8UC3;
   if (!hasImage) {

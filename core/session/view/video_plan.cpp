@@ -26,10 +26,10 @@ Status checkTiming(const VideoTiming& timing) {
   const auto isWithin = [](double value, double low, double high) {
     return std::isfinite(value) && value >= low && value <= high;
   };
-  if (timing.speed && !isWithin(*timing.speed, VideoTiming::kSlowest, VideoTiming::kFastest)) {
+  if (timing.speed && !isWithin(*timing.speed, VideoTiming::kMinSpeed, VideoTiming::kMaxSpeed)) {
     return failure(ErrorCode::BadValue, "", "speed",
-                   fmt::format("{} is not between {} and {}", *timing.speed, VideoTiming::kSlowest,
-                               VideoTiming::kFastest));
+                   fmt::format("{} is not between {} and {}", *timing.speed, VideoTiming::kMinSpeed,
+                               VideoTiming::kMaxSpeed));
   }
   if (!isWithin(timing.framesPerSecond, 1.0, 1000.0)) {
     return failure(ErrorCode::BadValue, "", "frames per second",

@@ -20,11 +20,11 @@ struct FrameTime {
 
 /// Playing speed and frame rate of an exported video.
 struct VideoTiming {
-  static constexpr double kSlowest = 0.01;
-  static constexpr double kFastest = 100.0;
+  static constexpr double kMinSpeed = 0.01;
+  static constexpr double kMaxSpeed = 100.0;
 
-  /// Speed as a factor relative to real time, from kSlowest to kFastest. If not set, every frame is
-  /// shown exactly once, regardless of its time.
+  /// Speed as a factor relative to real time, from kMinSpeed to kMaxSpeed. If not set, every frame
+  /// is shown exactly once, regardless of its time.
   std::optional<double> speed = 1.0;
   double framesPerSecond = 30.0; ///< frame rate of the video, 1 to 1000
 };

@@ -47,7 +47,7 @@ cv::Mat tintedImage(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& ti
   return result;
 }
 
-void outlineMask(cv::Mat& view, const cv::Mat& mask, const cv::Mat& tints) {
+void drawMaskOutline(cv::Mat& view, const cv::Mat& mask, const cv::Mat& tints) {
   cv::Mat fitted;
   cv::resize(mask, fitted, view.size(), 0.0, 0.0, cv::INTER_NEAREST);
   cv::Mat shrunk;

@@ -19,7 +19,7 @@ cv::Mat fittedImage(const cv::Mat& image, const cv::Size& size);
 /// Draws the contour of a mask onto `view`, the mask's camera image at any size. The contour is a
 /// line in the color of the tint with a dark border. `view` is CV_8UC3 and is changed in place;
 /// `mask` and `tints` are as for tintedImage().
-void outlineMask(cv::Mat& view, const cv::Mat& mask, const cv::Mat& tints);
+void drawMaskOutline(cv::Mat& view, const cv::Mat& mask, const cv::Mat& tints);
 
 /// Returns an image enlarged to `size` in pixels without smoothing, so that each pixel becomes a
 /// square. Neither the image nor `size` may be empty.

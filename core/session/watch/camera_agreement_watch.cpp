@@ -9,7 +9,7 @@ namespace dewpoint::session {
 
 Status CameraAgreementWatch::tracked(const TrackingRun& run) {
   const MethodFamily family = run.definition()->family();
-  if (family.needsCalibration && family.masksColors() && !paused_) {
+  if (family.needsCalibration && family.hasColorMasks() && !paused_) {
     agreement_.watch(*run.frames(), run.targets());
   }
   return {};
@@ -24,7 +24,7 @@ CameraAgreementWatch::disagreements(const MethodFamily& family) const {
   std::erase_if(found, [this](const CameraDisagreement& one) {
     const bool mayBeMotion = one.fault == CameraFault::Rotated || one.fault == CameraFault::Unknown;
     return mayBeMotion && std::ranges::any_of(motion_.reports(), [&](const auto& report) {
-             return !report.isBack &&
+             return !report.isBackInPose &&
                     std::ranges::find(one.cameras, report.event.camera) != one.cameras.end();
            });
   });

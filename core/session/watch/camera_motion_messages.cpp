@@ -4,7 +4,7 @@
 namespace dewpoint::session {
 
 CameraMotionStage stageOf(const CameraMotionReport& report, double now) {
-  if (report.isBack) {
+  if (report.isBackInPose) {
     return CameraMotionStage::Back;
   }
   if (report.newPose) {
@@ -14,12 +14,12 @@ CameraMotionStage stageOf(const CameraMotionReport& report, double now) {
                                                                : CameraMotionStage::Waiting;
 }
 
-CameraMotionMessages::News
+CameraMotionMessages::NewMessages
 CameraMotionMessages::update(const std::vector<CameraMotionReport>& reports, double now) {
-  News news;
+  NewMessages news;
   if (reports.size() < count_) {
     reported_.clear();
-    news.withdrawn = true;
+    news.withdrawsEarlier = true;
   }
   count_ = reports.size();
   for (const CameraMotionReport& report : reports) {

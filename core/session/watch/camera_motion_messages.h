@@ -36,14 +36,14 @@ public:
     CameraMotionReport report;
     CameraMotionStage stage = CameraMotionStage::Waiting;
   };
-  struct News {
-    bool withdrawn = false; ///< earlier messages no longer apply
+  struct NewMessages {
+    bool withdrawsEarlier = false; ///< earlier messages no longer apply
     std::vector<Item> items;
   };
 
   /// Returns the new messages for all reports of a frame, which are in the order of the motions;
   /// `now` is in seconds of the run.
-  News update(const std::vector<CameraMotionReport>& reports, double now);
+  NewMessages update(const std::vector<CameraMotionReport>& reports, double now);
   /// Forgets earlier messages, because another run begins.
   void clear();
 

@@ -121,16 +121,16 @@ void CameraMotionWatch::watch(const FrameSet& frames, const std::vector<Target>&
 void CameraMotionWatch::update(CameraMotionReport& report, double time) {
   const std::size_t camera = report.event.camera;
   const double since = seconds(report.event.time) + kSettled;
-  report.isBack = !detector_.camera(camera).moved;
+  report.isBackInPose = !detector_.camera(camera).moved;
   if (const auto now = sightings_.summary(camera, time - kWindow, kFewest)) {
-    report.targetPixels = now->residual.norm();
+    report.targetDistancePx = now->residual.norm();
   }
   const CameraRotation& turn = detector_.camera(camera).turn;
   // With two cameras the estimate leans on the moved one too: the background alone is better.
   const auto& sightings =
       rig_.size() < 3 ? std::deque<ReprojectionResidual>() : sightings_.sightings(camera);
   const auto solved = estimatePoseAfterMotion(rig_[camera], turn, sightings, since);
-  report.newPose = solved && !report.isBack ? std::optional(*solved) : std::nullopt;
+  report.newPose = solved && !report.isBackInPose ? std::optional(*solved) : std::nullopt;
 }
 
 std::vector<Error> CameraMotionWatch::notices() const {

@@ -15,10 +15,10 @@ namespace dewpoint::session {
 /// Report of a moved camera, for views and messages.
 struct CameraMotionReport {
   CameraMotionEvent event;
-  bool isBack = false; ///< the camera is back in its former pose
+  bool isBackInPose = false; ///< the camera is back in its former pose
   /// Recent distance, in pixels of this camera's image, between targets and their positions
   /// according to the other cameras; empty if unknown.
-  std::optional<double> targetPixels;
+  std::optional<double> targetDistancePx;
   /// Current pose of the camera, which can replace the pose in the project; empty if unknown. It is
   /// computed about once a second from the measured rotation and from the tracked targets that the
   /// camera has seen since the motion.

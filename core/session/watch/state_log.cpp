@@ -41,8 +41,9 @@ void StateLog::append(const FrameRecord& record, const std::vector<Target>& targ
   last_.resize(std::max(last_.size(), count));
   for (std::size_t k = 0; k < count; ++k) {
     const FrameRecord::Entry& entry = record.targets[k];
-    std::string state = fmt::format("{},{}", stateName(entry.status),
-                                    csvCell(describeReasons(entry.cameraReports, cameras_)));
+    std::string state =
+        fmt::format("{},{}", stateName(entry.status),
+                    csvCell(describeUnconfirmedCameras(entry.cameraReports, cameras_)));
     if (state != last_[k]) {
       csv_ += fmt::format("{:.6f},{},{},{}\n", record.time, record.frame, csvCell(targets[k].name),
                           state);

@@ -35,8 +35,8 @@ Result<IntrinsicsResult> lensOf(const BoardDetections::PerCamera& camera,
                                 const BoardCalibrationRequest& request,
                                 const CalibrationProgress& progress) {
   if (camera.views.empty()) {
-    std::string text = fmt::format("it never saw the board in {} images", camera.searched);
-    if (isAnyExplained(camera)) {
+    std::string text = fmt::format("it never saw the board in {} images", camera.searchedImages);
+    if (hasExplainedMiss(camera)) {
       text += "; " + missedText(camera);
     }
     return failure(ErrorCode::Undetermined, "", "", std::move(text));
@@ -44,11 +44,11 @@ Result<IntrinsicsResult> lensOf(const BoardDetections::PerCamera& camera,
   IntrinsicsRequest lensRequest;
   lensRequest.board = request.board;
   lensRequest.views =
-      chooseViews(request.board, camera.views, camera.width, camera.height, request.views);
+      chooseViews(request.board, camera.views, camera.width, camera.height, request.maxViews);
   lensRequest.width = camera.width;
   lensRequest.height = camera.height;
   lensRequest.model = request.model;
-  lensRequest.pixels = request.pixels;
+  lensRequest.pixels = request.pixelShape;
   return calibrateIntrinsics(lensRequest, progress);
 }
 
@@ -121,17 +121,17 @@ Result<LensesFromBoards> intrinsicsFromBoards(const BoardDetections& seen,
       return tl::make_unexpected(result.error());
     }
     if (!result) {
-      result.error() = withOtherBoard(std::move(result.error()), seen.otherBoardOf(camera));
+      result.error() = withOtherBoard(std::move(result.error()), seen.otherBoardSeenBy(camera));
       first = first.value_or(named(result.error(), camera.name));
-      lenses.kept.push_back(result.error());
-      lenses.kept.back().field = camera.name;
+      lenses.keptIntrinsics.push_back(result.error());
+      lenses.keptIntrinsics.back().field = camera.name;
       lenses.cameras.emplace_back();
       continue;
     }
     result->camera.name = camera.name;
     lenses.cameras.emplace_back(std::move(*result));
   }
-  if (first && lenses.kept.size() == lenses.cameras.size()) {
+  if (first && lenses.keptIntrinsics.size() == lenses.cameras.size()) {
     return tl::make_unexpected(*first);
   }
   return lenses;
@@ -150,7 +150,7 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
     views.push_back(seen.cameras[k].views);
     widths.push_back(seen.cameras[k].width);
   }
-  const auto chosen = chooseInstants(views, widths, request.instants, request.floorFrame);
+  const auto chosen = chooseInstants(views, widths, request.maxInstants, request.floorFrame);
   ExtrinsicsRequest rigRequest;
   rigRequest.board = request.board;
   rigRequest.worldInstant = request.floorFrame;
@@ -186,7 +186,7 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
   const auto report =
       findBoardFaults(rigRequest, seen.framesPerSecond, result ? &*result : nullptr);
   for (const auto& camera : seen.cameras) {
-    if (const BoardGuess* other = seen.otherBoardOf(camera); !result && other != nullptr) {
+    if (const BoardGuess* other = seen.otherBoardSeenBy(camera); !result && other != nullptr) {
       result.error() = withOtherBoard(std::move(result.error()), other);
       break;
     }
@@ -212,7 +212,7 @@ BoardReport reportOf(const BoardDetections& seen, const BoardCalibrationRequest&
   }
   report.title = fmt::format("Intrinsics of {} camera{} from a board", report.cameras.size(),
                              report.cameras.size() == 1 ? "" : "s");
-  for (const Error& kept : lenses.kept) {
+  for (const Error& kept : lenses.keptIntrinsics) {
     report.notices.push_back(keptIntrinsicsText(kept));
   }
   return report;

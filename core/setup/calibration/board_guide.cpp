@@ -29,10 +29,10 @@ BoardGuideState::Outline outlineOf(const BoardDetection& detection) {
 
 } // namespace
 
-BoardCalibrationRequest requestForCaptured(const BoardGuideRequest& request,
-                                           const BoardGuideState& state) {
+BoardCalibrationRequest requestForCapturedViews(const BoardGuideRequest& request,
+                                                const BoardGuideState& state) {
   BoardCalibrationRequest all = request.board;
-  all.views = std::max(all.views, request.lenses.maxViews);
+  all.maxViews = std::max(all.maxViews, request.lensGuidance.maxViews);
   all.floorFrame = state.floorFrame;
   return all;
 }
@@ -41,14 +41,14 @@ BoardGuide::BoardGuide(Project project, const BoardGuideRequest& request, int th
     : project_(std::move(project)), request_(request), detector_(request.board.board),
       team_(threads) {
   state_.phase =
-      request.goal.lenses ? BoardGuideState::Phase::Lenses : BoardGuideState::Phase::Poses;
+      request.goal.estimatesLenses ? BoardGuideState::Phase::Lenses : BoardGuideState::Phase::Poses;
   for (const ProjectCamera& camera : project_.cameras) {
     seen_.cameras.push_back({camera.camera.name, 0, 0, 0, {}});
     state_.cameras.emplace_back().name = camera.camera.name;
   }
   viewsAtCalibration_.resize(project_.cameras.size());
   lenses_.resize(project_.cameras.size());
-  state_.seen = std::make_shared<const BoardDetections>(seen_);
+  state_.detections = std::make_shared<const BoardDetections>(seen_);
 }
 
 BoardGuide::Detections BoardGuide::detectIn(const FrameSet& frames) {
@@ -62,9 +62,10 @@ BoardGuide::Detections BoardGuide::detectIn(const FrameSet& frames) {
     }
   });
   for (std::size_t k = 0; k < found.size(); ++k) {
-    state_.cameras[k].seen = found[k];
+    state_.cameras[k].detection = found[k];
     state_.cameras[k].outline = found[k] ? outlineOf(*found[k]) : BoardGuideState::Outline();
-    seen_.cameras[k].searched += k < frames.frames.size() && frames.frames[k] != nullptr ? 1 : 0;
+    seen_.cameras[k].searchedImages +=
+        k < frames.frames.size() && frames.frames[k] != nullptr ? 1 : 0;
   }
   return found;
 }
@@ -79,7 +80,7 @@ void BoardGuide::begin(const FrameSet& frames) {
       camera.height = frame->image.rows;
       seen_.cameras[k].width = camera.width;
       seen_.cameras[k].height = camera.height;
-      lenses_[k].emplace(request_.board.board, camera.width, camera.height, request_.lenses);
+      lenses_[k].emplace(request_.board.board, camera.width, camera.height, request_.lensGuidance);
     }
   }
   if (state_.phase == BoardGuideState::Phase::Poses && !rigGuidance_) {
@@ -128,15 +129,15 @@ void BoardGuide::storeLensState(std::size_t camera, const GuidanceState& state) 
 /// moment belong together.
 void BoardGuide::storeView(std::size_t camera) {
   auto& of = state_.cameras[camera];
-  if (!of.seen) {
+  if (!of.detection) {
     return;
   }
   seen_.cameras[camera].views.push_back(
-      {fmt::format("frame {}", state_.frame), state_.frame, *of.seen});
-  if (of.taken.size() < request_.maxOutlines) {
-    of.taken.push_back(of.outline);
+      {fmt::format("frame {}", state_.frame), state_.frame, *of.detection});
+  if (of.capturedOutlines.size() < request_.maxOutlines) {
+    of.capturedOutlines.push_back(of.outline);
   }
-  state_.seen = std::make_shared<const BoardDetections>(seen_);
+  state_.detections = std::make_shared<const BoardDetections>(seen_);
 }
 
 void BoardGuide::calibrateLens(std::size_t camera) {
@@ -152,7 +153,7 @@ void BoardGuide::calibrateLens(std::size_t camera) {
   lensRequest.width = state_.cameras[camera].width;
   lensRequest.height = state_.cameras[camera].height;
   lensRequest.model = request_.board.model;
-  lensRequest.pixels = request_.board.pixels;
+  lensRequest.pixels = request_.board.pixelShape;
   if (const auto result = calibrateIntrinsics(lensRequest)) {
     guidance.acceptCalibration(*result);
     state_.cameras[camera].rmsPx = result->rmsPx;
@@ -170,7 +171,7 @@ void BoardGuide::beginRig() {
   for (const auto& camera : state_.cameras) {
     widths.push_back(std::max(1, camera.width));
   }
-  rigGuidance_.emplace(std::move(widths), request_.rig);
+  rigGuidance_.emplace(std::move(widths), request_.rigGuidance);
   state_.rig = rigGuidance_->state();
   if (state_.rig.finished) { // one camera alone has no pair
     state_.phase = BoardGuideState::Phase::Finished;
@@ -179,7 +180,7 @@ void BoardGuide::beginRig() {
 
 BoardGuideState BoardGuide::skipToPoses() {
   if (state_.phase == BoardGuideState::Phase::Lenses) {
-    if (request_.goal.poses) {
+    if (request_.goal.estimatesPoses) {
       beginRig();
     } else {
       state_.phase = BoardGuideState::Phase::Finished;
@@ -196,9 +197,9 @@ void BoardGuide::storeRigState(const RigGuidance::State& state) {
   state_.rig = state;
   if (state.captured) {
     for (std::size_t k = 0; k < state_.cameras.size(); ++k) {
-      if (state_.cameras[k].seen) {
+      if (state_.cameras[k].detection) {
         storeView(k);
-        ++state_.cameras[k].pairViews;
+        ++state_.cameras[k].pairViewCount;
       }
     }
   }
@@ -232,7 +233,7 @@ void BoardGuide::calibrateRig() {
 
 BoardGuideState BoardGuide::captureFloor() {
   const auto seeing = std::ranges::count_if(
-      state_.cameras, [](const auto& camera) { return camera.seen.has_value(); });
+      state_.cameras, [](const auto& camera) { return camera.detection.has_value(); });
   if (state_.phase == BoardGuideState::Phase::Poses && seeing >= 2) {
     state_.floorFrame = state_.frame;
   }
@@ -244,7 +245,7 @@ BoardGuideState BoardGuide::captureNow() {
     storeRigState(rigGuidance_->captureNow());
   } else if (state_.phase == BoardGuideState::Phase::Lenses) {
     for (std::size_t k = 0; k < lenses_.size(); ++k) {
-      if (lenses_[k] && state_.cameras[k].seen) {
+      if (lenses_[k] && state_.cameras[k].detection) {
         storeLensState(k, lenses_[k]->captureNow());
       }
     }

@@ -21,8 +21,9 @@ namespace dewpoint::setup {
 struct BoardGuideRequest {
   BoardCalibrationRequest board;
   BoardGoal goal;
-  GuidanceSettings lenses;   ///< settings for intrinsics, including the accuracy that is sufficient
-  RigGuidance::Settings rig; ///< how often pairs of cameras must see the board together
+  GuidanceSettings
+      lensGuidance; ///< settings for intrinsics, including the accuracy that is sufficient
+  RigGuidance::Settings rigGuidance;    ///< how often pairs of cameras must see the board together
   double requiredPositionSigma = 0.002; ///< meters: required CameraFit::centerSigma of each camera
   /// Number of captured frames after which the calibration ends regardless of its accuracy.
   int maxInstants = 60;
@@ -42,15 +43,15 @@ struct BoardGuideState {
     /// Width of the images, pixels. 0: this camera has not delivered an image yet.
     int width = 0;
     int height = 0;
-    GuidanceState lens;                 ///< guidance in phase Lenses
-    std::optional<BoardDetection> seen; ///< detection in the newest image
-    Outline outline;                    ///< outline of the board in the newest image; may be empty
-    std::vector<Outline> taken;         ///< outlines of the captured views
+    GuidanceState lens;                      ///< guidance in phase Lenses
+    std::optional<BoardDetection> detection; ///< detection in the newest image
+    Outline outline; ///< outline of the board in the newest image; may be empty
+    std::vector<Outline> capturedOutlines; ///< outlines of the captured views
     /// Reprojection error of the latest calibration of its intrinsics, pixels.
     std::optional<double> rmsPx;
     /// Standard deviation of the camera position in the latest calibration of the poses, meters.
     std::optional<double> positionSigma;
-    int pairViews = 0; ///< number of views captured together with another camera
+    int pairViewCount = 0; ///< number of views captured together with another camera
   };
 
   Phase phase = Phase::Lenses;
@@ -59,15 +60,15 @@ struct BoardGuideState {
   RigGuidance::State rig;
   std::optional<std::int64_t> floorFrame; ///< frame in which the board lies on the floor
   /// Views captured so far, for calibrateFromBoards().
-  std::shared_ptr<const BoardDetections> seen;
+  std::shared_ptr<const BoardDetections> detections;
 };
 using BoardGuideStatePtr = std::shared_ptr<const BoardGuideState>;
 
 /// Returns the options with which calibrateFromBoards() processes the captured views of live
 /// cameras: intrinsics are estimated from all views, and the captured floor defines the world
 /// frame.
-BoardCalibrationRequest requestForCaptured(const BoardGuideRequest& request,
-                                           const BoardGuideState& state);
+BoardCalibrationRequest requestForCapturedViews(const BoardGuideRequest& request,
+                                                const BoardGuideState& state);
 
 /// Guides the user through the calibration of live cameras with a board. It searches for the board
 /// in the images, shows the user how to hold the board next, captures the board while it is held

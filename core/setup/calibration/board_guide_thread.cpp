@@ -123,7 +123,7 @@ BoardGuideThread::~BoardGuideThread() = default;
 void BoardGuideThread::begin(const Project& project, const BoardGuideRequest& request) {
   impl_->begin(project, request);
 }
-void BoardGuideThread::show(FrameSetPtr frames) {
+void BoardGuideThread::offer(FrameSetPtr frames) {
   impl_->order([&](auto& orders) { orders.frames = std::move(frames); });
 }
 void BoardGuideThread::captureNow() {

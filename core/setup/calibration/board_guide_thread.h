@@ -24,7 +24,7 @@ public:
   /// Starts, or restarts from scratch.
   void begin(const Project& project, const BoardGuideRequest& request);
   /// Passes images to the guide, replacing images that are still waiting.
-  void show(FrameSetPtr frames);
+  void offer(FrameSetPtr frames);
   /// Captures the last images that show the board. Call this function when the user asks for it.
   void captureNow();
   /// Captures the last images that show the board, which must lie on the floor.

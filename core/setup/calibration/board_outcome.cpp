@@ -137,7 +137,7 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const BoardDete
                                          const CalibrationProgress& progress) {
   BoardOutcome outcome;
   outcome.project = project;
-  if (goal.lenses) {
+  if (goal.estimatesLenses) {
     auto lenses = intrinsicsFromBoards(seen, request, progress);
     if (!lenses) {
       return tl::make_unexpected(lenses.error());
@@ -146,11 +146,11 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const BoardDete
     recordLenses(*lenses, outcome.project);
     outcome.lenses = std::move(*lenses);
     for (const auto& camera : seen.cameras) {
-      outcome.missed.push_back(missedRuns(camera));
+      outcome.missedRuns.push_back(missedRuns(camera));
     }
   }
   const bool alone = project.cameras.size() < 2 && !request.floorFrame;
-  if (goal.poses && !(alone && goal.lenses)) {
+  if (goal.estimatesPoses && !(alone && goal.estimatesLenses)) {
     if (const auto found = addExtrinsics(seen, request, outcome, progress); !found) {
       if (!outcome.lenses || found.error().code == ErrorCode::Canceled) {
         return tl::make_unexpected(found.error());
@@ -197,7 +197,7 @@ Project withOutcome(Project project, const BoardOutcome& outcome) {
 std::vector<std::string> outcomeRemarks(const BoardOutcome& outcome) {
   std::vector<std::string> remarks;
   if (outcome.lenses) {
-    for (const Error& kept : outcome.lenses->kept) {
+    for (const Error& kept : outcome.lenses->keptIntrinsics) {
       remarks.push_back(keptIntrinsicsText(kept) + ".");
     }
   }

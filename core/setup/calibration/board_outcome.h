@@ -13,8 +13,8 @@ namespace dewpoint::setup {
 
 /// Quantities that a calibration with a board estimates. At least one must be true.
 struct BoardGoal {
-  bool lenses = true; ///< estimate the intrinsics
-  bool poses = false; ///< estimate the poses
+  bool estimatesLenses = true; ///< estimate the intrinsics
+  bool estimatesPoses = false; ///< estimate the poses
 
   bool operator==(const BoardGoal&) const = default;
 };
@@ -33,7 +33,7 @@ struct BoardOutcome {
   std::string accuracySummary;
   std::string report; ///< report about the calibration, a single HTML page
   /// Images in which each camera did not see the board, if intrinsics were requested.
-  std::vector<std::vector<MissedRun>> missed;
+  std::vector<std::vector<MissedRun>> missedRuns;
 };
 
 /// Estimates intrinsics, then poses with these intrinsics, from board detections. The command line

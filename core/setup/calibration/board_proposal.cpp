@@ -31,7 +31,7 @@ Result<std::vector<BoardGuess>> proposeBoards(FrameSetSource& source,
   }
   FramePicker picker(source);
   std::vector<cv::Mat> images;
-  for (const std::int64_t frame : evenlySpaced(*total, frames)) {
+  for (const std::int64_t frame : evenlySpacedFrames(*total, frames)) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection, 0.0)) {
       return canceled();
     }
@@ -52,7 +52,8 @@ Result<std::vector<BoardGuess>> proposeBoards(const std::vector<std::filesystem:
                                               const BoardDescription& requested, int count,
                                               const CalibrationProgress& progress) {
   std::vector<cv::Mat> images;
-  for (const std::int64_t k : evenlySpaced(static_cast<std::int64_t>(pictures.size()), count)) {
+  for (const std::int64_t k :
+       evenlySpacedFrames(static_cast<std::int64_t>(pictures.size()), count)) {
     const auto picture = readGrayPicture(pictures[static_cast<std::size_t>(k)]);
     if (!picture) {
       return tl::make_unexpected(picture.error());

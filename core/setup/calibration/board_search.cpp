@@ -104,7 +104,7 @@ std::size_t boardViewsOf(const BoardDetections& seen) {
 int imagesSearched(const BoardDetections& seen) {
   int count = 0;
   for (const auto& camera : seen.cameras) {
-    count += camera.searched;
+    count += camera.searchedImages;
   }
   return count;
 }
@@ -168,7 +168,7 @@ void detectAll(const BoardDetector& detector, DetectionEffort effort, const Fram
     }
     camera.width = frames.frames[k]->image.cols;
     camera.height = frames.frames[k]->image.rows;
-    ++camera.searched;
+    ++camera.searchedImages;
     if (found[k]) {
       camera.views.push_back({fmt::format("frame {}", frames.index), frames.index, *found[k]});
     } else {
@@ -182,8 +182,8 @@ std::vector<std::int64_t> framesToSearch(std::int64_t total,
                                          const BoardCalibrationRequest& request) {
   const std::int64_t end = std::min(total, request.endFrame.value_or(total));
   const std::int64_t count = end - request.firstFrame;
-  const std::int64_t stride =
-      std::max<std::int64_t>(1, (count + request.frameLimit - 1) / request.frameLimit);
+  const std::int64_t stride = std::max<std::int64_t>(1, (count + request.maxSearchedFrames - 1) /
+                                                            request.maxSearchedFrames);
   std::vector<std::int64_t> frames;
   for (std::int64_t frame = request.firstFrame; frame < end; frame += stride) {
     frames.push_back(frame);
@@ -200,7 +200,7 @@ std::vector<std::int64_t> framesToSearch(std::int64_t total,
 std::vector<std::int64_t> someOf(const std::vector<std::int64_t>& frames) {
   std::vector<std::int64_t> some;
   for (const std::int64_t k :
-       evenlySpaced(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames)) {
+       evenlySpacedFrames(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames)) {
     some.push_back(frames[static_cast<std::size_t>(k)]);
   }
   return some;
@@ -224,7 +224,8 @@ Status searchFrames(const std::vector<std::int64_t>& frames, const BoardDetector
                     MissedImages& missed) {
   ThreadTeam team(threadCountForTasks(seen.cameras.size()));
   FramePicker picker(source);
-  const auto keep = evenlySpaced(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames);
+  const auto keep =
+      evenlySpacedFrames(static_cast<std::int64_t>(frames.size()), kBoardProposalFrames);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
                         static_cast<double>(k) / static_cast<double>(frames.size()))) {
@@ -273,10 +274,11 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
   camera.name = "camera";
   KeptImages kept(1);
   MissedImages missed(1, where == OtherBoards::OfEach);
-  const auto keep = evenlySpaced(static_cast<std::int64_t>(pictures.size()), kBoardProposalFrames);
+  const auto keep =
+      evenlySpacedFrames(static_cast<std::int64_t>(pictures.size()), kBoardProposalFrames);
   for (const auto& file : pictures) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
-                        static_cast<double>(camera.searched) /
+                        static_cast<double>(camera.searchedImages) /
                             static_cast<double>(pictures.size()))) {
       return canceled();
     }
@@ -284,7 +286,7 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
     if (!picture) {
       return tl::make_unexpected(picture.error());
     }
-    if (camera.searched == 0) {
+    if (camera.searchedImages == 0) {
       camera.width = picture->cols;
       camera.height = picture->rows;
     }
@@ -294,14 +296,14 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
                                  picture->rows, camera.width, camera.height));
     }
     if (auto found = detector.detect(*picture, effort)) {
-      camera.views.push_back({file.filename().string(), camera.searched, std::move(*found)});
+      camera.views.push_back({file.filename().string(), camera.searchedImages, std::move(*found)});
     } else {
-      missed.add(0, file.filename().string(), camera.searched, *picture, camera);
+      missed.add(0, file.filename().string(), camera.searchedImages, *picture, camera);
     }
-    if (std::ranges::binary_search(keep, static_cast<std::int64_t>(camera.searched))) {
+    if (std::ranges::binary_search(keep, static_cast<std::int64_t>(camera.searchedImages))) {
       kept.keep(0, *picture);
     }
-    ++camera.searched;
+    ++camera.searchedImages;
   }
   if (const auto added =
           addOtherBoards(where, kept, detector.board(), progress, seen).and_then([&] {
@@ -319,7 +321,7 @@ bool BoardDetections::hasOnlyOtherBoard() const {
   return otherBoard && boardViewsOf(*this) == 0;
 }
 
-const BoardGuess* BoardDetections::otherBoardOf(const PerCamera& camera) const {
+const BoardGuess* BoardDetections::otherBoardSeenBy(const PerCamera& camera) const {
   return camera.otherBoard ? &*camera.otherBoard : otherBoard ? &*otherBoard : nullptr;
 }
 
@@ -347,7 +349,7 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
       return first;
     }
     if (first->hasOnlyOtherBoard()) {
-      first->searchedAll = false;
+      first->hasSearchedAll = false;
       return first;
     }
   }
@@ -363,7 +365,7 @@ Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pic
   const bool isLong = count > kLongRecording;
   if (suggestBoardFirst && isLong) {
     std::vector<std::filesystem::path> few;
-    for (const std::int64_t k : evenlySpaced(count, kBoardProposalFrames)) {
+    for (const std::int64_t k : evenlySpacedFrames(count, kBoardProposalFrames)) {
       few.push_back(pictures[static_cast<std::size_t>(k)]);
     }
     auto first = searchedPictures(OtherBoards::OfAll, few, detector, effort,
@@ -372,7 +374,7 @@ Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pic
       return first;
     }
     if (first->hasOnlyOtherBoard()) {
-      first->searchedAll = false;
+      first->hasSearchedAll = false;
       return first;
     }
   }

@@ -20,10 +20,11 @@ namespace dewpoint::setup {
 struct BoardCalibrationRequest {
   BoardDescription board;
   IntrinsicsModel model = IntrinsicsModel::FiveCoefficients;
-  PixelShape pixels = PixelShape::Measured;
-  int views = 30;       ///< number of images per camera used to estimate intrinsics
-  int instants = 60;    ///< number of frames used to estimate poses
-  int frameLimit = 300; ///< number of frames of a recording in which the board is searched for
+  PixelShape pixelShape = PixelShape::Measured;
+  int maxViews = 30;    ///< number of images per camera used to estimate intrinsics
+  int maxInstants = 60; ///< number of frames used to estimate poses
+  int maxSearchedFrames =
+      300; ///< number of frames of a recording in which the board is searched for
   std::int64_t firstFrame = 0;          ///< first frame in which the board may be searched for
   std::optional<std::int64_t> endFrame; ///< one past the last such frame; not set: all
   /// Frame in which the board lies on the floor and defines the world frame; not set: the first
@@ -46,8 +47,8 @@ struct MissedImage {
 
 /// Numbers of images of a camera that show a board as it is, or only after they are mirrored.
 struct BoardSides {
-  int plain = 0;    ///< number of images that show the board as it is
-  int mirrored = 0; ///< number of images that show it after they are mirrored left to right
+  int plainCount = 0;    ///< number of images that show the board as it is
+  int mirroredCount = 0; ///< number of images that show it after they are mirrored left to right
 };
 
 /// Board detections in the recording of several cameras, or in a set of images of one camera.
@@ -56,12 +57,12 @@ struct BoardDetections {
     std::string name;
     int width = 0;
     int height = 0;
-    int searched = 0; ///< number of images in which the board was searched for
+    int searchedImages = 0; ///< number of images in which the board was searched for
     std::vector<BoardView> views;
     /// Other board that was found in a few of this camera's images. Set only if this camera never
     /// saw the requested board but other cameras did.
     std::optional<BoardGuess> otherBoard = std::nullopt;
-    std::vector<MissedImage> missed = {}; ///< the images without the board, in order
+    std::vector<MissedImage> missedImages = {}; ///< the images without the board, in order
     /// Counts from a few images of this camera. Set only if some images show a mirrored board.
     BoardSides sides = {};
   };
@@ -71,12 +72,12 @@ struct BoardDetections {
   /// of the images show the requested board.
   std::optional<BoardGuess> otherBoard = std::nullopt;
   /// False if the search ended after a few frames, because these show only another board.
-  bool searchedAll = true;
+  bool hasSearchedAll = true;
 
   /// Returns whether the images show only another board than the requested one.
   bool hasOnlyOtherBoard() const;
   /// Returns the other board that a camera saw, if any; null otherwise.
-  const BoardGuess* otherBoardOf(const PerCamera& camera) const;
+  const BoardGuess* otherBoardSeenBy(const PerCamera& camera) const;
 };
 
 /// Searches a recording for the board, in evenly spaced frames that are the same for all cameras.

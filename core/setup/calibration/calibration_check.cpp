@@ -105,8 +105,8 @@ CameraMatch matchCameras(const std::vector<std::string>& cameras,
   return found == 0 && cameras.size() == inFile.size() ? CameraMatch::ByOrder : CameraMatch::None;
 }
 
-std::optional<fs::path> calibrationBeside(const std::vector<std::string>& recordings,
-                                          const std::vector<std::string>& cameras) {
+std::optional<fs::path> calibrationFileBeside(const std::vector<std::string>& recordings,
+                                              const std::vector<std::string>& cameras) {
   std::set<fs::path> folders;
   std::error_code problem;
   for (const std::string& recording : recordings) {

@@ -36,7 +36,8 @@ CameraMatch matchCameras(const std::vector<std::string>& cameras,
 /// Files that match by name are preferred to files that match by order. Project files are ignored.
 /// Returns nothing if there is no such file or more than one. Folders with more than 64 possible
 /// calibration files are ignored. May take long, because it reads these files.
-std::optional<std::filesystem::path> calibrationBeside(const std::vector<std::string>& recordings,
-                                                       const std::vector<std::string>& cameras);
+std::optional<std::filesystem::path>
+calibrationFileBeside(const std::vector<std::string>& recordings,
+                      const std::vector<std::string>& cameras);
 
 } // namespace dewpoint::setup

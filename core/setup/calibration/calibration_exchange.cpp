@@ -143,12 +143,12 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
   result.formatTitle = (*calibrationFormat(read->format))->title;
   result.decisions = read->decisions;
   result.decisions.insert(result.decisions.end(), made->decisions.begin(), made->decisions.end());
-  result.matchedByOrder = made->matchedByOrder;
-  result.lensOnly = !read->hasPoses;
+  result.wasMatchedByOrder = made->wasMatchedByOrder;
+  result.hasOnlyIntrinsics = !read->hasPoses;
   CameraRig rig = rigOf(made->project);
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const Camera& before = project.cameras[k].camera;
-    if (result.lensOnly) {
+    if (result.hasOnlyIntrinsics) {
       rig[k].cameraFromWorld = before.cameraFromWorld;
       made->project.cameras[k].calibrated.pose = project.cameras[k].calibrated.pose;
     }
@@ -162,7 +162,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
                                                          : original[k].name;
     result.cameras.push_back({k, before.name, from, poseShift(before, rig[k])});
   }
-  if (result.lensOnly) {
+  if (result.hasOnlyIntrinsics) {
     made->project.calibrated = project.calibrated;
   }
   const auto loss = roundTripError(rig, file);

@@ -42,9 +42,9 @@ struct CalibrationImport {
   std::vector<std::string> decisions; ///< full sentences: units, axes, directions
   std::vector<ImportedCamera> cameras;
   /// True if no name in the file matched a camera, so that cameras were matched by order.
-  bool matchedByOrder = false;
+  bool wasMatchedByOrder = false;
   /// True if the file has no poses, so that the poses in the project were kept.
-  bool lensOnly = false;
+  bool hasOnlyIntrinsics = false;
   /// Likely mistakes in the calibration: two cameras with the same pose, or another unit
   /// (checkRig()).
   std::vector<camera_motion::CameraDisagreement> faults;

@@ -10,7 +10,7 @@ namespace dewpoint::setup {
 namespace {
 
 StepProgress ofCameras(const CalibrationStatus& status, ItemStatus CameraCalibrationStatus::*part,
-                       Knowledge least) {
+                       KnowledgeLevel least) {
   return {static_cast<int>(countKnown(status, part, least)),
           std::max(1, static_cast<int>(status.cameras.size())), worstError(status, part)};
 }
@@ -23,7 +23,7 @@ StepProgress ofPart(bool isDone, std::optional<double> error = {}) {
 StepProgress ofOrigin(const CalibrationStatus& status, CalibrationOrigin origin) {
   StepProgress progress{0, std::max(1, static_cast<int>(status.cameras.size())), {}};
   for (const CameraCalibrationStatus& camera : status.cameras) {
-    const bool isExact = camera.pose.knowledge == Knowledge::Measured && !camera.pose.origin;
+    const bool isExact = camera.pose.knowledge == KnowledgeLevel::Measured && !camera.pose.origin;
     if ((camera.pose.origin == origin || isExact) && !camera.pose.isPoor) {
       ++progress.done;
       if (camera.pose.error) {
@@ -90,19 +90,21 @@ StepProgress progressOf(GuideStep step, const Project& project, const Calibratio
   case GuideStep::ImportFile:
   case GuideStep::GridOnFloor:
   case GuideStep::RoughPositions: {
-    StepProgress progress = ofCameras(status, &CameraCalibrationStatus::pose, Knowledge::Given);
+    StepProgress progress =
+        ofCameras(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Given);
     progress.error.reset();
     return progress;
   }
   case GuideStep::PrintBoard: // it was printed if it was seen
     return ofPart(std::ranges::any_of(status.cameras, [](const CameraCalibrationStatus& camera) {
-      return camera.lens.knowledge == Knowledge::Measured ||
+      return camera.lens.knowledge == KnowledgeLevel::Measured ||
              camera.pose.origin == CalibrationOrigin::Board;
     }));
   case GuideStep::LensesByBoard:
-    return ofCameras(status, &CameraCalibrationStatus::lens, Knowledge::Measured);
+    return ofCameras(status, &CameraCalibrationStatus::lens, KnowledgeLevel::Measured);
   case GuideStep::FieldOfView: {
-    StepProgress progress = ofCameras(status, &CameraCalibrationStatus::lens, Knowledge::Given);
+    StepProgress progress =
+        ofCameras(status, &CameraCalibrationStatus::lens, KnowledgeLevel::Given);
     progress.error.reset();
     return progress;
   }
@@ -117,11 +119,11 @@ StepProgress progressOf(GuideStep step, const Project& project, const Calibratio
   case GuideStep::WaveWand:
     return ofOrigin(status, CalibrationOrigin::Wand);
   case GuideStep::Floor:
-    return ofPart(status.floor.knowledge == Knowledge::Measured);
+    return ofPart(status.floor.knowledge == KnowledgeLevel::Measured);
   case GuideStep::MeasuredLength:
     break;
   }
-  const auto& check = status.check;
+  const auto& check = status.lengthCheck;
   return check && check->measured > 0.0
              ? ofPart(true, std::abs(check->found / check->measured - 1.0))
              : ofPart(false);

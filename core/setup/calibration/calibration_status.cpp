@@ -15,8 +15,8 @@ constexpr double kPoorLens = 10.0; ///< pixels
 constexpr double kPoorPose = 0.02; ///< meters
 
 /// Numbers read from a file are given, whoever measured them.
-Knowledge knowledgeFrom(CalibrationOrigin origin) {
-  return origin == CalibrationOrigin::File ? Knowledge::Given : Knowledge::Measured;
+KnowledgeLevel knowledgeFrom(CalibrationOrigin origin) {
+  return origin == CalibrationOrigin::File ? KnowledgeLevel::Given : KnowledgeLevel::Measured;
 }
 
 template <class Record>
@@ -26,7 +26,7 @@ ItemStatus partStatus(const std::optional<Record>& record, const Camera& camera,
     return {knowledgeFrom(record->origin), record->origin, record->error,
             record->error && *record->error > poor};
   }
-  return {.knowledge = isGuessed ? Knowledge::Missing : Knowledge::Given};
+  return {.knowledge = isGuessed ? KnowledgeLevel::Missing : KnowledgeLevel::Given};
 }
 
 CameraCalibrationStatus cameraStatus(const Project& project, std::size_t index) {
@@ -34,7 +34,7 @@ CameraCalibrationStatus cameraStatus(const Project& project, std::size_t index) 
   CameraCalibrationStatus status;
   status.delay = camera.delay;
   if (camera.source == SourceKind::Simulation && !camera.adjusted) {
-    status.lens.knowledge = status.pose.knowledge = Knowledge::Measured;
+    status.lens.knowledge = status.pose.knowledge = KnowledgeLevel::Measured;
     return status;
   }
   status.lens =
@@ -48,23 +48,23 @@ CameraCalibrationStatus cameraStatus(const Project& project, std::size_t index) 
 /// known of these, and not at all while one is guessed.
 ItemStatus worldPart(const std::vector<CameraCalibrationStatus>& cameras,
                      const std::optional<CalibrationOrigin>& origin, bool survivesEditing) {
-  Knowledge best = Knowledge::Missing;
+  KnowledgeLevel best = KnowledgeLevel::Missing;
   for (const CameraCalibrationStatus& camera : cameras) {
-    if (camera.pose.knowledge == Knowledge::Missing) {
+    if (camera.pose.knowledge == KnowledgeLevel::Missing) {
       return {};
     }
     best = std::max(best, camera.pose.knowledge);
   }
-  ItemStatus status{.knowledge = best == Knowledge::Missing ? best : Knowledge::Given};
-  if (origin && (best == Knowledge::Measured || survivesEditing)) {
+  ItemStatus status{.knowledge = best == KnowledgeLevel::Missing ? best : KnowledgeLevel::Given};
+  if (origin && (best == KnowledgeLevel::Measured || survivesEditing)) {
     status.knowledge = knowledgeFrom(*origin);
     status.origin = origin;
-  } else if (best == Knowledge::Measured && !origin) {
+  } else if (best == KnowledgeLevel::Measured && !origin) {
     status.knowledge =
         std::ranges::all_of(
             cameras, [](const CameraCalibrationStatus& camera) { return !camera.pose.origin; })
-            ? Knowledge::Measured // simulated
-            : Knowledge::Given;
+            ? KnowledgeLevel::Measured // simulated
+            : KnowledgeLevel::Given;
   }
   return status;
 }
@@ -92,19 +92,20 @@ CalibrationStatus calibrationStatus(const Project& project) {
   }
   const bool isAllMeasured =
       !status.cameras.empty() && countKnown(status, &CameraCalibrationStatus::pose,
-                                            Knowledge::Measured) == status.cameras.size();
+                                            KnowledgeLevel::Measured) == status.cameras.size();
   status.accuracy = isAllMeasured ? record.accuracy : std::nullopt;
   status.accuracyOutside = isAllMeasured ? record.accuracyOutside : std::nullopt;
-  status.check = status.scale.knowledge == Knowledge::Missing ? std::nullopt : record.check;
+  status.lengthCheck =
+      status.scale.knowledge == KnowledgeLevel::Missing ? std::nullopt : record.check;
   return status;
 }
 
 const char* originText(const ItemStatus& part) {
-  if (part.knowledge == Knowledge::Missing) {
+  if (part.knowledge == KnowledgeLevel::Missing) {
     return "guessed";
   }
   if (!part.origin) {
-    return part.knowledge == Knowledge::Measured ? "exact (simulated)" : "set by hand";
+    return part.knowledge == KnowledgeLevel::Measured ? "exact (simulated)" : "set by hand";
   }
   switch (*part.origin) {
   case CalibrationOrigin::Points:
@@ -122,11 +123,11 @@ const char* originText(const ItemStatus& part) {
 }
 
 std::size_t countKnown(const CalibrationStatus& status, ItemStatus CameraCalibrationStatus::*part,
-                       Knowledge least) {
+                       KnowledgeLevel least) {
   return static_cast<std::size_t>(
       std::ranges::count_if(status.cameras, [&](const CameraCalibrationStatus& camera) {
         const ItemStatus& known = camera.*part;
-        const bool isPoor = least == Knowledge::Measured && known.isPoor;
+        const bool isPoor = least == KnowledgeLevel::Measured && known.isPoor;
         return known.knowledge >= least && !isPoor;
       }));
 }

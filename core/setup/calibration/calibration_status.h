@@ -10,7 +10,7 @@
 namespace dewpoint::setup {
 
 /// Quality of the knowledge about a part of the calibration.
-enum class Knowledge {
+enum class KnowledgeLevel {
   Missing, ///< only guessed by the program, or known to be wrong
   Given,   ///< entered, set by hand or read from a file; its accuracy was not measured
   Measured ///< found by measurement with this program, and not changed since
@@ -18,7 +18,7 @@ enum class Knowledge {
 
 /// Status of one part of the calibration.
 struct ItemStatus {
-  Knowledge knowledge = Knowledge::Missing;
+  KnowledgeLevel knowledge = KnowledgeLevel::Missing;
   /// Origin of this part; empty if it is not recorded.
   std::optional<CalibrationOrigin> origin = {};
   /// Error of this part; its meaning and unit differ from part to part; empty if unknown.
@@ -48,7 +48,7 @@ struct CalibrationStatus {
   /// at least two cameras see them (WorldRecord::accuracyOutside).
   std::optional<double> accuracyOutside;
   /// Comparison of a measured with a calibrated length, if the user made one.
-  std::optional<LengthCheck> check;
+  std::optional<LengthCheck> lengthCheck;
 };
 
 /// Returns the calibration status of a project. Records about values that have changed since are
@@ -62,7 +62,7 @@ const char* originText(const ItemStatus& part);
 /// Returns the number of cameras with at least this knowledge of a part. A part with `isPoor`
 /// counts as Given, not as Measured.
 std::size_t countKnown(const CalibrationStatus& status, ItemStatus CameraCalibrationStatus::*part,
-                       Knowledge least);
+                       KnowledgeLevel least);
 
 /// Returns the largest error of a part among the cameras; empty if none is known.
 std::optional<double> worstError(const CalibrationStatus& status,

@@ -14,9 +14,9 @@ namespace dewpoint::setup {
 /// Project whose floor and origin were set from a board that lies on the floor.
 struct FloorFromBoard {
   Project project;
-  double rotated = 0.0;    ///< angle of the rotation of the world, radians
-  double rmsPx = 0.0;      ///< root mean square error of the board's corners, pixels
-  std::size_t cameras = 0; ///< number of cameras that see the board
+  double rotationAngle = 0.0;  ///< angle of the rotation of the world, radians
+  double rmsPx = 0.0;          ///< root mean square error of the board's corners, pixels
+  std::size_t cameraCount = 0; ///< number of cameras that see the board
 };
 
 /// Sets the world frame of calibrated cameras from images that show a board lying flat on the

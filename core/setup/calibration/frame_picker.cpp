@@ -26,7 +26,7 @@ Result<FrameSetPtr> FramePicker::read(std::int64_t frame) {
   return set;
 }
 
-std::vector<std::int64_t> evenlySpaced(std::int64_t total, std::int64_t count) {
+std::vector<std::int64_t> evenlySpacedFrames(std::int64_t total, std::int64_t count) {
   const std::int64_t parts = std::min(total, count);
   std::vector<std::int64_t> numbers;
   for (std::int64_t k = 0; k < parts; ++k) {

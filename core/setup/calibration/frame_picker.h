@@ -29,7 +29,7 @@ private:
 /// Returns `count` evenly spaced numbers from 0 to `total` - 1, ascending: the range is divided
 /// into equal parts, and each number is the center of one part. Returns all numbers if `total` is
 /// less than `count`.
-std::vector<std::int64_t> evenlySpaced(std::int64_t total, std::int64_t count);
+std::vector<std::int64_t> evenlySpacedFrames(std::int64_t total, std::int64_t count);
 
 /// Reads an image file in gray (CV_8UC1). Returns FileMissing or FileUnreadable.
 Result<cv::Mat> readGrayPicture(const std::filesystem::path& file);

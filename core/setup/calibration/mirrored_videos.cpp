@@ -27,12 +27,12 @@ BoardSides countSides(const BoardDescription& board, const std::vector<cv::Mat>&
   const BoardDetector detector(board);
   for (const cv::Mat& image : images) {
     if (detector.detect(image, DetectionEffort::Live)) {
-      ++sides.plain;
+      ++sides.plainCount;
       continue;
     }
     cv::Mat flipped;
     cv::flip(image, flipped, 1);
-    sides.mirrored += detector.detect(flipped, DetectionEffort::Live) ? 1 : 0;
+    sides.mirroredCount += detector.detect(flipped, DetectionEffort::Live) ? 1 : 0;
   }
   return sides;
 }
@@ -42,10 +42,10 @@ MirroredVideos mirroredVideos(const std::vector<BoardSides>& cameras) {
   bool isSeenPlain = false;
   for (std::size_t k = 0; k < cameras.size(); ++k) {
     const BoardSides& sides = cameras[k];
-    if (sides.plain == 0 && sides.mirrored >= kLeastImages) {
+    if (sides.plainCount == 0 && sides.mirroredCount >= kLeastImages) {
       found.cameras.push_back(k);
     }
-    isSeenPlain = isSeenPlain || (sides.mirrored == 0 && sides.plain >= kLeastImages);
+    isSeenPlain = isSeenPlain || (sides.mirroredCount == 0 && sides.plainCount >= kLeastImages);
   }
   if (!found.cameras.empty()) {
     found.cause =
@@ -58,7 +58,7 @@ MirroredVideos mirroredVideos(const BoardDetections& seen) {
   std::vector<BoardSides> sides;
   for (const auto& camera : seen.cameras) {
     sides.push_back(camera.sides);
-    sides.back().plain += static_cast<int>(camera.views.size());
+    sides.back().plainCount += static_cast<int>(camera.views.size());
   }
   return mirroredVideos(sides);
 }
@@ -75,7 +75,7 @@ Result<MirroredVideos> findMirroredVideos(FrameSetSource& source, const BoardDes
   }
   FramePicker picker(source);
   std::vector<BoardSides> sides;
-  for (const std::int64_t frame : evenlySpaced(*total, frames)) {
+  for (const std::int64_t frame : evenlySpacedFrames(*total, frames)) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection, 1.0)) {
       return canceled();
     }
@@ -87,8 +87,8 @@ Result<MirroredVideos> findMirroredVideos(FrameSetSource& source, const BoardDes
       sides.resize(std::max(sides.size(), k + 1));
       if ((*set)->frames[k] != nullptr) {
         const BoardSides one = countSides(board, {imageForGuess((*set)->frames[k]->image)});
-        sides[k].plain += one.plain;
-        sides[k].mirrored += one.mirrored;
+        sides[k].plainCount += one.plainCount;
+        sides[k].mirroredCount += one.mirroredCount;
       }
     }
   }

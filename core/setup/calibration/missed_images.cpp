@@ -31,7 +31,7 @@ std::string runText(const MissedRun& run) {
 
 void MissedImages::add(std::size_t index, std::string file, std::int64_t instant,
                        const cv::Mat& image, BoardDetections::PerCamera& camera) {
-  camera.missed.push_back({std::move(file), instant, {}});
+  camera.missedImages.push_back({std::move(file), instant, {}});
   if (explained_ && images_[index].size() < kMostExplained) {
     images_[index].push_back(image);
   }
@@ -41,14 +41,14 @@ Status MissedImages::explain(const BoardDetector& detector, const CalibrationPro
                              BoardDetections& seen) const {
   for (std::size_t k = 0; k < images_.size(); ++k) {
     auto& camera = seen.cameras[k];
-    if (seen.otherBoardOf(camera) != nullptr) {
+    if (seen.otherBoardSeenBy(camera) != nullptr) {
       continue;
     }
     for (std::size_t i = 0; i < images_[k].size(); ++i) {
       if (!reportProgress(progress, CalibrationStage::BoardDetection, 1.0)) {
         return canceled();
       }
-      camera.missed[i].miss = diagnoseMissedBoard(detector, images_[k][i]);
+      camera.missedImages[i].miss = diagnoseMissedBoard(detector, images_[k][i]);
     }
   }
   return {};
@@ -56,7 +56,7 @@ Status MissedImages::explain(const BoardDetector& detector, const CalibrationPro
 
 std::vector<MissedRun> missedRuns(const BoardDetections::PerCamera& camera) {
   std::vector<MissedRun> runs;
-  for (const MissedImage& image : camera.missed) {
+  for (const MissedImage& image : camera.missedImages) {
     if (!runs.empty() && image.file.empty() && runs.back().miss == image.miss &&
         !isSeenBetween(camera, runs.back().last, image.instant)) {
       runs.back().last = image.instant;
@@ -68,8 +68,8 @@ std::vector<MissedRun> missedRuns(const BoardDetections::PerCamera& camera) {
   return runs;
 }
 
-bool isAnyExplained(const BoardDetections::PerCamera& camera) {
-  return std::ranges::any_of(camera.missed, [](const MissedImage& image) {
+bool hasExplainedMiss(const BoardDetections::PerCamera& camera) {
+  return std::ranges::any_of(camera.missedImages, [](const MissedImage& image) {
     return image.miss.reason != BoardMiss::Reason::Unknown;
   });
 }
@@ -81,7 +81,7 @@ std::string missedText(const BoardDetections::PerCamera& camera) {
   }
   std::string text = "no board was found in ";
   if (runs.front().file.empty()) {
-    text += camera.missed.size() == 1 ? "frame " : "frames ";
+    text += camera.missedImages.size() == 1 ? "frame " : "frames ";
   }
   int others = 0;
   for (std::size_t k = 0; k < runs.size(); ++k) {

@@ -18,8 +18,8 @@ public:
   /// `explained`: true if explain() is to find reasons, which takes time for each image.
   MissedImages(std::size_t cameras, bool explained) : images_(cameras), explained_(explained) {}
 
-  /// Adds an image of the camera with index `index` to PerCamera::missed of `camera`. `file` is
-  /// empty for a frame of a recording.
+  /// Adds an image of the camera with index `index` to PerCamera::missedImages of `camera`. `file`
+  /// is empty for a frame of a recording.
   void add(std::size_t index, std::string file, std::int64_t instant, const cv::Mat& image,
            BoardDetections::PerCamera& camera);
   /// Stores in `seen` why the board was not found, for the first images that each camera missed.
@@ -49,7 +49,7 @@ std::vector<MissedRun> missedRuns(const BoardDetections::PerCamera& camera);
 inline constexpr std::size_t kMaxListedRuns = 8;
 
 /// Returns whether the reason of any missed image is known.
-bool isAnyExplained(const BoardDetections::PerCamera& camera);
+bool hasExplainedMiss(const BoardDetections::PerCamera& camera);
 
 /// Returns a clause like "no board was found in left03.jpg (blurred, edges of 9 px), left07.jpg" or
 /// "no board was found in frames 0-40, 60". Empty if the board was found in all images.

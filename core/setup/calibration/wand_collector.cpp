@@ -29,7 +29,7 @@ WandCollector::~WandCollector() = default;
 void WandCollector::offer(const FrameSetPtr& frames) {
   {
     const std::lock_guard lock(queueMutex_);
-    if (queue_.size() >= kMaxWaiting) {
+    if (queue_.size() >= kMaxWaitingFrameSets) {
       ++dropped_;
       return;
     }
@@ -79,13 +79,13 @@ WandCollector::State WandCollector::state() const {
   State state;
   {
     const std::lock_guard lock(queueMutex_);
-    state.waiting = taken_;
-    state.dropped = dropped_;
+    state.waitingFrameSets = taken_;
+    state.droppedFrameSets = dropped_;
   }
   const std::lock_guard lock(seenMutex_);
   state.seconds = first_ ? newest_ - *first_ : 0.0;
-  state.searched = searched_;
-  state.waiting -= searched_;
+  state.searchedFrameSets = searched_;
+  state.waitingFrameSets -= searched_;
   state.cameras = cameras_;
   return state;
 }

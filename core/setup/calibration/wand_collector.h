@@ -23,11 +23,12 @@ struct CameraSightings {
 bool hasEnoughDetections(const CameraSightings& camera);
 
 /// Searches for the balls of a wand in frame sets from live cameras, in a separate thread. A frame
-/// set that arrives while `kMaxWaiting` others are waiting is dropped and counted as dropped.
+/// set that arrives while `kMaxWaitingFrameSets` others are waiting is dropped and counted as
+/// dropped.
 class WandCollector {
 public:
   /// Largest number of waiting frame sets.
-  static constexpr std::size_t kMaxWaiting = 32;
+  static constexpr std::size_t kMaxWaitingFrameSets = 32;
 
   WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls);
   /// Drops all waiting frame sets. Do not call this from the thread of a window, because it waits
@@ -42,9 +43,9 @@ public:
 
   struct State {
     double seconds = 0.0; ///< time from the first frame set to the newest one
-    std::int64_t searched = 0;
-    std::int64_t waiting = 0; ///< accepted, but not yet searched
-    std::int64_t dropped = 0;
+    std::int64_t searchedFrameSets = 0;
+    std::int64_t waitingFrameSets = 0; ///< accepted, but not yet searched
+    std::int64_t droppedFrameSets = 0;
     std::vector<CameraSightings> cameras;
   };
   State state() const;

@@ -57,11 +57,11 @@ std::optional<double> errorBefore(const WandOptions& options, const CameraRig& b
 
 /// What the project records about the former cameras.
 void addRecords(const Project& project, WandRefinement& refinement) {
-  refinement.beforeCalibrated = !project.cameras.empty();
+  refinement.wasCalibratedBefore = !project.cameras.empty();
   for (const ProjectCamera& camera : project.cameras) {
     const auto& pose = camera.calibrated.pose;
     if (!pose || !describes(*pose, camera.camera)) {
-      refinement.beforeCalibrated = false;
+      refinement.wasCalibratedBefore = false;
       refinement.beforeError.reset();
       return;
     }
@@ -82,7 +82,7 @@ Result<WandRefinement> assessed(const Project& project, const WandOptions& optio
   refinement.accuracy = assessWand(*result, options.floorTimes);
   refinement.beforePx = errorBefore(options, before, *result);
   refinement.gaps = missingMotion(*result);
-  refinement.before = std::move(before);
+  refinement.camerasBefore = std::move(before);
   refinement.result = std::move(*result);
   addRecords(project, refinement);
   return refinement;
@@ -127,12 +127,12 @@ bool isInaccurate(const WandRefinement& refinement) {
          refinement.accuracy->cameras95 > refinement.options.initialPositionError;
 }
 
-bool isUnneeded(const WandRefinement& refinement) {
+bool isUnnecessary(const WandRefinement& refinement) {
   return refinement.beforePx && refinement.accuracy && refinement.accuracy->heldOut > 0 &&
          *refinement.beforePx <= refinement.accuracy->heldOutPx;
 }
 
-std::string unneededText(const WandRefinement& refinement) {
+std::string unnecessaryText(const WandRefinement& refinement) {
   return fmt::format("the old cameras fit the images as well ({:.2f} px) as the new ones ({:.2f} "
                      "px in images that they were not computed from): keep the old ones, or wave "
                      "longer and through more of the volume",
@@ -151,7 +151,7 @@ double newPositionError(const WandRefinement& refinement) {
 }
 
 bool isKnownBetter(const WandRefinement& refinement) {
-  if (!refinement.beforeCalibrated || !refinement.beforePx || !refinement.accuracy ||
+  if (!refinement.wasCalibratedBefore || !refinement.beforePx || !refinement.accuracy ||
       refinement.accuracy->heldOut == 0 ||
       *refinement.beforePx >= kContradicted * refinement.accuracy->heldOutPx) {
     return false;
@@ -176,8 +176,8 @@ std::string knownBetterText(const WandRefinement& refinement) {
 std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement) {
   const CameraRig& after = refinement.result.cameras;
   std::vector<PoseShift> shifts;
-  for (std::size_t k = 0; k < std::min(after.size(), refinement.before.size()); ++k) {
-    shifts.push_back(poseShift(refinement.before[k], after[k]));
+  for (std::size_t k = 0; k < std::min(after.size(), refinement.camerasBefore.size()); ++k) {
+    shifts.push_back(poseShift(refinement.camerasBefore[k], after[k]));
   }
   std::vector<FarOffCamera> found;
   for (std::size_t k = 0; shifts.size() >= kLeastCamerasToCompare && k < shifts.size(); ++k) {
@@ -205,8 +205,8 @@ std::string farOffText(const FarOffCamera& camera, const CameraRig& rig) {
 }
 
 bool isDoubtful(const WandRefinement& refinement) {
-  return !refinement.result.faults.empty() || isInaccurate(refinement) || isUnneeded(refinement) ||
-         isKnownBetter(refinement);
+  return !refinement.result.faults.empty() || isInaccurate(refinement) ||
+         isUnnecessary(refinement) || isKnownBetter(refinement);
 }
 
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
@@ -245,7 +245,7 @@ std::vector<BoardCoverage> coverageOf(const WandResult& result) {
 
 std::string htmlText(const WandRefinement& refinement) {
   WandReport report;
-  report.before = refinement.before;
+  report.before = refinement.camerasBefore;
   report.result = refinement.result;
   report.accuracy = refinement.accuracy
                         ? accuracySummary(*refinement.accuracy)
@@ -253,7 +253,7 @@ std::string htmlText(const WandRefinement& refinement) {
   report.coverage = coverageOf(refinement.result);
   report.offsetsFound = refinement.options.findOffsets;
   for (const MotionGap& gap : refinement.gaps) {
-    report.notices.push_back(motionGapText(gap, refinement.before));
+    report.notices.push_back(motionGapText(gap, refinement.camerasBefore));
   }
   return htmlText(report);
 }

@@ -16,18 +16,18 @@ namespace dewpoint::setup {
 /// A wand calibration, with everything that the command line and the window report about it.
 struct WandRefinement {
   WandOptions options;
-  CameraRig before; ///< cameras of the project before the calibration
+  CameraRig camerasBefore; ///< cameras of the project before the calibration
   WandResult result;
   Result<CalibrationAccuracy> accuracy; ///< accuracy, or the reason why there is none
-  /// Root mean square reprojection error of the same image points with the cameras `before`,
+  /// Root mean square reprojection error of the same image points with the cameras `camerasBefore`,
   /// pixels. Empty if anything besides poses and intrinsics was estimated: time offsets, the scale,
   /// or the floor.
   std::optional<double> beforePx = std::nullopt;
-  /// True if the poses of all cameras in `before` were measured or read from a file, and have not
-  /// been changed since then.
-  bool beforeCalibrated = false;
-  /// Largest recorded error of the camera positions in `before` (PoseRecord::error), meters; empty
-  /// if no error is recorded.
+  /// True if the poses of all cameras in `camerasBefore` were measured or read from a file, and
+  /// have not been changed since then.
+  bool wasCalibratedBefore = false;
+  /// Largest recorded error of the camera positions in `camerasBefore` (PoseRecord::error), meters;
+  /// empty if no error is recorded.
   std::optional<double> beforeError = std::nullopt;
   /// Kinds of motion that the recording lacks; see missingMotion().
   std::vector<MotionGap> gaps = {};
@@ -41,12 +41,12 @@ bool isInaccurate(const WandRefinement& refinement);
 /// Returns whether the recording gives no reason to change the cameras. This is the case if the old
 /// cameras fit the images at least as well as the new cameras fit images that were not used to
 /// compute them (CalibrationAccuracy::heldOutPx).
-bool isUnneeded(const WandRefinement& refinement);
+bool isUnnecessary(const WandRefinement& refinement);
 
 /// Returns a sentence that says that the old cameras fit the images as well as the new ones.
-std::string unneededText(const WandRefinement& refinement);
+std::string unnecessaryText(const WandRefinement& refinement);
 
-/// Returns whether the old cameras (`beforeCalibrated`) are known more accurately than the new
+/// Returns whether the old cameras (`wasCalibratedBefore`) are known more accurately than the new
 /// ones, and the images do not contradict the old ones. The old cameras are known more accurately
 /// in two cases. In the first case, their recorded error is smaller than that of the new positions
 /// (CameraAccuracy::positionSigma). In the second case, no error is recorded, and the recording
@@ -78,7 +78,7 @@ std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement);
 std::string farOffText(const FarOffCamera& camera, const CameraRig& rig);
 
 /// Returns whether a known fault, such as exchanged cameras, explains the views better than this
-/// result does, or isInaccurate(), isUnneeded() or isKnownBetter() is true. If so, ask the user
+/// result does, or isInaccurate(), isUnnecessary() or isKnownBetter() is true. If so, ask the user
 /// before you store the result in the project.
 bool isDoubtful(const WandRefinement& refinement);
 

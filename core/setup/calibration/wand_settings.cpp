@@ -6,8 +6,8 @@
 namespace dewpoint::setup {
 namespace {
 
-std::optional<double> instantOf(const std::vector<MarkedInstant>& instants, WandEvent role) {
-  const auto found = std::ranges::find(instants, role, &MarkedInstant::role);
+std::optional<double> instantOf(const std::vector<MarkedInstant>& instants, WandEvent event) {
+  const auto found = std::ranges::find(instants, event, &MarkedInstant::event);
   return found != instants.end() ? std::optional(found->seconds) : std::nullopt;
 }
 
@@ -15,7 +15,7 @@ std::optional<double> instantOf(const std::vector<MarkedInstant>& instants, Wand
 
 void addInstant(std::vector<MarkedInstant>& instants, const MarkedInstant& taken) {
   std::erase_if(instants, [&](const MarkedInstant& instant) {
-    return instant == taken || (taken.role != WandEvent::Floor && instant.role == taken.role);
+    return instant == taken || (taken.event != WandEvent::Floor && instant.event == taken.event);
   });
   instants.push_back(taken);
   std::ranges::stable_sort(instants, {}, &MarkedInstant::seconds);
@@ -27,19 +27,20 @@ std::vector<std::string> selectedTargets(const WandSettings& settings, const Pro
   };
   std::vector<std::string> balls;
   if (!project.targets.empty()) {
-    balls.push_back(known(settings.ball) ? settings.ball : project.targets.front().name);
+    balls.push_back(known(settings.ballTarget) ? settings.ballTarget
+                                               : project.targets.front().name);
   }
-  if (settings.stick && project.targets.size() > 1) {
+  if (settings.usesStick && project.targets.size() > 1) {
     const auto another = std::ranges::find_if(
         project.targets, [&](const Target& target) { return target.name != balls.front(); });
-    balls.push_back(known(settings.other) ? settings.other : another->name);
+    balls.push_back(known(settings.secondBallTarget) ? settings.secondBallTarget : another->name);
   }
   return balls;
 }
 
 WandObstacle obstacleOf(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                         const Project& project) {
-  const auto taken = [&](WandEvent role) { return instantOf(instants, role).has_value(); };
+  const auto taken = [&](WandEvent event) { return instantOf(instants, event).has_value(); };
   const auto balls = selectedTargets(settings, project);
   if (project.cameras.size() < 2) {
     return WandObstacle::TooFewCameras;
@@ -47,13 +48,13 @@ WandObstacle obstacleOf(const WandSettings& settings, const std::vector<MarkedIn
   if (balls.empty()) {
     return WandObstacle::NoBall;
   }
-  if (settings.stick && balls.size() < 2) {
+  if (settings.usesStick && balls.size() < 2) {
     return WandObstacle::NoSecondBall;
   }
-  if (settings.stick && balls[0] == balls[1]) {
+  if (settings.usesStick && balls[0] == balls[1]) {
     return WandObstacle::SameBallTwice;
   }
-  if (!settings.stick && settings.size == WandScaleSource::Distance &&
+  if (!settings.usesStick && settings.scaleSource == WandScaleSource::Distance &&
       !(taken(WandEvent::DistanceFrom) && taken(WandEvent::DistanceTo))) {
     return WandObstacle::IncompleteDistance;
   }
@@ -61,19 +62,20 @@ WandObstacle obstacleOf(const WandSettings& settings, const std::vector<MarkedIn
                                                                     : WandObstacle::None;
 }
 
-WandOptions toOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
-                      const Project& project, const std::optional<FrameSpan>& selected) {
+WandOptions toWandOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
+                          const Project& project, const std::optional<FrameSpan>& selected) {
   WandOptions options;
   options.targets = selectedTargets(settings, project);
-  options.stickLength = settings.stick ? settings.length : 0.0;
-  options.fromDiameter = !settings.stick && settings.size == WandScaleSource::Diameter;
-  if (!settings.stick && settings.size == WandScaleSource::Distance) {
+  options.stickLength = settings.usesStick ? settings.stickLength : 0.0;
+  options.usesBallDiameter =
+      !settings.usesStick && settings.scaleSource == WandScaleSource::Diameter;
+  if (!settings.usesStick && settings.scaleSource == WandScaleSource::Distance) {
     options.distance = TouchedDistance{instantOf(instants, WandEvent::DistanceFrom).value_or(0.0),
                                        instantOf(instants, WandEvent::DistanceTo).value_or(0.0),
                                        settings.distance};
   }
   for (const MarkedInstant& instant : instants) {
-    if (instant.role == WandEvent::Floor) {
+    if (instant.event == WandEvent::Floor) {
       options.floorTimes.push_back(instant.seconds);
     }
   }
@@ -87,7 +89,7 @@ WandOptions toOptions(const WandSettings& settings, const std::vector<MarkedInst
   options.findDistortion = settings.findDistortion;
   options.initialPositionError = settings.initialPositionError;
   options.initialRotationError = settings.initialRotationError;
-  if (settings.onlySelectedFrames && selected) {
+  if (settings.usesOnlySelectedFrames && selected) {
     options.firstFrame = selected->first;
     options.endFrame = selected->last + 1;
   }

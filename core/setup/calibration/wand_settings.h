@@ -19,18 +19,21 @@ enum class WandScaleSource {
 
 /// The user's choices for a wand calibration, as entered. They may not be valid yet.
 struct WandSettings {
-  bool stick = false; ///< true: two balls on a stick; false: one ball
-  std::string ball;   ///< name of the target that is the ball; empty: the project's first target
-  /// Name of the target at the other end of the stick; empty: the first target that is not `ball`.
-  std::string other;
-  double length = 0.5; ///< distance between the centers of the balls on the stick, meters
-  WandScaleSource size = WandScaleSource::Cameras; ///< source of the scale if the wand is one ball
+  bool usesStick = false; ///< true: two balls on a stick; false: one ball
+  std::string
+      ballTarget; ///< name of the target that is the ball; empty: the project's first target
+  /// Name of the target at the other end of the stick; empty: the first target that is not
+  /// `ballTarget`.
+  std::string secondBallTarget;
+  double stickLength = 0.5; ///< distance between the centers of the balls on the stick, meters
+  WandScaleSource scaleSource =
+      WandScaleSource::Cameras; ///< source of the scale if the wand is one ball
   /// For WandScaleSource::Distance: distance between the two touched positions, meters.
   double distance = 1.0;
   bool findOffsets = false;
   bool findFocal = false;
   bool findDistortion = false;
-  bool onlySelectedFrames = false; ///< search only the selected frames
+  bool usesOnlySelectedFrames = false; ///< search only the selected frames
   double initialPositionError = WandOptions().initialPositionError; ///< see WandOptions, meters
   double initialRotationError = WandOptions().initialRotationError; ///< see WandOptions, radians
 
@@ -45,7 +48,7 @@ constexpr int kWandEventCount = 5;
 struct MarkedInstant {
   std::int64_t frame = 0;
   double seconds = 0.0;
-  WandEvent role = WandEvent::Floor;
+  WandEvent event = WandEvent::Floor;
 
   bool operator==(const MarkedInstant&) const = default;
 };
@@ -81,8 +84,8 @@ struct FrameSpan {
 };
 
 /// Converts settings to options. obstacleOf() must return None for these settings. `selected` are
-/// the frames for WandSettings::onlySelectedFrames.
-WandOptions toOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
-                      const Project& project, const std::optional<FrameSpan>& selected = {});
+/// the frames for WandSettings::usesOnlySelectedFrames.
+WandOptions toWandOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
+                          const Project& project, const std::optional<FrameSpan>& selected = {});
 
 } // namespace dewpoint::setup

@@ -109,10 +109,10 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
     problem.ballRadii.at(ball) = (*balls)[ball]->radius;
   }
   problem.stickLength = options.stickLength;
-  problem.scale = options.stickLength > 0.0 ? WandScale::Stick
-                  : options.distance        ? WandScale::Distance
-                  : options.fromDiameter    ? WandScale::Diameter
-                                            : WandScale::InitialRig;
+  problem.scale = options.stickLength > 0.0  ? WandScale::Stick
+                  : options.distance         ? WandScale::Distance
+                  : options.usesBallDiameter ? WandScale::Diameter
+                                             : WandScale::InitialRig;
   problem.distance = options.distance.value_or(TouchedDistance{});
   problem.floorTimes = options.floorTimes;
   problem.fallSpan = options.fallSpan;

@@ -28,7 +28,7 @@ public:
   const std::vector<std::vector<MarkerObservation>>& views() const { return views_; }
   /// Returns and removes the detections since the last call.
   std::vector<std::vector<MarkerObservation>> take();
-  std::int64_t frameSets() const { return frameSets_; }
+  std::int64_t frameSetCount() const { return frameSets_; }
 
 private:
   std::vector<MarkerDetector> finders_;
@@ -47,7 +47,7 @@ struct WandOptions {
   bool findFocal = false;
   bool findDistortion = false;
   /// True to determine the scale from the radius of the ball in the project.
-  bool fromDiameter = false;
+  bool usesBallDiameter = false;
   std::optional<TouchedDistance> distance;
   /// Times at which the first ball lies on the floor or touches it, seconds.
   std::vector<double> floorTimes;

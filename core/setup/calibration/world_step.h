@@ -24,8 +24,8 @@ enum class WorldStep {
 /// Project in a new world frame.
 struct WorldStepResult {
   Project project;
-  double rotated = 0.0; ///< angle of the rotation, radians
-  double scale = 1.0;   ///< factor of all lengths
+  double rotationAngle = 0.0; ///< angle of the rotation, radians
+  double scale = 1.0;         ///< factor of all lengths
   /// For WorldStep::Floor: root mean square distance of the points from the plane, meters.
   double floorRms = 0.0;
 };

@@ -108,12 +108,12 @@ public:
       join(counterparts);
     }
     colors_ = colors;
-    for (std::size_t i = 0; i < counterparts.found.size(); ++i) {
-      ColorSample sample = counterparts.found[i];
+    for (std::size_t i = 0; i < counterparts.samples.size(); ++i) {
+      ColorSample sample = counterparts.samples[i];
       if (!showsTarget(lesson_.samples, sample.camera, shown_.frame) ||
           (colors > 1 && !showsColor(sample))) {
         sample.frame = shown_.frame;
-        lesson_.found.push_back({sample.camera, counterparts.outlines[i]});
+        lesson_.outlines.push_back({sample.camera, counterparts.outlines[i]});
         lesson_.samples.push_back(std::move(sample));
       }
     }
@@ -182,13 +182,13 @@ Marked searchedFor(const CameraRig& rig, const std::vector<cv::Mat>& images,
   }
   Marked marked;
   marked.part = partInBox(images[camera], sample);
-  if (marked.part && !clickedObject(rig.at(camera), images[camera], marked.part->whole)) {
+  if (marked.part && !clickedObject(rig.at(camera), images[camera], marked.part->wholeObject)) {
     marked.part.reset(); // a wall, or a region that grew too far
   }
   if (marked.part) {
     CounterpartLimits ofWhole = limits;
     ofWhole.radius = 0.0;
-    marked.counterparts = findCounterparts(rig, images, marked.part->whole, ofWhole);
+    marked.counterparts = findCounterparts(rig, images, marked.part->wholeObject, ofWhole);
     return marked;
   }
   marked.counterparts = findCounterparts(rig, images, sample, limits);
@@ -223,8 +223,8 @@ Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedI
       found.add(sample, marked.counterparts);
       if (marked.part) {
         parts.push_back(*marked.part);
-        wholes.insert(wholes.end(), marked.counterparts.found.begin(),
-                      marked.counterparts.found.end());
+        wholes.insert(wholes.end(), marked.counterparts.samples.begin(),
+                      marked.counterparts.samples.end());
       }
     }
   }
@@ -327,7 +327,7 @@ std::vector<ColorSample> withoutSample(std::vector<ColorSample> samples, std::si
   return samples;
 }
 
-bool anyClicked(const std::vector<ColorSample>& samples) {
+bool hasClickedSample(const std::vector<ColorSample>& samples) {
   return std::ranges::any_of(samples, isClick);
 }
 

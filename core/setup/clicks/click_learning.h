@@ -34,8 +34,8 @@ struct FoundOutline {
 /// Result of learning from clicks on a target.
 struct ClickLearningResult {
   LearnedColor color;
-  std::vector<ColorSample> samples; ///< the clicked samples, then those found in other images
-  std::vector<FoundOutline> found;  ///< outlines found in the displayed images
+  std::vector<ColorSample> samples;   ///< the clicked samples, then those found in other images
+  std::vector<FoundOutline> outlines; ///< outlines found in the displayed images
   /// Radius in meters, as Counterparts::radius; empty if nothing was found in the displayed images.
   std::optional<double> radius;
   /// Centers of the target in the displayed images, for the first click whose object was also found
@@ -95,6 +95,6 @@ void applyLearningResult(const ClickLearningResult& lesson, std::size_t target, 
 std::vector<ColorSample> withoutSample(std::vector<ColorSample> samples, std::size_t index);
 
 /// Returns whether at least one sample was clicked on the target.
-bool anyClicked(const std::vector<ColorSample>& samples);
+bool hasClickedSample(const std::vector<ColorSample>& samples);
 
 } // namespace dewpoint::setup

@@ -122,8 +122,8 @@ bool CounterpartSearch::isPossible(double depth) const {
   const double radius = object_.radiusAt(depth);
   return depth > 0.0 && radius >= kLeastRadius && radius <= kMostRadius &&
          (!limits_.volume || limits_.volume->contains(object_.positionAt(depth), radius)) &&
-         (limits_.radius <= 0.0 ||
-          std::abs(std::log(radius / limits_.radius)) < ClickedObject::kReach * kLogRadiusSigma);
+         (limits_.radius <= 0.0 || std::abs(std::log(radius / limits_.radius)) <
+                                       ClickedObject::kSearchSigmas * kLogRadiusSigma);
 }
 
 bool CounterpartSearch::isInView(std::size_t camera, const Eigen::Vector3d& position) const {
@@ -148,7 +148,8 @@ double CounterpartSearch::weigh(std::size_t camera, const RayRegion& region,
       sigma * sigma * Eigen::Matrix2d::Identity() + alongRay * alongRay.transpose();
   const Eigen::Vector2d off = region.center - *pixel;
   const double expectedArea = std::numbers::pi * radiusPx * radiusPx;
-  return kRegionPrior + kColorWeight * region.logRatio - 0.5 * off.dot(covariance.inverse() * off) +
+  return kRegionPrior + kColorWeight * region.meanLogRatio -
+         0.5 * off.dot(covariance.inverse() * off) +
          gauss(std::log(region.area / expectedArea) / kLogAreaSigma);
 }
 
@@ -163,7 +164,7 @@ std::optional<Hypothesis> CounterpartSearch::hypothesisOf(std::size_t camera,
   }
   const Eigen::Vector3d position = object_.positionAt(depth);
   const double across = std::hypot(ClickedObject::kDirectionSigma * (position - ray->origin).norm(),
-                                   ClickedObject::kCenterSigmaRadii * object_.radiusAt(depth));
+                                   ClickedObject::kCenterSigmaInRadii * object_.radiusAt(depth));
   const double depthSigma = across / object_.ray.direction.cross(ray->direction).norm();
   Hypothesis hypothesis;
   hypothesis.position = position;
@@ -232,7 +233,7 @@ void CounterpartSearch::decide(std::size_t camera, const std::vector<double>& pr
       std::vector<std::vector<cv::Point>> outlines;
       cv::findContours(regions[i].mask.clone(), outlines, cv::RETR_EXTERNAL,
                        cv::CHAIN_APPROX_SIMPLE);
-      counterparts.found.push_back(*taken);
+      counterparts.samples.push_back(*taken);
       counterparts.outlines.push_back(outlines.front());
       counterparts.centers.push_back({sample.camera, regions[i].center});
       counterparts.undecided[camera].release();
@@ -253,7 +254,7 @@ double CounterpartSearch::radiusOf(const Hypothesis& hypothesis) const {
     if (const auto& region = hypothesis.regions[camera]) {
       const double radiusPx = std::sqrt(regions_[camera][*region].area / std::numbers::pi);
       const double distance = (hypothesis.position - rig_[camera].center()).norm();
-      sum += std::log(radiusPx * distance / focalOf(rig_[camera]));
+      sum += std::log(radiusPx * distance / meanFocalLength(rig_[camera]));
       count += 1.0;
     }
   }
@@ -274,7 +275,7 @@ Counterparts CounterpartSearch::result() const {
   for (std::size_t camera = 0; camera < rig_.size(); ++camera) {
     decide(camera, probabilities(camera, hypotheses), counterparts);
   }
-  if (!counterparts.found.empty()) {
+  if (!counterparts.samples.empty()) {
     counterparts.centers.push_back({static_cast<int>(object_.camera), object_.center});
     counterparts.radius = radiusOf(*std::ranges::max_element(hypotheses, {}, &Hypothesis::logOdds));
   }
@@ -297,11 +298,11 @@ Counterparts findCounterparts(const CameraRig& rig, const std::vector<cv::Mat>& 
     return nothing;
   }
   Counterparts counterparts = CounterpartSearch(rig, images, *object, sample, limits).result();
-  if (counterparts.found.empty() && limits.radius > 0.0) {
+  if (counterparts.samples.empty() && limits.radius > 0.0) {
     CounterpartLimits anySize = limits;
     anySize.radius = 0.0;
     Counterparts others = CounterpartSearch(rig, images, *object, sample, anySize).result();
-    return others.found.empty() ? counterparts : others;
+    return others.samples.empty() ? counterparts : others;
   }
   return counterparts;
 }

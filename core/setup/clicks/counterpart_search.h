@@ -18,8 +18,8 @@ struct Counterparts {
   /// At most one sample per other camera, in camera order, with ColorSample::found set. Each sample
   /// is a region of the image that lies on the projected ray of the click and has the size and
   /// approximately the color expected there. The regions of all cameras agree on one position.
-  std::vector<ColorSample> found;
-  /// Outlines of these regions in the images, in the order of `found`, in pixels.
+  std::vector<ColorSample> samples;
+  /// Outlines of these regions in the images, in the order of `samples`, in pixels.
   std::vector<std::vector<cv::Point>> outlines;
   /// Centers of the click's region and of the regions found; empty if none was found.
   std::vector<PointClick> centers;

@@ -27,7 +27,7 @@ struct FootageClicks {
 struct FootageLearningResult {
   Project project;        ///< project with the learned color
   std::size_t target = 0; ///< index of the target whose color was learned
-  ClickLearningResult lesson;
+  ClickLearningResult learningResult;
   cv::Mat image; ///< image that contains the first click
 };
 

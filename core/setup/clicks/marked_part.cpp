@@ -118,7 +118,7 @@ std::optional<Gaussian3> onRay(const MarkRay& ray, const std::vector<double>& de
   for (const double depth : depths) {
     variance += (depth - mean) * (depth - mean) / static_cast<double>(depths.size());
   }
-  const double across = ClickedObject::kCenterSigmaRadii * ray.spread * mean;
+  const double across = ClickedObject::kCenterSigmaInRadii * ray.spread * mean;
   return Gaussian3{ray.at(mean),
                    across * across * Eigen::Matrix3d::Identity() + variance * ray.along()};
 }
@@ -135,7 +135,7 @@ std::optional<Gaussian3> rayIntersection(const std::vector<MarkRay>& rays) {
   }
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   for (const MarkRay& ray : rays) {
-    const double sigma = ClickedObject::kCenterSigmaRadii * ray.spread * ray.depthOf(*point);
+    const double sigma = ClickedObject::kCenterSigmaInRadii * ray.spread * ray.depthOf(*point);
     information += (Eigen::Matrix3d::Identity() - ray.along()) / (sigma * sigma);
   }
   const Eigen::Matrix3d covariance = information.inverse();
@@ -184,10 +184,10 @@ std::optional<MarkedPart> locatePart(const CameraRig& rig, const std::vector<cv:
   std::vector<MarkRay> rays;
   MarkedPart part;
   for (const PartMark& mark : marks) {
-    const Camera& camera = rig.at(static_cast<std::size_t>(mark.whole.camera));
+    const Camera& camera = rig.at(static_cast<std::size_t>(mark.wholeObject.camera));
     if (const auto ray = Unprojector(camera).ray(mark.center)) {
-      rays.push_back({*ray, mark.radiusPx / focalOf(camera)});
-      part.clicks.push_back({mark.whole.camera, mark.center});
+      rays.push_back({*ray, mark.radiusPx / meanFocalLength(camera)});
+      part.clicks.push_back({mark.wholeObject.camera, mark.center});
     }
   }
   std::optional<Gaussian3> position;

@@ -17,7 +17,7 @@ namespace dewpoint::setup {
 /// A part of a larger object of one color, such as a hand on an arm of the same color, that the
 /// user marked in an image with a click or a box.
 struct PartMark {
-  ColorSample whole; ///< sample of the whole object, as obtained by a click on the part
+  ColorSample wholeObject; ///< sample of the whole object, as obtained by a click on the part
   /// Center of the largest disc of the color that fits into the part, in pixels; its radius is
   /// `radiusPx`.
   Eigen::Vector2d center = Eigen::Vector2d::Zero();

@@ -44,7 +44,8 @@ struct RayPoint {
 std::vector<RayPoint> imageOfRay(const ClickedObject& object, const Camera& camera,
                                  const std::function<bool(double depth)>& isPossible) {
   const Projector projector(camera);
-  const double margin = ClickedObject::kReach * ClickedObject::kDirectionSigma * focalOf(camera);
+  const double margin =
+      ClickedObject::kSearchSigmas * ClickedObject::kDirectionSigma * meanFocalLength(camera);
   const auto isNearImage = [&](const Eigen::Vector2d& pixel) {
     return pixel.x() > -margin && pixel.y() > -margin &&
            pixel.x() < camera.intrinsics.width + margin &&
@@ -103,7 +104,7 @@ void addSpotsAcross(const RayPoint& point, const Eigen::Vector2d& along, const C
   const Eigen::Vector2d across(-along.y(), along.x());
   const double step = std::max(1.0, kSpotStepRadii * point.radiusPx);
   const double sigma = ClickedObject::centerSigma(camera, point.radiusPx);
-  const int count = static_cast<int>(std::ceil(ClickedObject::kReach * sigma / step));
+  const int count = static_cast<int>(std::ceil(ClickedObject::kSearchSigmas * sigma / step));
   const int half = std::max(1, static_cast<int>(std::lround(kSpotHalfRadii * point.radiusPx)));
   for (int k = -count; k <= count; ++k) {
     const Eigen::Vector2d exact = point.pixel + k * step * across;
@@ -140,7 +141,8 @@ cv::Mat maskNear(const std::vector<RayPoint>& points, const Camera& camera) {
   cv::Mat mask = cv::Mat::zeros(camera.intrinsics.height, camera.intrinsics.width, CV_8UC1);
   for (const RayPoint& point : points) {
     const double reach =
-        ClickedObject::kReach * ClickedObject::centerSigma(camera, point.radiusPx) + point.radiusPx;
+        ClickedObject::kSearchSigmas * ClickedObject::centerSigma(camera, point.radiusPx) +
+        point.radiusPx;
     cv::circle(mask,
                {static_cast<int>(std::lround(point.pixel.x())),
                 static_cast<int>(std::lround(point.pixel.y()))},
@@ -173,25 +175,25 @@ std::optional<RayRegion> grow(const Spot& spot, const cv::Mat& image, const cv::
   region.mask = cv::Mat::zeros(image.size(), CV_8UC1);
   grown.copyTo(region.mask(part));
   region.center = centerOf(region.mask);
-  region.logRatio = likelihood.meanLogRatio(image, near, region.mask);
+  region.meanLogRatio = likelihood.meanLogRatio(image, near, region.mask);
   return region;
 }
 
 } // namespace
 
-double focalOf(const Camera& camera) {
+double meanFocalLength(const Camera& camera) {
   return std::sqrt(camera.intrinsics.focalX * camera.intrinsics.focalY);
 }
 
 double ClickedObject::radiusPxIn(const Camera& other, const Eigen::Vector3d& position) const {
   constexpr double kAtTheLens = 1e-6; // meters
   const double distance = std::max((position - other.center()).norm(), kAtTheLens);
-  return radiusAt(depthOf(position)) * focalOf(other) / distance;
+  return radiusAt(depthOf(position)) * meanFocalLength(other) / distance;
 }
 
 double ClickedObject::centerSigma(const Camera& camera, double radiusPx) {
   // Two cameras' directions are compared.
-  return std::hypot(kDirectionSigma * focalOf(camera), kCenterSigmaRadii * radiusPx);
+  return std::hypot(kDirectionSigma * meanFocalLength(camera), kCenterSigmaInRadii * radiusPx);
 }
 
 std::optional<ClickedObject> clickedObject(const Camera& camera, const cv::Mat& image,
@@ -207,7 +209,7 @@ std::optional<ClickedObject> clickedObject(const Camera& camera, const cv::Mat& 
     return std::nullopt;
   }
   return ClickedObject{static_cast<std::size_t>(sample.camera), center, *ray,
-                       std::sqrt(area / std::numbers::pi), focalOf(camera)};
+                       std::sqrt(area / std::numbers::pi), meanFocalLength(camera)};
 }
 
 std::vector<RayRegion> regionsAlongRay(const ClickedObject& object, const Camera& camera,

@@ -22,11 +22,11 @@ struct ClickedObject {
   std::size_t camera = 0;
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of its region, pixels
   Ray ray;                                          ///< ray through the center, world frame
-  double radiusPx = 0.0; ///< radius of a circle with the region's area, pixels
-  double focal = 0.0;    ///< focal length of the camera, pixels
+  double radiusPx = 0.0;      ///< radius of a circle with the region's area, pixels
+  double focalLengthPx = 0.0; ///< focal length of the camera, pixels
 
   /// Returns the radius in meters at a depth in meters along the ray.
-  double radiusAt(double depth) const { return radiusPx * depth / focal; }
+  double radiusAt(double depth) const { return radiusPx * depth / focalLengthPx; }
   Eigen::Vector3d positionAt(double depth) const { return ray.origin + depth * ray.direction; }
   double depthOf(const Eigen::Vector3d& position) const {
     return (position - ray.origin).dot(ray.direction);
@@ -43,14 +43,14 @@ struct ClickedObject {
   static constexpr double kDirectionSigma = 0.0061; ///< radians: 0.25 degrees for each camera
   /// Part of centerSigma() that is caused by motion and by each camera seeing another side, as a
   /// fraction of the region's radius. Chosen by judgment.
-  static constexpr double kCenterSigmaRadii = 0.35;
+  static constexpr double kCenterSigmaInRadii = 0.35;
   /// Largest distance, in standard deviations, at which regions are searched for. It covers 99.7 %
   /// of a normal distribution.
-  static constexpr double kReach = 3.0;
+  static constexpr double kSearchSigmas = 3.0;
 };
 
 /// Returns the geometric mean of both focal lengths, in pixels.
-double focalOf(const Camera& camera);
+double meanFocalLength(const Camera& camera);
 
 /// Returns the object of a sample in its camera's image (CV_8UC3). Returns nothing if no region
 /// that may be an object grows from the sample, or if the lens does not cover the center of the
@@ -64,7 +64,7 @@ struct RayRegion {
   cv::Mat mask; ///< CV_8UC1 of the image's size, 255 inside the region
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of the region, pixels
   double area = 0.0;                                ///< number of pixels in the region
-  double logRatio = 0.0; ///< mean of OtherCameraLikelihood over the pixels of the region, nats
+  double meanLogRatio = 0.0; ///< mean of OtherCameraLikelihood over the pixels of the region, nats
 };
 
 /// Returns at most eight regions of another camera's image (CV_8UC3) that may show the object. They

@@ -36,7 +36,7 @@ void checkAgreement(Examination& examination) {
     return;
   }
   const MethodFamily family = methodFamily(project.method);
-  if (project.cameras.size() < 2 || !family.needsCalibration || !family.masksColors() ||
+  if (project.cameras.size() < 2 || !family.needsCalibration || !family.hasColorMasks() ||
       std::ranges::all_of(project.cameras, matchesScene)) {
     return; // it was only to be opened
   }

@@ -10,7 +10,7 @@
 
 namespace dewpoint::setup {
 
-bool Examination::has(FindingKind kind) const {
+bool Examination::hasFinding(FindingKind kind) const {
   return std::ranges::find(findings, kind, &Finding::kind) != findings.end();
 }
 
@@ -22,7 +22,7 @@ std::string cameraKey(std::size_t camera, const char* key) {
   return fmt::format("camera {}.{}", camera + 1, key);
 }
 
-std::string withoutFile(const Error& error) {
+std::string messageWithoutFile(const Error& error) {
   return error.detail.empty() ? std::string(phrase(error.code)) : error.detail;
 }
 

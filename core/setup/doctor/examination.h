@@ -36,9 +36,9 @@ struct ExaminationOptions {
 /// Data about the recording of one camera.
 struct CameraFootage {
   bool isOpen = false; ///< true if the recording can be read
-  std::int64_t frames = 0;
-  double rate = 0.0; ///< frame rate given in the recording; 0: not given
-  cv::Size size;     ///< image size after the rotation
+  std::int64_t frameCount = 0;
+  double framesPerSecond = 0.0; ///< frame rate given in the recording; 0: not given
+  cv::Size size;                ///< image size after the rotation
   std::vector<std::int64_t> sequenceNumbers = {};
   std::vector<cv::Mat> images = {}; ///< first, middle and last image, CV_8UC3, after the rotation
   std::optional<CaptureTimes> times = {};
@@ -61,12 +61,12 @@ struct Examination {
     findings.push_back({kind, std::move(values), project.file.string(), std::move(field)});
   }
   /// Adds a finding about another file.
-  void addIn(const std::string& file, FindingKind kind, std::vector<std::string> values) {
+  void addForFile(const std::string& file, FindingKind kind, std::vector<std::string> values) {
     findings.push_back({kind, std::move(values), file, ""});
   }
   /// Returns whether there is a finding of this kind.
-  bool has(FindingKind kind) const;
-  bool hasProblem() const { return worstOf(findings) == FindingLevel::Problem; }
+  bool hasFinding(FindingKind kind) const;
+  bool hasProblem() const { return worstLevelOf(findings) == FindingLevel::Problem; }
   /// Returns the name of a camera for use in sentences: "camera 'left'".
   std::string nameOf(std::size_t camera) const;
 };
@@ -76,6 +76,6 @@ std::string cameraKey(std::size_t camera, const char* key);
 
 /// Returns the text of an error without the file name, for use in a sentence that already names the
 /// file.
-std::string withoutFile(const Error& error);
+std::string messageWithoutFile(const Error& error);
 
 } // namespace dewpoint::setup

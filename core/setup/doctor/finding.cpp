@@ -194,7 +194,7 @@ const FindingTexts& textsOf(FindingKind kind) {
   return *std::ranges::find(kFindingTexts, kind, &FindingTexts::kind);
 }
 
-FindingLevel worstOf(const std::vector<Finding>& findings) {
+FindingLevel worstLevelOf(const std::vector<Finding>& findings) {
   return worstLevel(findings, &Finding::level);
 }
 
@@ -217,8 +217,8 @@ std::string fillPlaceholders(std::string_view words, const std::vector<std::stri
 
 std::string findingLine(const Finding& finding) {
   const FindingTexts& words = textsOf(finding.kind);
-  std::string line =
-      fmt::format("{:<8} {}", levelName(words.level), fillPlaceholders(words.what, finding.values));
+  std::string line = fmt::format("{:<8} {}", levelName(words.level),
+                                 fillPlaceholders(words.sentence, finding.values));
   if (!finding.file.empty() || !finding.field.empty()) {
     const bool both = !finding.file.empty() && !finding.field.empty();
     line += fmt::format(" ({}{}{})", finding.file, both ? ": " : "", finding.field);

@@ -85,8 +85,8 @@ struct FindingTexts {
   FindingKind kind;
   std::string_view name; ///< identifier for programs, for example "recording-missing"
   FindingLevel level;
-  std::string_view what;
-  std::string_view advice; ///< recommended action; empty if there is nothing to do
+  std::string_view sentence; ///< what was found
+  std::string_view advice;   ///< recommended action; empty if there is nothing to do
 };
 
 /// Returns all rows, in the order of the kinds.
@@ -105,7 +105,7 @@ struct Finding {
 };
 
 /// Returns the worst level of findings; Ok if there are none.
-FindingLevel worstOf(const std::vector<Finding>& findings);
+FindingLevel worstLevelOf(const std::vector<Finding>& findings);
 
 /// Returns a text of findingTexts() (`words`) with `values` in place of the placeholders. The
 /// result begins with a capital letter.

@@ -31,7 +31,7 @@ void checkObstacle(Examination& examination) {
     break;
   case MethodObstacle::TooFewCameras:
     examination.add(FindingKind::NeedsMoreCameras,
-                    {project.method, std::to_string(method->family.fewestCameras),
+                    {project.method, std::to_string(method->family.minCameras),
                      std::to_string(project.cameras.size())},
                     "method");
     break;
@@ -79,7 +79,7 @@ void checkVolume(Examination& examination) {
 void checkCorrectionFrames(Examination& examination) {
   std::int64_t end = 0;
   for (const CameraFootage& footage : examination.footage) {
-    end = std::max(end, footage.frames);
+    end = std::max(end, footage.frameCount);
   }
   const auto isLate = [end](const auto& one) { return one.frame >= end; };
   const auto late = std::ranges::count_if(examination.project.corrections, isLate) +
@@ -92,7 +92,8 @@ void checkCorrectionFrames(Examination& examination) {
 void checkTruth(Examination& examination) {
   if (const auto& truth = examination.project.truth) {
     if (const auto read = readTrajectory(*truth); !read) {
-      examination.addIn(truth->string(), FindingKind::TruthUnusable, {withoutFile(read.error())});
+      examination.addForFile(truth->string(), FindingKind::TruthUnusable,
+                             {messageWithoutFile(read.error())});
     }
   }
 }

@@ -33,7 +33,7 @@ void checkOutput(Examination& examination) {
                                            : examination.project.file.parent_path();
   const std::filesystem::path folder = existingFolder(wanted.empty() ? "." : wanted);
   if (::access(folder.c_str(), W_OK) != 0) {
-    examination.addIn(folder.string(), FindingKind::FolderUnwritable, {});
+    examination.addForFile(folder.string(), FindingKind::FolderUnwritable, {});
     return;
   }
   std::error_code problem;
@@ -46,7 +46,7 @@ void checkOutput(Examination& examination) {
                            : free < kLowDiskBytes ? FindingKind::DiskNearlyFull
                                                   : FindingKind::DiskFine;
   const double unit = kind == FindingKind::DiskFull ? kMegabyte : kGigabyte;
-  examination.addIn(folder.string(), kind, {fmt::format("{:.1f}", free / unit)});
+  examination.addForFile(folder.string(), kind, {fmt::format("{:.1f}", free / unit)});
 }
 
 } // namespace dewpoint::setup

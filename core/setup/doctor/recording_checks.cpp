@@ -70,12 +70,12 @@ public:
                                              captureTimeIds(camera_.camera.name, camera_.location)))
             : openImageFolderReader(camera_.location, "");
     if (!reader) {
-      examination_.addIn(camera_.location, FindingKind::RecordingUnreadable,
-                         {name_, withoutFile(reader.error())});
+      examination_.addForFile(camera_.location, FindingKind::RecordingUnreadable,
+                              {name_, messageWithoutFile(reader.error())});
       return;
     }
-    footage_.frames = (*reader)->frameCount();
-    footage_.rate = (*reader)->framesPerSecond();
+    footage_.frameCount = (*reader)->frameCount();
+    footage_.framesPerSecond = (*reader)->framesPerSecond();
     footage_.sequenceNumbers = (*reader)->sequenceNumbers();
     if (!take(**reader, 0)) {
       return; // what is not an image at its beginning is none
@@ -118,16 +118,16 @@ private:
       hasFault_ = true;
       const bool isEnd = picture.error().code == ErrorCode::EndedEarly;
       const auto kind = isEnd ? FindingKind::VideoCutOff : FindingKind::FrameUnreadable;
-      const std::string detail = withoutFile(picture.error());
-      examination_.addIn(reader.fileOf(frame), kind,
-                         isEnd ? std::vector{name_, detail}
-                               : std::vector{name_, std::to_string(frame), detail});
+      const std::string detail = messageWithoutFile(picture.error());
+      examination_.addForFile(reader.fileOf(frame), kind,
+                              isEnd ? std::vector{name_, detail}
+                                    : std::vector{name_, std::to_string(frame), detail});
     }
     return picture;
   }
 
   void checkRest(FrameReader& reader) {
-    const std::int64_t last = footage_.frames - 1;
+    const std::int64_t last = footage_.frameCount - 1;
     std::set<std::int64_t> kept{last / 2, last};
     kept.erase(0);
     for (std::int64_t frame = 1; frame <= last; ++frame) {
@@ -145,7 +145,7 @@ private:
   }
 
   bool reportProgress(std::int64_t frame) const {
-    const double part = static_cast<double>(frame) / static_cast<double>(footage_.frames);
+    const double part = static_cast<double>(frame) / static_cast<double>(footage_.frameCount);
     const auto cameras = static_cast<double>(examination_.footage.size());
     return examination_.options.shouldContinue((static_cast<double>(number_) + part) / cameras);
   }
@@ -166,21 +166,23 @@ private:
 
   void checkGaps(const FrameReader& reader) {
     const std::int64_t length =
-        CaptureSchedule::lengthOf({footage_.frames, 0.0, {}, footage_.sequenceNumbers});
-    if (length > footage_.frames && camera_.times.empty()) {
+        CaptureSchedule::lengthOf({footage_.frameCount, 0.0, {}, footage_.sequenceNumbers});
+    if (length > footage_.frameCount && camera_.times.empty()) {
       hasFault_ = true;
-      examination_.addIn(camera_.location, FindingKind::ImagesMissing,
-                         {name_, std::to_string(length - footage_.frames), std::to_string(length),
-                          fileBeforeGap(reader, footage_.sequenceNumbers)});
+      examination_.addForFile(camera_.location, FindingKind::ImagesMissing,
+                              {name_, std::to_string(length - footage_.frameCount),
+                               std::to_string(length),
+                               fileBeforeGap(reader, footage_.sequenceNumbers)});
     }
   }
 
   void addFineFinding() {
     examination_.add(FindingKind::RecordingFine,
-                     {name_, std::to_string(footage_.frames),
+                     {name_, std::to_string(footage_.frameCount),
                       sizeText(footage_.size.width, footage_.size.height),
-                      footage_.rate > 0.0 ? fmt::format("{:.4g} per second", footage_.rate)
-                                          : std::string("no rate stated")},
+                      footage_.framesPerSecond > 0.0
+                          ? fmt::format("{:.4g} per second", footage_.framesPerSecond)
+                          : std::string("no rate stated")},
                      field_);
   }
 
@@ -229,8 +231,8 @@ void checkBackgroundImage(Examination& examination, std::size_t number) {
       readBackgroundImage(camera.backgroundImage, {"", camera.rotateDegrees, size.width,
                                                    size.height, camera.mirrored, camera.crop});
   if (!read) {
-    examination.addIn(camera.backgroundImage, FindingKind::BackgroundImageUnusable,
-                      {examination.nameOf(number), withoutFile(read.error())});
+    examination.addForFile(camera.backgroundImage, FindingKind::BackgroundImageUnusable,
+                           {examination.nameOf(number), messageWithoutFile(read.error())});
   }
 }
 
@@ -252,8 +254,8 @@ void takeSceneImages(Examination& examination) {
       const FramePtr& image = (*set)->frames[k];
       if (image) {
         footage.isOpen = true;
-        footage.frames = frames;
-        footage.rate = (*source)->framesPerSecond();
+        footage.frameCount = frames;
+        footage.framesPerSecond = (*source)->framesPerSecond();
         footage.size = image->image.size();
         footage.images.push_back(image->image);
       }
@@ -271,7 +273,7 @@ void compareLengths(Examination& examination) {
       continue;
     }
     const std::int64_t length =
-        CaptureSchedule::lengthOf({footage.frames, 0.0, {}, footage.sequenceNumbers});
+        CaptureSchedule::lengthOf({footage.frameCount, 0.0, {}, footage.sequenceNumbers});
     least = list.empty() ? length : std::min(least, length);
     most = std::max(most, length);
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", examination.nameOf(k), length);

@@ -149,7 +149,7 @@ void checkColor(Examination& examination, std::size_t number) {
 /// The first frame that is not there any more; 0: unknown.
 std::int64_t endOf(const Examination& examination, int camera) {
   const auto index = static_cast<std::size_t>(camera);
-  return index < examination.footage.size() ? examination.footage[index].frames : 0;
+  return index < examination.footage.size() ? examination.footage[index].frameCount : 0;
 }
 
 /// Whether the method can track a target only with its box.
@@ -184,7 +184,7 @@ void checkTargets(Examination& examination) {
     if (needsBox(family, project.targets[k])) {
       checkBoxOf(examination, k);
     }
-    if (!family.masksColors()) {
+    if (!family.hasColorMasks()) {
       continue;
     }
     if (project.targets[k].radius > kLargestRadius) {

@@ -31,7 +31,7 @@ void compareRates(Examination& examination) {
   const double stated = examination.project.framesPerSecond;
   bool isOverridden = false;
   for (std::size_t k = 0; k < examination.footage.size(); ++k) {
-    const double rate = examination.footage[k].rate;
+    const double rate = examination.footage[k].framesPerSecond;
     if (rate <= 0.0 || examination.footage[k].times) {
       continue;
     }
@@ -52,7 +52,7 @@ void compareRates(Examination& examination) {
 
 void noteAssumedRate(Examination& examination) {
   const auto tells = [](const CameraFootage& footage) {
-    return footage.rate > 0.0 || footage.times;
+    return footage.framesPerSecond > 0.0 || footage.times;
   };
   const auto isOpen = [](const CameraFootage& footage) { return footage.isOpen; };
   if (examination.project.framesPerSecond == 0.0 &&
@@ -79,17 +79,18 @@ void readTables(Examination& examination) {
     auto times =
         readCaptureTimes(camera.times, captureTimeIds(camera.camera.name, camera.location), "");
     if (!times) {
-      examination.addIn(camera.times, FindingKind::TimesUnusable,
-                        {name, withoutFile(times.error())});
+      examination.addForFile(camera.times, FindingKind::TimesUnusable,
+                             {name, messageWithoutFile(times.error())});
       continue;
     }
     if (footage.isOpen && completenessOf(camera.times) == TableCompleteness::CutOff) {
-      footage.frames = std::min<std::int64_t>(footage.frames, std::ssize(*times));
-      times->resize(static_cast<std::size_t>(footage.frames));
+      footage.frameCount = std::min<std::int64_t>(footage.frameCount, std::ssize(*times));
+      times->resize(static_cast<std::size_t>(footage.frameCount));
     }
-    if (footage.isOpen && std::ssize(*times) != footage.frames) {
-      examination.addIn(camera.times, FindingKind::TimesCountDiffers,
-                        {name, std::to_string(times->size()), std::to_string(footage.frames)});
+    if (footage.isOpen && std::ssize(*times) != footage.frameCount) {
+      examination.addForFile(
+          camera.times, FindingKind::TimesCountDiffers,
+          {name, std::to_string(times->size()), std::to_string(footage.frameCount)});
     } else {
       footage.times = std::move(*times);
     }
@@ -104,7 +105,7 @@ void compareTables(Examination& examination) {
     if (!footage.times) {
       return;
     }
-    pictures.push_back({footage.frames, examination.project.cameras[k].delay, footage.times});
+    pictures.push_back({footage.frameCount, examination.project.cameras[k].delay, footage.times});
   }
   const double rate = pictures.empty() ? 0.0 : CaptureSchedule::rateOf(pictures);
   if (rate > 0.0 && CaptureSchedule(pictures, rate).frameCount() == 0) {
@@ -116,12 +117,12 @@ void checkDelays(Examination& examination) {
   for (std::size_t k = 0; k < examination.footage.size(); ++k) {
     const CameraFootage& footage = examination.footage[k];
     const double delay = examination.project.cameras[k].delay;
-    const double rate = footage.rate > 0.0 ? footage.rate
+    const double rate = footage.framesPerSecond > 0.0 ? footage.framesPerSecond
                         : examination.project.framesPerSecond > 0.0
                             ? examination.project.framesPerSecond
                             : kDefaultFramesPerSecond;
     const bool isTooLong = footage.isOpen && !footage.times &&
-                           std::abs(delay) * rate >= static_cast<double>(footage.frames);
+                           std::abs(delay) * rate >= static_cast<double>(footage.frameCount);
     if (isTooLong || std::abs(delay) > kUnusualDelay) {
       examination.add(isTooLong ? FindingKind::DelayTooLong : FindingKind::DelayUnusual,
                       {examination.nameOf(k), fmt::format("{:g}", delay)}, cameraKey(k, "late_by"));

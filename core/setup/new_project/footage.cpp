@@ -151,14 +151,15 @@ bool holdsImages(const fs::path& folder) {
 
 } // namespace
 
-bool displayOrderLess(const std::string& name, const std::string& other) {
+bool isBeforeInDisplayOrder(const std::string& name, const std::string& other) {
   const auto order = inOrder(name, other);
   return std::is_neq(order) ? std::is_lt(order) : name < other;
 }
 
 std::vector<std::string> inNaturalOrder(std::vector<std::string> files) {
   std::ranges::stable_sort(files, [](const std::string& one, const std::string& other) {
-    return displayOrderLess(fs::path(one).filename().string(), fs::path(other).filename().string());
+    return isBeforeInDisplayOrder(fs::path(one).filename().string(),
+                                  fs::path(other).filename().string());
   });
   return files;
 }

@@ -14,11 +14,11 @@ namespace dewpoint::setup {
 /// Latin-1, in UTF-8). Digits precede letters, and all other characters precede digits. Names that
 /// compare equal are ordered by their bytes. This order is for lists shown to users; for the frames
 /// of an image folder, see naturallyBefore().
-bool displayOrderLess(const std::string& name, const std::string& other);
+bool isBeforeInDisplayOrder(const std::string& name, const std::string& other);
 
-/// Returns files sorted by name (without the folder) with displayOrderLess(). Use it for files that
-/// a user has chosen: their order is arbitrary, but the cameras of a calibration may be matched to
-/// them by order.
+/// Returns files sorted by name (without the folder) with isBeforeInDisplayOrder(). Use it for
+/// files that a user has chosen: their order is arbitrary, but the cameras of a calibration may be
+/// matched to them by order.
 std::vector<std::string> inNaturalOrder(std::vector<std::string> files);
 
 /// Returns whether a file may be a camera's recording, that is, a video or an image. This is

@@ -65,8 +65,8 @@ Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location
   FootageFacts facts;
   facts.width = image->cols;
   facts.height = image->rows;
-  facts.framesPerSecond = (*reader)->framesPerSecond();
-  facts.frames = (*reader)->frameCount();
+  facts.frameCountPerSecond = (*reader)->framesPerSecond();
+  facts.frameCount = (*reader)->frameCount();
   facts.preview = scaledDown(*image);
   return facts;
 }
@@ -76,10 +76,12 @@ FootageDifferences footageDifferences(const std::vector<FootageFacts>& recording
   if (recordings.empty()) {
     return found;
   }
-  if (differ(recordings, [](const auto& a, const auto& b) { return a.frames != b.frames; })) {
-    found.shortest = std::ranges::min_element(recordings, {}, &FootageFacts::frames)->frames;
+  if (differ(recordings,
+             [](const auto& a, const auto& b) { return a.frameCount != b.frameCount; })) {
+    found.shortestFrameCount =
+        std::ranges::min_element(recordings, {}, &FootageFacts::frameCount)->frameCount;
   }
-  found.sizes = differ(recordings, [](const auto& a, const auto& b) {
+  found.sizesDiffer = differ(recordings, [](const auto& a, const auto& b) {
     return a.width != b.width || a.height != b.height;
   });
   std::vector<double> rates;
@@ -90,7 +92,7 @@ FootageDifferences footageDifferences(const std::vector<FootageFacts>& recording
   }
   if (!rates.empty()) {
     const auto [least, most] = std::ranges::minmax(rates);
-    found.rates = most > least * (1.0 + kRateTolerance);
+    found.ratesDiffer = most > least * (1.0 + kRateTolerance);
   }
   return found;
 }

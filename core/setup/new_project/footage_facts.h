@@ -18,7 +18,7 @@ struct FootageFacts {
   int height = 0; ///< height of the images as stored in the recording, pixels
   /// Frame rate given in the video; 0: an image folder, or the video gives none.
   double framesPerSecond = 0.0;
-  std::int64_t frames = 0;
+  std::int64_t frameCount = 0;
   cv::Mat preview; ///< first image, CV_8UC3 (BGR), scaled down
 };
 
@@ -30,9 +30,9 @@ Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location
 /// Differences between recordings that belong together.
 struct FootageDifferences {
   /// Number of frames in the shortest recording, if the lengths differ.
-  std::optional<std::int64_t> shortest;
-  bool sizes = false;
-  bool rates = false; ///< true if known frame rates differ by more than rounding
+  std::optional<std::int64_t> shortestFrameCount;
+  bool sizesDiffer = false;
+  bool ratesDiffer = false; ///< true if known frame rates differ by more than rounding
 
   bool operator==(const FootageDifferences&) const = default;
 };

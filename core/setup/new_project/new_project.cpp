@@ -265,7 +265,7 @@ Result<CreatedProject> withCalibration(Project project, const std::filesystem::p
 Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
                                        const std::string& file, const std::optional<SizeFit>& fit) {
   CreatedProject made;
-  auto ordered = matched(project.cameras, rig, file, made.matchedByOrder);
+  auto ordered = matched(project.cameras, rig, file, made.wasMatchedByOrder);
   if (!ordered) {
     return tl::make_unexpected(ordered.error());
   }

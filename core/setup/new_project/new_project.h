@@ -45,7 +45,7 @@ struct CreatedProject {
   bool lacksCalibration = false;
   /// True if the names in the calibration file match no camera, so that cameras were matched by
   /// order.
-  bool matchedByOrder = false;
+  bool wasMatchedByOrder = false;
   /// Full sentences about calibrations that were fitted to the size of the images.
   std::vector<std::string> decisions = {};
   /// Likely mistakes in the calibration file: two cameras with the same pose (checkRig()).

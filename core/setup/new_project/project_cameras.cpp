@@ -113,7 +113,7 @@ std::string shownLocation(const std::string& location) {
   return redactedLocation(location);
 }
 
-Result<CameraSource> examinedSource(const std::string& location, const std::string& name) {
+Result<CameraSource> sourceAt(const std::string& location, const std::string& name) {
   CameraSource source{name, guessSourceKind(location), location, {}, {}};
   if (location.empty()) {
     return failure(ErrorCode::BadValue, "", name, "it has no source of images");
@@ -183,7 +183,7 @@ Status replaceSource(Project& project, std::size_t camera, const CameraSource& s
       project.cameras, [&](const ProjectCamera& one) { return isSameSource(one, source); });
   ProjectCamera& changed = project.cameras[camera];
   if (other != project.cameras.end()) {
-    exchangeSources(project, camera, static_cast<std::size_t>(other - project.cameras.begin()));
+    swapSources(project, camera, static_cast<std::size_t>(other - project.cameras.begin()));
     return {};
   }
   if (project.cameras.size() > 1 || !project.scene.empty()) {
@@ -219,7 +219,7 @@ Status replaceSource(Project& project, std::size_t camera, const CameraSource& s
   return {};
 }
 
-void exchangeSources(Project& project, std::size_t one, std::size_t other) {
+void swapSources(Project& project, std::size_t one, std::size_t other) {
   ProjectCamera& first = project.cameras[one];
   ProjectCamera& second = project.cameras[other];
   std::swap(first.source, second.source);

@@ -13,7 +13,7 @@
 
 namespace dewpoint::setup {
 
-// Functions that change the set of cameras of a project. Only examinedSource() opens an image
+// Functions that change the set of cameras of a project. Only sourceAt() opens an image
 // source.
 
 /// A source of images for a camera of a project.
@@ -36,7 +36,7 @@ std::string shownLocation(const std::string& location);
 /// Returns the source at a location. Reads the first image of a recording, which may take long.
 /// Does not open live sources. Errors: BadValue if the location is empty or of an unknown type;
 /// FileMissing; FileUnreadable.
-Result<CameraSource> examinedSource(const std::string& location, const std::string& name = {});
+Result<CameraSource> sourceAt(const std::string& location, const std::string& name = {});
 
 /// Checks whether sources of this kind can be added to a project. The cameras of a project must be
 /// either all recordings or all live. Errors: Mismatch if they would be mixed; BadValue if the
@@ -50,7 +50,7 @@ Status checkCanAdd(const Project& project, SourceKind kind);
 Status addCameras(Project& project, const std::vector<CameraSource>& sources);
 
 /// Replaces the source of a camera. The camera keeps its name and calibration. If another camera
-/// already has this source, the two cameras exchange their sources (exchangeSources()). Otherwise,
+/// already has this source, the two cameras exchange their sources (swapSources()). Otherwise,
 /// the table of capture times is removed, a guessed calibration is guessed again for the new image
 /// size, and a new device of the same model gets the format and controls of the previous one.
 ///
@@ -59,7 +59,7 @@ Status addCameras(Project& project, const std::vector<CameraSource>& sources);
 Status replaceSource(Project& project, std::size_t camera, const CameraSource& source);
 
 /// Exchanges the sources of two cameras, for example after their cables were exchanged.
-void exchangeSources(Project& project, std::size_t one, std::size_t other);
+void swapSources(Project& project, std::size_t one, std::size_t other);
 
 /// Removes a camera with project::removeCamera(). Guessed calibrations of the other cameras are
 /// guessed again, because the guess depends on the number of cameras. Errors: MissingKey if the

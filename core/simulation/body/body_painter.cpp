@@ -35,7 +35,7 @@ const Vector3f& lampOf(const Body& body) {
 /// The color of a matte surface of a body in the light that falls on it.
 Vector3f litColor(const Body& body, const Vector3f& point, const Vector3f& normal) {
   if (body.light != nullptr) {
-    return body.light->at(point, normal).cwiseProduct(body.color);
+    return body.light->lightAt(point, normal).cwiseProduct(body.color);
   }
   return shade(point, normal, 1.0F) * body.color;
 }
@@ -67,7 +67,7 @@ std::optional<float> hitSphere(const Body& body, const Vector3f& origin,
 }
 
 Share sample(const RoomView& view, const Body& body, const Vector3f& direction, float limit) {
-  if (!body.box) {
+  if (!body.isBox) {
     const auto distance = hitSphere(body, view.center, direction);
     if (!distance || *distance >= limit) {
       return {};
@@ -99,11 +99,11 @@ Share sample(const RoomView& view, const Body& body, const Vector3f& direction, 
 }
 
 bool onEdge(const RoomView& view, const Body& body, int column, int row) {
-  if (body.box) {
+  if (body.isBox) {
     return true;
   }
   const Vector3f way = body.center - view.center;
-  const Vector3f& here = view.directions[view.index(column, row)];
+  const Vector3f& here = view.directions[view.pixelIndex(column, row)];
   const float along = way.dot(here);
   const float aside = std::sqrt(std::max(0.0F, way.squaredNorm() - along * along));
   const float pixel = along * (view.direction(column, row, 0.5F, 0.5F) - here).norm();
@@ -115,7 +115,7 @@ void addInstant(const RoomView& view, const Body& body, const cv::Rect& area,
   auto share = shares.begin();
   for (int row = area.y; row < area.y + area.height; ++row) {
     for (int column = area.x; column < area.x + area.width; ++column, ++share) {
-      const std::size_t pixel = view.index(column, row);
+      const std::size_t pixel = view.pixelIndex(column, row);
       const Vector3f& here = view.directions[pixel];
       if (here.isZero(0.0F)) {
         continue;
@@ -129,7 +129,7 @@ void addInstant(const RoomView& view, const Body& body, const cv::Rect& area,
       }
       constexpr float kWeight = 1.0F / (kEdgeSamples * kEdgeSamples);
       for (int i = 0; i < kEdgeSamples * kEdgeSamples; ++i) {
-        const auto [right, down] = subpixel(i, kEdgeSamples);
+        const auto [right, down] = subpixelOffset(i, kEdgeSamples);
         const Share part = sample(view, body, view.direction(column, row, right, down), limit);
         share->color += kWeight * part.color;
         share->coverage += kWeight * part.coverage;
@@ -141,7 +141,7 @@ void addInstant(const RoomView& view, const Body& body, const cv::Rect& area,
 void castShadow(const RoomView& view, const Body& body, const cv::Rect& rows, cv::Mat& image) {
   // Only the shadow on the desk (z = 0) is drawn; a sphere around it bounds its pixels.
   const Vector3f lamp = lampOf(body);
-  if (body.box || body.center.z() + body.radius >= lamp.z() || body.center.z() < 0.0F) {
+  if (body.isBox || body.center.z() + body.radius >= lamp.z() || body.center.z() < 0.0F) {
     return;
   }
   const Vector3f spot = lamp + (body.center - lamp) * (lamp.z() / (lamp.z() - body.center.z()));
@@ -151,14 +151,16 @@ void castShadow(const RoomView& view, const Body& body, const cv::Rect& rows, cv
   const ShadowCaster caster{body.center, body.radius, lamp, kLampRadius, 0.002F, 0.01F};
   forEachShadedPixel(view, area, caster,
                      [&](int row, int column, std::size_t pixel, float covered, float /*blur*/) {
-                       image.at<cv::Vec3f>(row, column) *= 1.0F - covered * view.lit[pixel];
+                       image.at<cv::Vec3f>(row, column) *=
+                           1.0F - covered * view.lampFraction[pixel];
                      });
 }
 
 /// The light that comes from a point of a body of parts; `light` is that of the body.
 Vector3f partColor(const SurfacePoint& seen, const LightField* light) {
   const Vector3f& lamp = light != nullptr ? light->illumination->lamp : kLampPosition;
-  const float gloss = seen.gloss.at(seen.normal, (lamp - seen.point).normalized(), seen.direction);
+  const float gloss =
+      seen.gloss.highlightAt(seen.normal, (lamp - seen.point).normalized(), seen.direction);
   if (light != nullptr) { // it is the sensor that cuts
     return light->at(seen.point, seen.normal).cwiseProduct(seen.color) + Vector3f::Constant(gloss);
   }
@@ -196,7 +198,7 @@ void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure&
   std::vector<std::size_t> order(middle.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     order[i] = i;
-    if (middle[i].present) {
+    if (middle[i].isPresent) {
       castShadow(view, shadowBody(middle[i]), rows, image);
     }
   }
@@ -206,7 +208,7 @@ void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure&
   std::vector<Share> shares;
   for (const std::size_t i : order) {
     if (!middle[i].parts.empty()) {
-      if (middle[i].present) {
+      if (middle[i].isPresent) {
         paintParts(
             view, [&](double instant) { return bodiesAt(instant)[i].parts; }, exposure, rows,
             [&](const SurfacePoint& seen) { return partColor(seen, middle[i].light); }, image);
@@ -219,7 +221,7 @@ void paintBodies(const RoomView& view, const BodiesAt& bodiesAt, const Exposure&
     const cv::Rect first = boundsAt(opening[i]);
     const cv::Rect last = boundsAt(closing[i]);
     const cv::Rect area = (first | boundsAt(middle[i]) | last) & rows;
-    if (area.empty() || !middle[i].present) {
+    if (area.empty() || !middle[i].isPresent) {
       continue;
     }
     const double travel = cv::norm((first.tl() + first.br() - last.tl() - last.br()) / 2);

@@ -39,9 +39,9 @@ std::vector<MovingPart> grippingHand(const Grip& grip, double ballRadius, const 
     }
   };
   for (const double finger : {-1.5, -0.5, 0.5, 1.5}) {
-    addFinger(finger * grip.spread, grip.reach * (1.0 - 0.06 * std::abs(finger)));
+    addFinger(finger * grip.spreadAngle, grip.reachAngle * (1.0 - 0.06 * std::abs(finger)));
   }
-  addFinger(std::numbers::pi, 0.85 * grip.reach); // the thumb, opposite
+  addFinger(std::numbers::pi, 0.85 * grip.reachAngle); // the thumb, opposite
   MovingPart palm =
       ellipsoidAt((ballRadius + kPalmThick) * grip.palm, {kPalmThick, kPalmWide, kPalmWide}, color);
   palm.axes.row(0) = grip.palm.cast<float>();
@@ -86,7 +86,7 @@ std::vector<MovingPart> partlyClosedHand(double closed, const Vector3f& color) {
   const Eigen::Vector3d across = (down + Eigen::Vector3d(0.56, -0.42, 0.0)).normalized();
   addFinger({-0.01, 0.9 * kPalmWide, 0.0}, thumb, across, 0.85, 0.7);
   for (MovingPart& part : parts) {
-    part.target = true;
+    part.belongsToTarget = true;
   }
   return parts;
 }

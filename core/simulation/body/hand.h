@@ -18,8 +18,8 @@ struct Grip {
   Eigen::Vector3d palm = Eigen::Vector3d::UnitX();
   /// Unit vector perpendicular to `palm`, toward the fingers.
   Eigen::Vector3d fingers = Eigen::Vector3d::UnitY();
-  double reach = 1.8;   ///< angle at the ball's center from the palm to the fingertips
-  double spread = 0.47; ///< angle about the `palm` axis from one finger to the next
+  double reachAngle = 1.8;   ///< angle at the ball's center from the palm to the fingertips
+  double spreadAngle = 0.47; ///< angle about the `palm` axis from one finger to the next
   double fingerRadius = kFingerRadius;
   /// Returns the unit vector from the palm along the forearm.
   Eigen::Vector3d forearm() const { return (0.8 * palm - 0.6 * fingers).normalized(); }

@@ -29,7 +29,7 @@ struct MovingPart {
   std::shared_ptr<const SurfacePattern> pattern;
   Gloss gloss;
   /// True if the part belongs to the target. Needed only if the target is not the whole body.
-  bool target = false;
+  bool belongsToTarget = false;
 
   /// Returns the surface color where the normal (unit vector, world frame) is `normal`.
   Vector3f colorAt(const Vector3f& normal) const {

@@ -78,7 +78,7 @@ public:
     for (int row = area.y; row < area.y + area.height; ++row) {
       for (int column = area.x; column < area.x + area.width; ++column, ++contribution) {
         choose(column, row);
-        if (!chosen_.empty() && !view_.directions[view_.index(column, row)].isZero(0.0F)) {
+        if (!chosen_.empty() && !view_.directions[view_.pixelIndex(column, row)].isZero(0.0F)) {
           addPixel(column, row, *contribution);
         }
       }
@@ -108,7 +108,7 @@ private:
   Seen seenAt(int column, int row, float right, float down) const {
     Seen seen;
     seen.direction = view_.direction(column, row, right, down);
-    seen.hit.distance = view_.distances[view_.index(column, row)];
+    seen.hit.distance = view_.distances[view_.pixelIndex(column, row)];
     for (const MovingPart* part : chosen_) {
       intersectPart(*part, view_.center, seen.direction, seen.hit);
     }
@@ -140,7 +140,7 @@ private:
     }
     constexpr int kSamples = kEdgeSamples * kEdgeSamples;
     for (int i = 0; i < kSamples; ++i) {
-      const auto [right, down] = subpixel(i, kEdgeSamples);
+      const auto [right, down] = subpixelOffset(i, kEdgeSamples);
       add(seenAt(column, row, right, down), 1.0F / kSamples, contribution);
     }
   }

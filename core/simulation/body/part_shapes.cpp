@@ -64,7 +64,8 @@ MovingPart ballPart(double radius, const Vector3f& color) {
   return part;
 }
 
-MovingPart moved(MovingPart part, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& shift) {
+MovingPart movedPart(MovingPart part, const Eigen::Matrix3d& rotation,
+                     const Eigen::Vector3d& shift) {
   part.center = (rotation * part.center.cast<double>() + shift).cast<float>();
   part.axes = part.axes * rotation.transpose().cast<float>();
   return part;

@@ -25,6 +25,7 @@ MovingPart ballPart(double radius, const Vector3f& color);
 
 /// Returns the part after the rotation `rotation` about the origin and then a translation by
 /// `shift` (meters).
-MovingPart moved(MovingPart part, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& shift);
+MovingPart movedPart(MovingPart part, const Eigen::Matrix3d& rotation,
+                     const Eigen::Vector3d& shift);
 
 } // namespace dewpoint::simulation

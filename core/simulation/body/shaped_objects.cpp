@@ -12,7 +12,7 @@ namespace {
 constexpr double kPlainForearmRadius = 0.03;
 
 MovingPart asTarget(MovingPart part) {
-  part.target = true;
+  part.belongsToTarget = true;
   return part;
 }
 
@@ -38,8 +38,8 @@ std::vector<MovingPart> sleevedArm(const Vector3f& color) {
   std::vector<MovingPart> parts{
       asTarget(frustumBetween({-0.12, 0.0, 0.0}, 0.055, {0.12, 0.0, 0.0}, 0.042, color))};
   for (MovingPart part : partlyClosedHand(0.3, kSkinColor)) {
-    part.target = false;
-    parts.push_back(moved(part, Eigen::Matrix3d::Identity(), {0.18, 0.0, 0.0}));
+    part.belongsToTarget = false;
+    parts.push_back(movedPart(part, Eigen::Matrix3d::Identity(), {0.18, 0.0, 0.0}));
   }
   return parts;
 }
@@ -64,7 +64,7 @@ std::vector<MovingPart> shirtOnPerson(const Walker& walker, double time) {
     part.size = limb.halfSize;
     part.axes = limb.axes;
     part.color = limb.color;
-    part.target = limb.color == walker.clothes.shirt;
+    part.belongsToTarget = limb.color == walker.clothes.shirt;
     parts.push_back(part);
   }
   return parts;

@@ -138,7 +138,7 @@ void shareOverlap(const std::vector<MovingPart>& parts, std::size_t index, Momen
 
 TargetVolume targetVolume(const std::vector<MovingPart>& parts) {
   std::vector<MovingPart> targets;
-  std::ranges::copy_if(parts, std::back_inserter(targets), &MovingPart::target);
+  std::ranges::copy_if(parts, std::back_inserter(targets), &MovingPart::belongsToTarget);
   Moments all;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const Moments one = momentsOf(targets[i]);

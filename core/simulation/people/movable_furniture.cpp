@@ -20,13 +20,13 @@ BodyPart boxPart(const Vector3f& center, const Vector3f& halfSize, const Vector3
 
 } // namespace
 
-FurniturePose MovableFurniture::at(double time) const {
-  const auto after = std::ranges::upper_bound(way, time, {}, &FurniturePose::time);
-  if (after == way.begin()) {
-    return way.front();
+FurniturePose MovableFurniture::poseAt(double time) const {
+  const auto after = std::ranges::upper_bound(waypoints, time, {}, &FurniturePose::time);
+  if (after == waypoints.begin()) {
+    return waypoints.front();
   }
-  if (after == way.end()) {
-    return way.back();
+  if (after == waypoints.end()) {
+    return waypoints.back();
   }
   const FurniturePose& before = *(after - 1);
   const double part = (time - before.time) / (after->time - before.time);
@@ -35,7 +35,7 @@ FurniturePose MovableFurniture::at(double time) const {
 }
 
 std::vector<BodyPart> furnitureParts(const MovableFurniture& furniture, double time) {
-  const FurniturePose stands = furniture.at(time);
+  const FurniturePose stands = furniture.poseAt(time);
   const Eigen::Matrix3f worldFromOwn =
       Eigen::AngleAxisf(static_cast<float>(stands.yaw), Vector3f::UnitZ()).toRotationMatrix();
   const Vector3f foot{static_cast<float>(stands.position.x()),
@@ -61,14 +61,14 @@ MovableFurniture makeStool(double height) {
   stool.parts = {
       boxPart({0.0F, 0.0F, top - kHalfThick}, {kHalfSeat, kHalfSeat, kHalfThick}, cushion),
       boxPart({0.0F, 0.0F, foot}, {kHalfFoot, kHalfFoot, foot}, steel)};
-  stool.reach = 0.25; // kHalfSeat to its corners, rounded up
+  stool.enclosingRadius = 0.25; // kHalfSeat to its corners, rounded up
   return stool;
 }
 
 MovableFurniture makeCabinet(const Vector3f& halfSize, const Vector3f& color) {
   MovableFurniture cabinet;
   cabinet.parts = {boxPart({0.0F, 0.0F, halfSize.z()}, halfSize, color)};
-  cabinet.reach = halfSize.head<2>().cast<double>().norm();
+  cabinet.enclosingRadius = halfSize.head<2>().cast<double>().norm();
   return cabinet;
 }
 

@@ -26,11 +26,12 @@ struct MovableFurniture {
   /// Poses in order of time; there must be at least one. The furniture moves smoothly from each
   /// pose to the next. Before the time of the first pose, it stays at the first pose. After the
   /// time of the last pose, it stays at the last pose.
-  std::vector<FurniturePose> way;
-  double reach = 0.3; ///< radius of a circle on the floor that encloses the furniture, meters
+  std::vector<FurniturePose> waypoints;
+  double enclosingRadius =
+      0.3; ///< radius of a circle on the floor that encloses the furniture, meters
 
   /// Returns the pose at a time in seconds.
-  FurniturePose at(double time) const;
+  FurniturePose poseAt(double time) const;
 };
 
 /// Returns the parts of a piece of furniture at a time (seconds), in the world frame.

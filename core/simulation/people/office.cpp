@@ -41,8 +41,8 @@ cv::Mat OfficeRenderer::renderLight(std::size_t camera, std::int64_t frame, cv::
   people.reserve(scene_.people.size() + scene_.furniture.size());
   const double time = scene_.timeOf(frame);
   for (const auto& walker : scene_.people) {
-    people.push_back(walker.presentAt(time) ? bodyParts(walker, time)
-                                            : std::vector<simulation::BodyPart>{});
+    people.push_back(walker.isPresentAt(time) ? bodyParts(walker, time)
+                                              : std::vector<simulation::BodyPart>{});
   }
   for (const MovableFurniture& piece : scene_.furniture) {
     people.push_back(furnitureParts(piece, time));
@@ -69,7 +69,7 @@ cv::Mat OfficeRenderer::silhouette(std::size_t camera, std::int64_t frame,
                                    std::size_t person) const {
   const double time = scene_.timeOf(frame);
   const auto& walker = scene_.people.at(person);
-  return wholeSilhouette(*views_.at(camera), walker.presentAt(time)
+  return wholeSilhouette(*views_.at(camera), walker.isPresentAt(time)
                                                  ? bodyParts(walker, time)
                                                  : std::vector<simulation::BodyPart>{});
 }
@@ -93,14 +93,14 @@ cv::Mat OfficeRenderer::backgroundImage(std::size_t camera) const {
 
 bool OfficeRenderer::isInsideOffice(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
-  return walker.presentAt(time) &&
+  return walker.isPresentAt(time) &&
          walker.position(time).cwiseAbs().maxCoeff() < double{kOfficeHalfSize};
 }
 
 Eigen::Vector3d OfficeRenderer::bodyCenter(std::size_t person, double time) const {
   const auto& walker = scene_.people.at(person);
   const Eigen::Vector2d position = walker.position(time);
-  return {position.x(), position.y(), 0.5 * walker.top(time)};
+  return {position.x(), position.y(), 0.5 * walker.topHeight(time)};
 }
 
 } // namespace dewpoint::simulation

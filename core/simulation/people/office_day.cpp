@@ -16,7 +16,7 @@ Walker walker(const char* name, double height, const simulation::Vector3f& shirt
   result.clothes.trousers = trousers;
   result.presentFrom = way.front().time;
   result.presentUntil = way.back().time;
-  result.way = std::move(way);
+  result.waypoints = std::move(way);
   return result;
 }
 

@@ -28,12 +28,12 @@ std::vector<ExposureStep> exposureSteps(const Shutter& shutter, int rows) {
     const double begin = -0.5 * span + k * length;
     ExposureStep& step = steps.emplace_back();
     step.time = begin + 0.5 * length;
-    step.shares.reserve(static_cast<std::size_t>(rows));
+    step.rowShares.reserve(static_cast<std::size_t>(rows));
     for (int row = 0; row < rows; ++row) {
       const double middle = rowTime(shutter, row, rows);
       const double open = std::min(begin + length, middle + 0.5 * exposure) -
                           std::max(begin, middle - 0.5 * exposure);
-      step.shares.push_back(static_cast<float>(std::max(0.0, open) / exposure));
+      step.rowShares.push_back(static_cast<float>(std::max(0.0, open) / exposure));
     }
   }
   return steps;
@@ -46,7 +46,7 @@ void paintPeopleThroughShutter(const RoomView& view, const PeopleAt& people,
     cv::Mat now = image.clone();
     paintPeople(view, people(light.field.time + step.time), light, now);
     for (int row = 0; row < image.rows; ++row) {
-      if (const float share = step.shares[static_cast<std::size_t>(row)]; share > 0.0F) {
+      if (const float share = step.rowShares[static_cast<std::size_t>(row)]; share > 0.0F) {
         sum.row(row) += share * now.row(row);
       }
     }

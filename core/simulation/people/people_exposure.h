@@ -19,7 +19,7 @@ using PeopleAt = std::function<std::vector<std::vector<BodyPart>>(double time)>;
 struct ExposureStep {
   double time = 0.0; ///< center of the step, seconds from the frame's time
   /// Fraction of each row's exposure that falls into this step. The sum over all steps is 1.
-  std::vector<float> shares;
+  std::vector<float> rowShares;
 };
 
 /// Divides the time during which the shutter is open for at least one row into equal steps, in

@@ -91,7 +91,7 @@ void forEachPixelOf(const RoomView& view, const BodyPart& part, const PartRay& r
   const cv::Rect area = boundsOf(view, part);
   for (int row = area.y; row < area.y + area.height; ++row) {
     for (int column = area.x; column < area.x + area.width; ++column) {
-      const std::size_t pixel = view.index(column, row);
+      const std::size_t pixel = view.pixelIndex(column, row);
       const Vector3f& direction = view.directions[pixel];
       const auto distance = direction.isZero(0.0F) ? std::nullopt : ray.enter(direction);
       if (distance && *distance > 0.0F) {
@@ -207,7 +207,8 @@ void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>&
     return;
   }
   forEachCovered(shadowsOf(view, people, lamp), [&](int row, int column, float share) {
-    image.at<cv::Vec3f>(row, column) *= 1.0F - share * view.lit[view.index(column, row)];
+    image.at<cv::Vec3f>(row, column) *=
+        1.0F - share * view.lampFraction[view.pixelIndex(column, row)];
   });
   Canvas canvas(view, image, who);
   paintAll(people, canvas,
@@ -224,7 +225,7 @@ void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>&
   const Illumination& illumination = *light.field.illumination;
   const cv::Mat& direct = light.background->direct;
   forEachCovered(shadowsOf(view, people, illumination.lamp), [&](int row, int column, float share) {
-    const std::size_t pixel = view.index(column, row);
+    const std::size_t pixel = view.pixelIndex(column, row);
     const Vector3f point = view.center + view.distances[pixel] * view.directions[pixel];
     const float passing =
         illumination.shadow ? shadowAt(*illumination.shadow, point, light.field.time) : 0.0F;
@@ -234,7 +235,7 @@ void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>&
   Canvas canvas(view, image, nullptr);
   paintAll(people, canvas,
            [&](const Vector3f& point, const Vector3f& normal, const Vector3f& color) -> Vector3f {
-             return light.field.at(point, normal).cwiseProduct(color);
+             return light.field.lightAt(point, normal).cwiseProduct(color);
            });
 }
 

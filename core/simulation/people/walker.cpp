@@ -160,7 +160,8 @@ void addLimbs(const Figure& figure, const Walker& walker, float swing,
   const Stance& stance = figure.stance;
   const JointAngles& angles = figure.angles;
   const Clothes& wears = walker.clothes;
-  const bool holdsBox = walker.load && walker.load->kind == CarriedObject::Kind::Box;
+  const bool holdsBox =
+      walker.carriedObject && walker.carriedObject->kind == CarriedObject::Kind::Box;
   for (const float side : {-1.0F, 1.0F}) {
     const float leg = side * swing;
     const Vector3f knee =
@@ -168,7 +169,7 @@ void addLimbs(const Figure& figure, const Walker& walker, float swing,
                 0.08F, leg + angles.thigh, wears.trousers, parts);
     addLimb(stance, knee, kShinLength * figure.below, 0.055F,
             leg - 0.5F * std::abs(swing) + angles.shin, wears.trousers, parts);
-    const float armSwing = walker.load ? 0.0F : -0.8F * leg;
+    const float armSwing = walker.carriedObject ? 0.0F : -0.8F * leg;
     const float arm = armSwing + angles.arm + (holdsBox ? kHoldArm : 0.0F);
     const float forearm =
         armSwing + kElbow + angles.arm + angles.forearm + (holdsBox ? kHoldForearm : 0.0F);
@@ -223,12 +224,12 @@ Eigen::Vector2d Walker::position(double time) const {
   constexpr int kSamples = 9; // of the rounding, odd: one at the time itself
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (int k = 0; k < kSamples; ++k) {
-    sum += onWay(way, time + kRounding * ((k + 0.5) / kSamples - 0.5));
+    sum += onWay(waypoints, time + kRounding * ((k + 0.5) / kSamples - 0.5));
   }
   return sum / kSamples;
 }
 
-double Walker::top(double time) const {
+double Walker::topHeight(double time) const {
   if (jointAnglesAt(postures, time).isUpright()) {
     return height;
   }
@@ -246,7 +247,7 @@ std::vector<BodyPart> bodyParts(const Walker& walker, double time) {
       walker.position(time + 0.5 * kHeadingSpan) - walker.position(time - 0.5 * kHeadingSpan);
   const double speed = going.norm() / kHeadingSpan;
   if (speed < kStandingSpeed) { // looks where it came from, or will go
-    going = walker.way.back().position - walker.way.front().position;
+    going = walker.waypoints.back().position - walker.waypoints.front().position;
   }
   const Eigen::Vector2d ahead =
       going.norm() > 1e-6 ? Eigen::Vector2d(going.normalized()) : Eigen::Vector2d(1.0, 0.0);
@@ -256,15 +257,15 @@ std::vector<BodyPart> bodyParts(const Walker& walker, double time) {
   const auto s = static_cast<float>(ahead.y());
   stance.axes << c, s, 0.0F, -s, c, 0.0F, 0.0F, 0.0F, 1.0F;
   stance.scale = static_cast<float>(walker.height / kReferenceHeight);
-  const double phase = 2.0 * std::numbers::pi * gone(walker.way, time) / kStrideLength;
+  const double phase = 2.0 * std::numbers::pi * gone(walker.waypoints, time) / kStrideLength;
   const auto swing = static_cast<float>(0.5 * std::min(1.0, speed / kUsualSpeed) * std::sin(phase));
 
   const Figure figure(stance, jointAnglesAt(walker.postures, time), walker.height);
   std::vector<BodyPart> parts;
   addHeadAndTrunk(figure, walker.clothes, parts);
   addLimbs(figure, walker, swing, parts);
-  if (walker.load) {
-    addLoad(figure, *walker.load, parts);
+  if (walker.carriedObject) {
+    addLoad(figure, *walker.carriedObject, parts);
   }
   return parts;
 }

@@ -49,21 +49,21 @@ struct Walker {
   std::string name;
   double height = kReferenceHeight; ///< meters
   Clothes clothes;
-  std::vector<Waypoint> way;
+  std::vector<Waypoint> waypoints;
   std::vector<PostureChange> postures; ///< in order of time; empty: always standing
-  std::optional<CarriedObject> load;
+  std::optional<CarriedObject> carriedObject;
   /// Time from which on the person is present, seconds.
   double presentFrom = -std::numeric_limits<double>::infinity();
   /// Time from which on the person is no longer present, seconds.
   double presentUntil = std::numeric_limits<double>::infinity();
 
-  bool presentAt(double time) const { return time >= presentFrom && time < presentUntil; }
+  bool isPresentAt(double time) const { return time >= presentFrom && time < presentUntil; }
   /// Returns the point on the floor (world x and y, meters) below the center of the body at a time
   /// (seconds). The point lies on the path through the waypoints, whose corners are rounded.
   Eigen::Vector2d position(double time) const;
   /// Returns the height of the top of the head above the floor, in meters, at a time in seconds.
   /// The result is `height` for a standing person.
-  double top(double time) const;
+  double topHeight(double time) const;
 };
 
 /// Height of an adult's head as a fraction of the body height: 0.25 m of 1.75 m. Drawing manuals

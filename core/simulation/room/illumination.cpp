@@ -27,9 +27,9 @@ cv::Vec3f pixelOf(const Vector3f& color) {
 int likerNeighbor(const RoomView& view, int column, int row, bool across) {
   const int here = across ? column : row;
   const int last = (across ? view.width : view.height) - 1;
-  const float distance = view.distances[view.index(column, row)];
+  const float distance = view.distances[view.pixelIndex(column, row)];
   const auto difference = [&](int other) {
-    const std::size_t pixel = across ? view.index(other, row) : view.index(column, other);
+    const std::size_t pixel = across ? view.pixelIndex(other, row) : view.pixelIndex(column, other);
     return std::abs(view.distances[pixel] - distance);
   };
   if (here == 0 || here == last) {
@@ -49,14 +49,15 @@ float AdditionalLamp::falloff(float distance) const {
 }
 
 float shadowAt(const MovingShadow& shadow, const Vector3f& point, double time) {
-  const auto middle = static_cast<float>(shadow.start + shadow.speed * time);
+  const auto middle = static_cast<float>(shadow.initialPosition + shadow.speed * time);
   const float aside = std::abs(shadow.direction.dot(point) - middle);
-  const float t =
-      std::clamp((aside - shadow.halfWidth + shadow.edge) / (2.0F * shadow.edge), 0.0F, 1.0F);
+  const float t = std::clamp((aside - shadow.halfWidth + shadow.borderHalfWidth) /
+                                 (2.0F * shadow.borderHalfWidth),
+                             0.0F, 1.0F);
   return shadow.depth * (1.0F - t * t * (3.0F - 2.0F * t));
 }
 
-Vector3f LightField::at(const Vector3f& point, const Vector3f& normal) const {
+Vector3f LightField::lightAt(const Vector3f& point, const Vector3f& normal) const {
   const Illumination& here = *illumination;
   const float lit = here.shadow ? 1.0F - shadowAt(*here.shadow, point, time) : 1.0F;
   const float room = here.roomGain * shade(point, normal, lit, here.lamp);
@@ -64,9 +65,9 @@ Vector3f LightField::at(const Vector3f& point, const Vector3f& normal) const {
 }
 
 Vector3f surfaceNormal(const RoomView& view, int column, int row) {
-  const Vector3f& direction = view.directions[view.index(column, row)];
+  const Vector3f& direction = view.directions[view.pixelIndex(column, row)];
   const auto pointAt = [&](int c, int r) -> Vector3f {
-    const std::size_t pixel = view.index(c, r);
+    const std::size_t pixel = view.pixelIndex(c, r);
     return view.distances[pixel] * view.directions[pixel];
   };
   const Vector3f here = pointAt(column, row);
@@ -84,7 +85,7 @@ RelitBackground relightBackground(const RoomView& view, const Illumination& illu
                          cv::Mat::zeros(view.height, view.width, CV_32FC3)};
   for (int row = 0; row < view.height; ++row) {
     for (int column = 0; column < view.width; ++column) {
-      const std::size_t pixel = view.index(column, row);
+      const std::size_t pixel = view.pixelIndex(column, row);
       if (view.directions[pixel].isZero(0.0F) || !std::isfinite(view.distances[pixel])) {
         continue;
       }
@@ -92,7 +93,7 @@ RelitBackground relightBackground(const RoomView& view, const Illumination& illu
       const Vector3f color{seen[0], seen[1], seen[2]};
       const Vector3f point = view.center + view.distances[pixel] * view.directions[pixel];
       const Vector3f normal = surfaceNormal(view, column, row);
-      const float direct = view.lit[pixel];
+      const float direct = view.lampFraction[pixel];
       // What does not come from the lamp directly tells how much light there is in all.
       const float light = shade(point, normal, 0.0F, illumination.lamp) / (1.0F - direct);
       const Vector3f further =
@@ -115,7 +116,7 @@ cv::Mat backgroundAt(const RoomView& view, const RelitBackground& background,
     auto* pixels = image.ptr<cv::Vec3f>(row);
     const auto* direct = background.direct.ptr<cv::Vec3f>(row);
     for (int column = 0; column < view.width; ++column) {
-      const std::size_t pixel = view.index(column, row);
+      const std::size_t pixel = view.pixelIndex(column, row);
       if (view.directions[pixel].isZero(0.0F)) {
         continue;
       }

@@ -34,12 +34,13 @@ struct AdditionalLamp {
 struct MovingShadow {
   /// Direction in which the band moves: horizontal unit vector, world frame.
   Vector3f direction = Vector3f::UnitX();
-  double start = 0.0; ///< position of the band's center along `direction` at time 0, meters
+  double initialPosition =
+      0.0;            ///< position of the band's center along `direction` at time 0, meters
   double speed = 0.2; ///< speed of the band along `direction`, m/s
   /// Half width of the band, measured to the center of its soft border, meters.
   float halfWidth = 0.1F;
-  float edge = 0.03F; ///< half width of the soft border, meters; chosen by judgment
-  float depth = 0.0F; ///< fraction of the lamp's light that is blocked, 0 to 1
+  float borderHalfWidth = 0.03F; ///< half width of the soft border, meters; chosen by judgment
+  float depth = 0.0F;            ///< fraction of the lamp's light that is blocked, 0 to 1
 };
 
 /// Returns the fraction of the room lamp's light that the shadow blocks at a point (world, meters)
@@ -66,7 +67,7 @@ struct LightField {
 
   /// Returns the light (BGR, 1 is full light) on a matte surface at `point` (world, meters) with
   /// unit normal `normal`.
-  Vector3f at(const Vector3f& point, const Vector3f& normal) const;
+  Vector3f lightAt(const Vector3f& point, const Vector3f& normal) const;
 };
 
 /// Image of a room at rest under an illumination, without the moving shadow.

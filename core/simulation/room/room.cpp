@@ -90,7 +90,7 @@ void castSolid(const Solid& solid, const Vector3f& origin, const Vector3f& direc
                RoomHit& hit) {
   const Vector3f relative = origin - solid.center;
   const float along = relative.dot(direction);
-  if (relative.squaredNorm() - along * along > solid.bound * solid.bound) {
+  if (relative.squaredNorm() - along * along > solid.boundingRadius * solid.boundingRadius) {
     return;
   }
   const Vector3f o = toSolidFrame(solid, relative);
@@ -122,7 +122,8 @@ float shade(const Vector3f& point, const Vector3f& normal, float lit, const Vect
 }
 
 Room::Room(Furnishing furnishing, const RoomDesign& design) {
-  const Material plaster = design.walls.value_or(Material{Pattern::Plaster, rgb(226, 219, 203)});
+  const Material plaster =
+      design.wallMaterial.value_or(Material{Pattern::Plaster, rgb(226, 219, 203)});
   Furniture furniture;
   switch (furnishing) {
   case Furnishing::Hall:
@@ -152,7 +153,7 @@ Room::Room(Furnishing furnishing, const RoomDesign& design) {
   lamp_ = design.lamp.value_or(lamp_);
 }
 
-RoomHit Room::cast(const Vector3f& origin, const Vector3f& direction) const {
+RoomHit Room::castRay(const Vector3f& origin, const Vector3f& direction) const {
   RoomHit hit;
   castBox(origin - walls_.center, direction, walls_.halfSize, true, hit);
   hit.solid = &walls_;
@@ -186,7 +187,7 @@ ShadedColor Room::shadedColorOf(const Vector3f& origin, const Vector3f& directio
   const Vector3f start = point + 1e-3F * hit.normal;
   float lit = 0.0F;
   for (std::uint32_t ray = 0; ray < kRays; ++ray) {
-    const std::uint32_t word = hashed(jitter * kRays + ray, 17, 0);
+    const std::uint32_t word = hashOfIntegers(jitter * kRays + ray, 17, 0);
     const Vector3f offset{static_cast<float>(word & 0x3FFU) / 511.5F - 1.0F,
                           static_cast<float>((word >> 10U) & 0x3FFU) / 511.5F - 1.0F, 0.0F};
     lit += isShadowed(start, lamp_ + kLampRadius * offset) ? 0.0F : 1.0F / kRays;
@@ -195,7 +196,7 @@ ShadedColor Room::shadedColorOf(const Vector3f& origin, const Vector3f& directio
   const Pattern pattern =
       isWall && hit.normal.z() > 0.5F ? Pattern::Floor : hit.solid->material.pattern;
   const Vector3f position = isWall ? point : toSolidFrame(*hit.solid, point - hit.solid->center);
-  const Vector3f color = texture(pattern, hit.solid->material.color, position);
+  const Vector3f color = textureColor(pattern, hit.solid->material.color, position);
   const float light = shade(point, hit.normal, lit, lamp_);
   const float dark = shade(point, hit.normal, 0.0F, lamp_);
   return {(light * color).cwiseMin(255.0F), 1.0F - dark / light};

@@ -56,7 +56,7 @@ struct RoomHit {
 /// Color of the room as a camera sees it at one point of its image.
 struct ShadedColor {
   Vector3f color{0.0F, 0.0F, 0.0F}; ///< BGR, [0, 255]
-  float lit = 0.0F;                 ///< fraction of the color that comes directly from the lamp
+  float lampFraction = 0.0F;        ///< fraction of the color that comes directly from the lamp
 };
 
 /// Type of furnishing in a room.
@@ -70,7 +70,7 @@ enum class Furnishing {
 /// Modifications of a furnished room.
 struct RoomDesign {
   Furniture additionalFurniture; ///< furniture in addition to the furniture of the Furnishing
-  std::optional<Material> walls; ///< material of the walls, if it differs from the default
+  std::optional<Material> wallMaterial; ///< material of the walls, if it differs from the default
   /// Lamp position, if it differs from the default; world frame, meters.
   std::optional<Vector3f> lamp;
 };
@@ -82,7 +82,7 @@ public:
   explicit Room(Furnishing furnishing, const RoomDesign& design = {});
 
   /// Returns the first intersection of a ray with the room; `direction` is a unit vector.
-  RoomHit cast(const Vector3f& origin, const Vector3f& direction) const;
+  RoomHit castRay(const Vector3f& origin, const Vector3f& direction) const;
   /// Returns the color of the room at the point `hit`, where a ray hits the room. Whether this
   /// point is in shadow is tested for one point on the lamp. Different values of `jitter` select
   /// different points on the lamp.

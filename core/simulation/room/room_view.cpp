@@ -39,7 +39,7 @@ std::optional<Eigen::Vector3d> unproject(const Projector& lens, const Eigen::Vec
 
 } // namespace
 
-std::array<float, 2> subpixel(int sample, int side) {
+std::array<float, 2> subpixelOffset(int sample, int side) {
   const int row = sample / side;
   const int column = sample % side;
   const auto offset = [side](int index) {
@@ -65,47 +65,48 @@ void RoomView::castRays(const Camera& camera) {
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       if (const auto ray = unproject(lens, {column, row})) {
-        directions[index(column, row)] = (worldFromCamera * ray->normalized()).cast<float>();
+        directions[pixelIndex(column, row)] = (worldFromCamera * ray->normalized()).cast<float>();
       }
     }
   }
 }
 
 Vector3f RoomView::direction(int column, int row, float right, float down) const {
-  const Vector3f& here = directions[index(column, row)];
+  const Vector3f& here = directions[pixelIndex(column, row)];
   const int nextColumn = column + 1 < width ? column + 1 : std::max(0, column - 1);
   const int nextRow = row + 1 < height ? row + 1 : std::max(0, row - 1);
   const auto step = [&](const Vector3f& next, int sign) -> Vector3f {
     return next.isZero(0.0F) ? Vector3f::Zero()
                              : Vector3f(static_cast<float>(sign) * (next - here));
   };
-  const Vector3f there = here +
-                         right * step(directions[index(nextColumn, row)], nextColumn - column) +
-                         down * step(directions[index(column, nextRow)], nextRow - row);
+  const Vector3f there =
+      here + right * step(directions[pixelIndex(nextColumn, row)], nextColumn - column) +
+      down * step(directions[pixelIndex(column, nextRow)], nextRow - row);
   return there.normalized();
 }
 
 void RoomView::renderRoom(const Room& room) {
   constexpr int kSide = 2; // 2x2 samples per pixel; chosen: what is at rest is rendered once
   distances.assign(directions.size(), std::numeric_limits<float>::infinity());
-  lit.assign(directions.size(), 0.0F);
+  lampFraction.assign(directions.size(), 0.0F);
   background = cv::Mat::zeros(height, width, CV_32FC3);
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
-      const std::size_t pixel = index(column, row);
+      const std::size_t pixel = pixelIndex(column, row);
       if (directions[pixel].isZero(0.0F)) {
         continue;
       }
-      distances[pixel] = room.cast(center, directions[pixel]).distance;
+      distances[pixel] = room.castRay(center, directions[pixel]).distance;
       Vector3f color = Vector3f::Zero();
       for (int sample = 0; sample < kSide * kSide; ++sample) {
-        const auto [right, down] = subpixel(sample, kSide);
+        const auto [right, down] = subpixelOffset(sample, kSide);
         const Vector3f ray = direction(column, row, right, down);
         const auto jitter =
             static_cast<std::uint32_t>(pixel) * 4U + static_cast<std::uint32_t>(sample);
-        const ShadedColor sight = room.shadedColorOf(center, ray, room.cast(center, ray), jitter);
+        const ShadedColor sight =
+            room.shadedColorOf(center, ray, room.castRay(center, ray), jitter);
         color += sight.color / (kSide * kSide);
-        lit[pixel] += sight.lit / (kSide * kSide);
+        lampFraction[pixel] += sight.lampFraction / (kSide * kSide);
       }
       background.at<cv::Vec3f>(row, column) = {color.x(), color.y(), color.z()};
     }

@@ -15,14 +15,14 @@ namespace dewpoint::simulation {
 /// Returns the center of a subpixel, as an offset (right, down) from the pixel center in pixels.
 /// The pixel is divided into `side` x `side` equal subpixels, and `sample` is the number of the
 /// subpixel, counted row by row from 0.
-std::array<float, 2> subpixel(int sample, int side);
+std::array<float, 2> subpixelOffset(int sample, int side);
 
 /// Camera view of a room at rest: everything that does not change from frame to frame. All arrays
 /// have one entry per pixel, row by row.
 struct RoomView {
   RoomView(const Camera& camera, const Room& room);
 
-  std::size_t index(int column, int row) const {
+  std::size_t pixelIndex(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(column);
   }
@@ -40,8 +40,9 @@ struct RoomView {
   /// Unit vectors of the rays, world frame; zero at pixels for which the lens model has no ray.
   std::vector<Vector3f> directions;
   std::vector<float> distances; ///< distance to the room at rest along the ray, meters
-  std::vector<float> lit;       ///< fraction of the pixel's light that comes directly from the lamp
-  cv::Mat background;           ///< image of the room at rest: CV_32FC3, BGR, [0, 255]
+  std::vector<float>
+      lampFraction;   ///< fraction of the pixel's light that comes directly from the lamp
+  cv::Mat background; ///< image of the room at rest: CV_32FC3, BGR, [0, 255]
 
 private:
   void castRays(const Camera& camera);

@@ -20,19 +20,19 @@ struct ShadowCaster {
   float lampRadius = 0.0F;
   /// Smallest half width of the shadow's soft edge; applies to a ball close to the floor.
   float minBlur = 0.0F;
-  float highest = 0.0F; ///< only points up to this height (world z) count as floor
+  float maxFloorHeight = 0.0F; ///< only points up to this height (world z) count as floor
 };
 
 /// Calls `shade(row, column, pixel, covered, blur)` for each pixel of `area` that shows the floor
-/// below the ball. `pixel` is view.index(column, row). `covered` is the fraction of the lamp, 0 to
-/// 1, that the ball hides from the floor at this pixel. The edge of the shadow is smooth, with half
-/// width `blur` (meters).
+/// below the ball. `pixel` is view.pixelIndex(column, row). `covered` is the fraction of the lamp,
+/// 0 to 1, that the ball hides from the floor at this pixel. The edge of the shadow is smooth, with
+/// half width `blur` (meters).
 template <class Shade>
 void forEachShadedPixel(const RoomView& view, const cv::Rect& area, const ShadowCaster& caster,
                         const Shade& shade) {
   for (int row = area.y; row < area.y + area.height; ++row) {
     for (int column = area.x; column < area.x + area.width; ++column) {
-      const std::size_t pixel = view.index(column, row);
+      const std::size_t pixel = view.pixelIndex(column, row);
       const float distance = view.distances[pixel];
       if (!(distance < 100.0F)) {
         continue;
@@ -41,7 +41,7 @@ void forEachShadedPixel(const RoomView& view, const cv::Rect& area, const Shadow
       const Eigen::Vector3f way = caster.lamp - point;
       const float length = way.norm();
       const float along = (caster.center - point).dot(way) / length;
-      if (point.z() > caster.highest || along <= 0.0F) {
+      if (point.z() > caster.maxFloorHeight || along <= 0.0F) {
         continue;
       }
       const float aside = ((caster.center - point) - along / length * way).norm();

@@ -77,10 +77,11 @@ struct Scene {
   std::vector<SceneBall> balls;
   /// Number of distractors, up to kMaxDistractors. Distractors are additional balls at rest, with
   /// the color of the first ball.
-  int distractors = 0;
+  int distractorCount = 0;
   /// True to add a box that passes between the first ball and the first camera.
-  bool occluder = false;
-  bool clutter = true; ///< true to add books, boxes, and wood- and skin-colored objects on the desk
+  bool hasOccluder = false;
+  bool hasClutter =
+      true; ///< true to add books, boxes, and wood- and skin-colored objects on the desk
   std::vector<SceneLight> lights;         ///< in order of time; empty: always full light of 5500 K
   double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds =

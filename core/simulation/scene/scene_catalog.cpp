@@ -71,8 +71,8 @@ Result<Scene> sceneNamed(const std::string& nameOrTomlFile) {
   }
   if (name == "smooth" || name == "look-alikes" || name == "occluder") {
     Scene scene = builtIn(name, Motion::Smooth);
-    scene.distractors = name == "look-alikes" ? 3 : 0;
-    scene.occluder = name == "occluder";
+    scene.distractorCount = name == "look-alikes" ? 3 : 0;
+    scene.hasOccluder = name == "occluder";
     return scene;
   }
   std::error_code ignored;

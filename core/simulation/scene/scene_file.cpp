@@ -203,9 +203,9 @@ Result<Scene> readScene(const toml::table& table, const std::string& file) {
   reader.readInteger("frame_count", scene.frameCount, 1, 100'000'000);
   reader.readInteger("seed", scene.seed, std::numeric_limits<std::int64_t>::min(),
                      std::numeric_limits<std::int64_t>::max());
-  reader.readInteger("look_alikes", scene.distractors, 0, kMaxDistractors);
-  reader.readBoolean("occluder", scene.occluder);
-  reader.readBoolean("clutter", scene.clutter);
+  reader.readInteger("look_alikes", scene.distractorCount, 0, kMaxDistractors);
+  reader.readBoolean("occluder", scene.hasOccluder);
+  reader.readBoolean("clutter", scene.hasClutter);
   reader.readNumber("noise_sigma", scene.noiseSigma, 0.0, 100.0);
   reader.readNumber("exposure_seconds", scene.exposureSeconds, 0.0, 10.0);
   const auto balls = reader.findTables("ball", limits::kMaxTargets);
@@ -300,9 +300,9 @@ std::string sceneToml(const Scene& scene) {
       {"frames_per_second", scene.framesPerSecond},
       {"frame_count", scene.frameCount},
       {"seed", static_cast<std::int64_t>(scene.seed)},
-      {"look_alikes", scene.distractors},
-      {"occluder", scene.occluder},
-      {"clutter", scene.clutter},
+      {"look_alikes", scene.distractorCount},
+      {"occluder", scene.hasOccluder},
+      {"clutter", scene.hasClutter},
       {"noise_sigma", scene.noiseSigma},
       {"exposure_seconds", scene.exposureSeconds},
       {"ball", balls},

@@ -35,8 +35,8 @@ struct SceneRenderer::Parts {
 };
 
 SceneRenderer::Parts::Parts(Scene theScene) : scene(std::move(theScene)) {
-  const simulation::Room room(scene.clutter ? simulation::Furnishing::ClutteredDesk
-                                            : simulation::Furnishing::Desk);
+  const simulation::Room room(scene.hasClutter ? simulation::Furnishing::ClutteredDesk
+                                               : simulation::Furnishing::Desk);
   const auto count = static_cast<std::int64_t>(scene.cameras.size());
   std::vector<std::optional<RoomView>> built(scene.cameras.size());
   ThreadTeam team(threadCountForTasks(scene.cameras.size()));
@@ -61,11 +61,11 @@ std::vector<Body> SceneRenderer::Parts::bodiesAt(double time) const {
                       static_cast<float>(ball.radius), ball.color.cast<float>()});
   }
   if (!scene.balls.empty()) {
-    for (int i = 0; i < scene.distractors; ++i) {
+    for (int i = 0; i < scene.distractorCount; ++i) {
       bodies.push_back({false, distractorPosition(scene, i).cast<float>(), bodies.front().radius,
                         bodies.front().color});
     }
-    if (scene.occluder) {
+    if (scene.hasOccluder) {
       bodies.push_back({true,
                         occluderPosition(scene, time).cast<float>(),
                         kOccluderHalf.norm(),

@@ -30,10 +30,10 @@ std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3
   bodies.reserve(stage.bodies.size());
   for (const StageBody& body : stage.bodies) {
     const Eigen::Vector3d center = body.path(time);
-    bodies.push_back({body.box,
-                      (rotated ? rotatedAbout(eye, rotation, center) : center).cast<float>(),
-                      static_cast<float>(body.boundingRadius()), body.color.cast<float>(),
-                      body.halfSize.cast<float>(), body.axes.cast<float>(), body.presentAt(time)});
+    bodies.push_back(
+        {body.isBox, (rotated ? rotatedAbout(eye, rotation, center) : center).cast<float>(),
+         static_cast<float>(body.boundingRadius()), body.color.cast<float>(),
+         body.halfSize.cast<float>(), body.axes.cast<float>(), body.isPresentAt(time)});
     bodies.back().light = light;
     addParts(body, time, bodies.back());
   }
@@ -41,8 +41,8 @@ std::vector<Body> bodiesAt(const Stage& stage, double time, const Eigen::Vector3
 }
 
 std::shared_ptr<const RoomView> viewAt(const Stage& stage, std::size_t camera, double time) {
-  for (const MovedCamera& move : stage.moves) {
-    if (move.camera == camera && time >= move.since) {
+  for (const MovedCamera& move : stage.movedCameras) {
+    if (move.camera == camera && time >= move.movedAt) {
       return move.view;
     }
   }
@@ -51,8 +51,8 @@ std::shared_ptr<const RoomView> viewAt(const Stage& stage, std::size_t camera, d
 
 const RelitView* relitOf(const Stage& stage, const RoomView& view) {
   const auto found = std::ranges::find_if(
-      stage.relit, [&](const RelitView& relitView) { return relitView.view.get() == &view; });
-  return found != stage.relit.end() ? &*found : nullptr;
+      stage.relitViews, [&](const RelitView& relitView) { return relitView.view.get() == &view; });
+  return found != stage.relitViews.end() ? &*found : nullptr;
 }
 
 /// The people of the stage at a time, and what they move, by their parts.
@@ -62,7 +62,7 @@ std::vector<std::vector<BodyPart>> peopleAt(const Stage& stage, double time) {
     people.push_back(furnitureParts(piece, time));
   }
   for (const Walker& walker : stage.people) {
-    if (!walker.presentAt(time)) {
+    if (!walker.isPresentAt(time)) {
       continue;
     }
     people.push_back(bodyParts(walker, time));
@@ -81,7 +81,7 @@ cv::Mat roomAt(const Stage& stage, const RoomView& view, double time,
   const RelitView* other = relitOf(stage, view);
   cv::Mat image = other != nullptr ? backgroundAt(view, other->background, stage.illumination, time)
                                    : view.background.clone();
-  if (stage.peopleExposed && other != nullptr) {
+  if (stage.arePeopleExposed && other != nullptr) {
     const PeopleLight light{{&stage.illumination, time}, &other->background};
     paintPeopleThroughShutter(
         view, [&](double instant) { return peopleAt(stage, instant); }, light, shutter, image);
@@ -96,7 +96,7 @@ cv::Mat exposed(const Stage& stage, std::size_t camera, double time, const Senso
   const auto shown = viewAt(stage, camera, time);
   const RoomView& view = *shown;
   const Light light = stage.light ? stage.light(camera, time) : Light{};
-  if (light.dark) {
+  if (light.isDark) {
     return cv::Mat::zeros(view.height, view.width, CV_32FC3);
   }
   const Eigen::Matrix3d rotation = rotationAt(sensor.drift, time);
@@ -113,8 +113,8 @@ cv::Mat exposed(const Stage& stage, std::size_t camera, double time, const Senso
     const cv::Scalar gain(light.gain[0], light.gain[1], light.gain[2], 0.0);
     cv::multiply(image, gain, image);
   }
-  if (!stage.unevenness.empty()) {
-    cv::multiply(image, stage.unevenness.at(camera), image);
+  if (!stage.illuminationGains.empty()) {
+    cv::multiply(image, stage.illuminationGains.at(camera), image);
   }
   return image;
 }
@@ -133,24 +133,24 @@ Eigen::Vector3d meanGain(const RoomView& view, const RelitBackground& background
 } // namespace
 
 void prepareLight(Stage& stage) {
-  stage.relit.clear();
+  stage.relitViews.clear();
   if (stage.illumination.isDefault()) {
     return;
   }
   const auto add = [&](const std::shared_ptr<const RoomView>& view) {
     RelitBackground background = relightBackground(*view, stage.illumination);
     const Eigen::Vector3d gain = meanGain(*view, background);
-    stage.relit.push_back({view, std::move(background), gain});
+    stage.relitViews.push_back({view, std::move(background), gain});
   };
   std::ranges::for_each(stage.views, add);
-  std::ranges::for_each(stage.moves, add, &MovedCamera::view);
+  std::ranges::for_each(stage.movedCameras, add, &MovedCamera::view);
 }
 
 Eigen::Vector3d meteredBrightnessStops(const Stage& stage, std::size_t camera, double time) {
   /// Stops of linear light per stop of gray level: the inverse of the tone curve's power.
   constexpr double kStopsPerLevelStop = 1.0 / kToneCurveExponent;
   const Light light = stage.light ? stage.light(camera, time) : Light{};
-  if (light.dark) {
+  if (light.isDark) {
     return Eigen::Vector3d::Constant(kDarkStops);
   }
   constexpr double kLeastGain = 1e-3; // of levels: has a logarithm

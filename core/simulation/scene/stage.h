@@ -35,7 +35,7 @@ using PartsPath = std::function<std::vector<MovingPart>(double)>;
 /// patch or an occluder.
 struct StageBody {
   std::string name;
-  bool box = false;
+  bool isBox = false;
   /// Radius of the ball, meters. For a body made of parts, this is the radius of the ball that the
   /// body contains.
   double radius = kDefaultBallRadius;
@@ -56,8 +56,8 @@ struct StageBody {
 
   /// Returns the radius (meters) of a sphere around the object. For a body made of parts, this
   /// sphere contains only the body's ball.
-  double boundingRadius() const { return box ? halfSize.norm() : radius; }
-  bool presentAt(double time) const { return !present || present(time); }
+  double boundingRadius() const { return isBox ? halfSize.norm() : radius; }
+  bool isPresentAt(double time) const { return !present || present(time); }
   /// Returns the scaled parts at a time (seconds), relative to the path. The result is empty if the
   /// object has no parts.
   std::vector<MovingPart> partsAt(double time) const;
@@ -66,14 +66,14 @@ struct StageBody {
 /// Light that one camera receives at one time.
 struct Light {
   Eigen::Vector3d gain = Eigen::Vector3d::Ones(); ///< gain per channel, BGR; 1 is full light
-  bool dark = false;                              ///< no light at all
+  bool isDark = false;                            ///< no light at all
 };
 
-/// Camera whose pose changes once, at the time `since`. `view` shows the room at rest from the new
-/// pose.
+/// Camera whose pose changes once, at the time `movedAt`. `view` shows the room at rest from the
+/// new pose.
 struct MovedCamera {
   std::size_t camera = 0;
-  double since = 0.0; ///< time of the change, seconds
+  double movedAt = 0.0; ///< time of the change, seconds
   std::shared_ptr<const RoomView> view;
 };
 
@@ -92,9 +92,10 @@ struct Stage {
   std::uint64_t seed = 1; ///< seed of the sensor noise
   std::vector<StageBody> bodies;
   std::vector<std::shared_ptr<const RoomView>> views; ///< one per camera
-  std::vector<MovedCamera> moves;
+  std::vector<MovedCamera> movedCameras;
   std::function<Light(std::size_t camera, double time)> light; ///< empty: full light
-  std::vector<cv::Mat> unevenness; ///< CV_32FC3 gain per pixel, one per camera; empty: even light
+  std::vector<cv::Mat>
+      illuminationGains; ///< CV_32FC3 gain per pixel, one per camera; empty: even light
   double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds =
       kDefaultExposureSeconds;      ///< exposure time of cameras without a sensor model, seconds
@@ -103,21 +104,22 @@ struct Stage {
   /// Light of the room, if it differs from the light of the lamp with which `views` were rendered.
   Illumination illumination;
   /// People who walk behind the bodies. Bodies can hide people, but people never hide bodies.
-  /// Unless `peopleExposed` is set, people are lit only by the room lamp and have no motion blur.
+  /// Unless `arePeopleExposed` is set, people are lit only by the room lamp and have no motion
+  /// blur.
   std::vector<Walker> people;
   std::vector<MovableFurniture> furniture; ///< furniture that people move
   /// True if people are the subject of the recording. All lamps of the illumination then light
   /// them, and cameras with a sensor model record them with motion blur and rolling shutter.
   /// Requires an illumination that is not the default.
-  bool peopleExposed = false;
+  bool arePeopleExposed = false;
   float floorHeight = 0.0F; ///< world z of the floor on which people walk, meters
   /// Images of all views, including those of moved cameras, under the illumination; empty if the
   /// illumination is the default.
-  std::vector<RelitView> relit;
+  std::vector<RelitView> relitViews;
 };
 
-/// Computes Stage::relit from the stage's illumination and views. Call this function after changing
-/// the illumination, `views` or `moves`.
+/// Computes Stage::relitViews from the stage's illumination and views. Call this function after
+/// changing the illumination, `views` or `movedCameras`.
 void prepareLight(Stage& stage);
 
 /// Returns the brightness that a camera's automatic control measures at a time (seconds), per
@@ -126,7 +128,7 @@ void prepareLight(Stage& stage);
 /// rest; moving objects are ignored. Complete darkness counts as kDarkStops.
 Eigen::Vector3d meteredBrightnessStops(const Stage& stage, std::size_t camera, double time);
 /// Result of meteredBrightnessStops() in complete darkness, in stops: a sixteenth of the nominal
-/// light. Chosen so that a camera cannot compensate for it (ControlLoop::limit).
+/// light. Chosen so that a camera cannot compensate for it (ControlLoop::maxCorrectionStops).
 inline constexpr double kDarkStops = -4.0;
 
 /// Renders the image (CV_8UC3, BGR) of one camera with the exposure centered on `time` (seconds).

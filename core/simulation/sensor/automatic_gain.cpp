@@ -33,14 +33,14 @@ std::vector<double> loopCorrections(const ControlLoop& loop, std::span<const dou
     const auto lag = static_cast<std::size_t>(loop.lagFrames);
     const std::size_t measured = frame > lag ? frame - lag : 0;
     const double error = disturbance[measured] + result[measured];
-    if (std::abs(error) > loop.deadband) {
-      now = std::clamp(now - loop.speed * error, -loop.limit, loop.limit);
+    if (std::abs(error) > loop.deadbandStops) {
+      now = std::clamp(now - loop.speed * error, -loop.maxCorrectionStops, loop.maxCorrectionStops);
     }
   }
   return result;
 }
 
-CameraGain GainCurve::at(double time) const {
+CameraGain GainCurve::gainAt(double time) const {
   if (gainPerFrame.empty()) {
     return {};
   }
@@ -51,11 +51,11 @@ CameraGain GainCurve::at(double time) const {
 
 GainCurve automaticGains(const AutomaticGain& control, std::span<const Eigen::Vector3d> lightStops,
                          double framesPerSecond) {
-  const double turn = 2.0 * std::numbers::pi / (control.huntingPeriod * framesPerSecond);
+  const double turn = 2.0 * std::numbers::pi / (control.huntingPeriodSeconds * framesPerSecond);
   std::vector<double> metered;
   metered.reserve(lightStops.size());
   for (std::size_t frame = 0; frame < lightStops.size(); ++frame) {
-    const double angle = turn * static_cast<double>(frame) + control.huntingPhase;
+    const double angle = turn * static_cast<double>(frame) + control.huntingPhaseRadians;
     metered.push_back(lightStops[frame][1] - control.exposureOffsetStops +
                       control.huntingStops * std::sin(angle));
   }

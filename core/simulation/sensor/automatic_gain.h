@@ -14,10 +14,10 @@ namespace dewpoint::simulation {
 /// corrections take effect after a delay. Errors and corrections are in stops: one stop is a factor
 /// of two. The defaults are chosen so that the loop settles within half a second without overshoot.
 struct ControlLoop {
-  double speed = 0.15;    ///< fraction of the error corrected per frame; 0: no control
-  int lagFrames = 2;      ///< number of frames from a measurement to its effect
-  double deadband = 0.03; ///< errors below this value are not corrected; stops
-  double limit = 1.5;     ///< limit of the correction in both directions, stops
+  double speed = 0.15;             ///< fraction of the error corrected per frame; 0: no control
+  int lagFrames = 2;               ///< number of frames from a measurement to its effect
+  double deadbandStops = 0.03;     ///< errors below this value are not corrected; stops
+  double maxCorrectionStops = 1.5; ///< limit of the correction in both directions, stops
 };
 
 /// Returns the corrections with which the loop compensates for a disturbance, such as a change of
@@ -39,7 +39,7 @@ struct GainCurve {
   double framesPerSecond = kDefaultFrameRate;
   std::vector<CameraGain> gainPerFrame; ///< empty: all gains are 1
   /// Returns the gains at a time in seconds.
-  CameraGain at(double time) const;
+  CameraGain gainAt(double time) const;
 };
 
 /// Automatic exposure and white balance of one camera. In the first frame, both are settled for the
@@ -52,8 +52,8 @@ struct AutomaticGain {
   /// Amplitude of a periodic error in the measured brightness, stops. The error imitates objects
   /// that enter and leave the image.
   double huntingStops = 0.0;
-  double huntingPeriod = 4.0; ///< period of this error, seconds
-  double huntingPhase = 0.0;  ///< phase of this error, radians
+  double huntingPeriodSeconds = 4.0; ///< period of this error, seconds
+  double huntingPhaseRadians = 0.0;  ///< phase of this error, radians
   /// Constant error of blue and red, stops.
   Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero();
 };

@@ -30,7 +30,7 @@ int channelAt(int row, int column) {
 
 } // namespace
 
-cv::Mat mosaic(const cv::Mat& linear) {
+cv::Mat bayerMosaic(const cv::Mat& linear) {
   CV_Assert(linear.type() == CV_32FC3);
   cv::Mat raw(linear.size(), CV_32FC1);
   for (int row = 0; row < linear.rows; ++row) {
@@ -47,7 +47,7 @@ cv::Mat mosaic(const cv::Mat& linear) {
 void addPixelNoise(cv::Mat& raw, const PixelNoise& noise, double gain, const RandomStream& stream) {
   CV_Assert(raw.type() == CV_32FC1 && raw.isContinuous());
   const std::vector<float>& normals = normalTable();
-  const auto perElectron = static_cast<float>(gain / noise.fullWell);
+  const auto perElectron = static_cast<float>(gain / noise.fullWellElectrons);
   const auto readVariance =
       static_cast<float>(noise.readElectrons * noise.readElectrons) * perElectron * perElectron;
   auto* values = raw.ptr<float>();

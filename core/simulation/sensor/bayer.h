@@ -12,23 +12,24 @@ namespace dewpoint::simulation {
 struct PixelNoise {
   /// Number of electrons at full scale with a gain of 1, that is, at the nominal exposure of the
   /// scene (CameraGain::exposure).
-  double fullWell = 0.0;
+  double fullWellElectrons = 0.0;
   double readElectrons = 0.0; ///< standard deviation of the read noise, electrons
 };
 
 /// Returns the signal of a sensor whose pixels lie under a color filter array (CV_32FC1). `linear`
 /// is the linear light on the sensor (CV_32FC3, BGR). Rows alternate between red-green and
 /// green-blue (RGGB). Red and blue pixels are less sensitive than green pixels, as in real sensors.
-cv::Mat mosaic(const cv::Mat& linear);
+cv::Mat bayerMosaic(const cv::Mat& linear);
 
 /// Adds noise to `raw` (CV_32FC1, 1 is full scale). The variance of the noise, relative to the
-/// squared full scale, is (raw + read^2 / electrons) / electrons. Here, electrons = fullWell / gain
-/// is the number of electrons at full scale, and read is PixelNoise::readElectrons.
+/// squared full scale, is (raw + read^2 / electrons) / electrons. Here, electrons =
+/// fullWellElectrons / gain is the number of electrons at full scale, and read is
+/// PixelNoise::readElectrons.
 void addPixelNoise(cv::Mat& raw, const PixelNoise& noise, double gain, const RandomStream& stream);
 
 /// Returns the colors of all pixels (CV_32FC3, BGR), reconstructed from a mosaic `raw` (CV_32FC1).
 /// The steps are quantization to 12 bits, OpenCV's bilinear interpolation of the missing colors,
-/// and division by the sensitivities of mosaic().
+/// and division by the sensitivities of bayerMosaic().
 cv::Mat demosaiced(const cv::Mat& raw);
 
 } // namespace dewpoint::simulation

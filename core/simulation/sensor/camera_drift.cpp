@@ -37,7 +37,7 @@ cv::Mat rotatedImage(const RoomView& view, const cv::Mat& image, const Eigen::Ma
   const Eigen::Vector3d center = view.center.cast<double>();
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const Eigen::Vector3d direction =
-        view.directions[view.index(pixels[i].x, pixels[i].y)].cast<double>();
+        view.directions[view.pixelIndex(pixels[i].x, pixels[i].y)].cast<double>();
     const auto before = view.projector.project(center + direction);
     const auto after = view.projector.project(center + rotation * direction);
     if (!before || !after) {

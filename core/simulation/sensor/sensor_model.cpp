@@ -20,14 +20,14 @@ void multiplyRows(cv::Mat& image, const std::vector<float>& gains) {
 /// From the light on the sensor to levels (CV_32FC3) before the last noise and rounding.
 cv::Mat processed(const cv::Mat& light, const SensorModel& model, double time,
                   const RandomStream& stream) {
-  const CameraGain gain = model.gains.at(time);
+  const CameraGain gain = model.gains.gainAt(time);
   cv::Mat linear = blurred(linearImage(light), model.psfSigmaPx);
   if (model.flicker.depth > 0.0) {
     multiplyRows(linear, rowGains(model.flicker, model.shutter, linear.rows, time));
   }
   linear *= gain.exposure;
-  if (model.noise.fullWell > 0.0) {
-    cv::Mat raw = mosaic(linear);
+  if (model.noise.fullWellElectrons > 0.0) {
+    cv::Mat raw = bayerMosaic(linear);
     addPixelNoise(raw, model.noise, gain.exposure, stream);
     linear = demosaiced(raw);
   }
@@ -37,14 +37,14 @@ cv::Mat processed(const cv::Mat& light, const SensorModel& model, double time,
 } // namespace
 
 bool SensorModel::changesLight() const {
-  return psfSigmaPx > 0.0 || noise.fullWell > 0.0 || flicker.depth > 0.0 || contrast != 1.0 ||
-         !gains.gainPerFrame.empty();
+  return psfSigmaPx > 0.0 || noise.fullWellElectrons > 0.0 || flicker.depth > 0.0 ||
+         contrast != 1.0 || !gains.gainPerFrame.empty();
 }
 
 cv::Mat sensorImage(const cv::Mat& light, const SensorModel& model, double time, double noiseSigma,
                     const RandomStream& stream) {
   const cv::Mat levels = model.changesLight() ? processed(light, model, time, stream) : light;
-  const bool noisy = model.noise.fullWell > 0.0;
+  const bool noisy = model.noise.fullWellElectrons > 0.0;
   const cv::Mat image =
       sharpened(digitize(levels, noisy ? 0.0 : noiseSigma, stream), model.sharpening);
   return model.jpegQuality > 0 ? jpegCompressed(image, model.jpegQuality) : image;

@@ -20,8 +20,8 @@ struct SensorModel {
   CameraDrift drift;
   GainCurve gains;         ///< automatic exposure and white balance over the run
   double psfSigmaPx = 0.0; ///< standard deviation of the lens blur (Gaussian), pixels
-  /// Noise of the pixels under a color filter array; if `fullWell` is 0, the sensor has no such
-  /// array and no such noise.
+  /// Noise of the pixels under a color filter array; if `fullWellElectrons` is 0, the sensor has no
+  /// such array and no such noise.
   PixelNoise noise;
   double contrast = 1.0; ///< exponent applied to the nominal tone curve
   Sharpening sharpening;
@@ -34,8 +34,8 @@ struct SensorModel {
 /// Returns the image (CV_8UC3) that a camera sends. `light` is the image that falls on an ideal
 /// sensor at `time` (seconds): CV_32FC3, BGR, in the renderer's gray levels. The function applies
 /// blur, flicker, exposure, Bayer mosaic with its noise, white balance, tone curve, sharpening and
-/// JPEG, in this order. If PixelNoise::fullWell is 0, normal noise with a standard deviation of
-/// `noiseSigma` gray levels is used instead of the mosaic and its noise.
+/// JPEG, in this order. If PixelNoise::fullWellElectrons is 0, normal noise with a standard
+/// deviation of `noiseSigma` gray levels is used instead of the mosaic and its noise.
 cv::Mat sensorImage(const cv::Mat& light, const SensorModel& model, double time, double noiseSigma,
                     const RandomStream& stream);
 

@@ -39,12 +39,12 @@ std::vector<RowBand> rowBands(const Shutter& shutter, int rows) {
 std::vector<float> rowGains(const Flicker& flicker, const Shutter& shutter, int rows, double time) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   // The mean of a sine over an exposure is that at its middle, times sin(x) / x.
-  const double half = 0.5 * kTurn * flicker.frequency * shutter.exposureSeconds;
+  const double half = 0.5 * kTurn * flicker.frequencyHz * shutter.exposureSeconds;
   const double kept = half > 0.0 ? std::sin(half) / half : 1.0;
   std::vector<float> gains(static_cast<std::size_t>(rows));
   for (int row = 0; row < rows; ++row) {
     const double at = time + rowTime(shutter, row, rows);
-    const double swing = std::sin(kTurn * flicker.frequency * at + flicker.phase);
+    const double swing = std::sin(kTurn * flicker.frequencyHz * at + flicker.phase);
     gains[static_cast<std::size_t>(row)] = static_cast<float>(1.0 + flicker.depth * kept * swing);
   }
   return gains;

@@ -31,7 +31,7 @@ std::vector<RowBand> rowBands(const Shutter& shutter, int rows);
 
 /// Flicker of lamps on alternating current, whose light oscillates at twice the mains frequency.
 struct Flicker {
-  double frequency = 100.0; ///< frequency of the light, Hz
+  double frequencyHz = 100.0; ///< frequency of the light, Hz
   double depth = 0.0; ///< amplitude of the oscillation relative to the mean light; 0: steady light
   double phase = 0.0; ///< radians
 };

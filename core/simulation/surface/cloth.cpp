@@ -25,17 +25,18 @@ Vector3f clothColor(const Cloth& cloth, const Vector3f& first, const Vector3f& p
   case ClothPattern::Plain:
     break;
   case ClothPattern::Stripes:
-    second = isOdd(fieldOf(position.z(), cloth.width));
+    second = isOdd(fieldOf(position.z(), cloth.patternWidth));
     break;
   case ClothPattern::Checks:
-    second = isOdd(fieldOf(position.x(), cloth.width) + fieldOf(position.y(), cloth.width) +
-                   fieldOf(position.z(), cloth.width));
+    second = isOdd(fieldOf(position.x(), cloth.patternWidth) +
+                   fieldOf(position.y(), cloth.patternWidth) +
+                   fieldOf(position.z(), cloth.patternWidth));
     break;
   case ClothPattern::Blotches:
-    second = valueNoise(position / cloth.width) > 0.0F;
+    second = valueNoise(position / cloth.patternWidth) > 0.0F;
     break;
   }
-  return second ? cloth.second : first;
+  return second ? cloth.secondColor : first;
 }
 
 } // namespace dewpoint::simulation

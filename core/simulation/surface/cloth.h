@@ -17,8 +17,8 @@ enum class ClothPattern {
 struct Cloth {
   ClothPattern pattern = ClothPattern::Plain;
   /// Second color. The first color is stored with the part of the body that wears the cloth.
-  Vector3f second{0.0F, 0.0F, 0.0F};
-  float width = 0.06F; ///< width of a band, field or spot, meters
+  Vector3f secondColor{0.0F, 0.0F, 0.0F};
+  float patternWidth = 0.06F; ///< width of a band, field or spot, meters
 };
 
 /// Returns the color of a part at `position` (meters, along the part's own axes). `first` is the

@@ -33,9 +33,9 @@ struct Solid {
   Vector3f halfSize; ///< half size along the solid's own axes, meters
   float yaw = 0.0F;  ///< radians about Z
   Material material;
-  float cosine = 1.0F; ///< cosine of `yaw`
-  float sine = 0.0F;   ///< sine of `yaw`
-  float bound = 0.0F;  ///< radius of a sphere around the solid, meters
+  float cosine = 1.0F;         ///< cosine of `yaw`
+  float sine = 0.0F;           ///< sine of `yaw`
+  float boundingRadius = 0.0F; ///< radius of a sphere around the solid, meters
 };
 
 /// Creates a solid, including the fields that are derived from its size and rotation. Lengths are

@@ -17,8 +17,8 @@ Vector3f SurfacePattern::colorAt(const Vector3f& normal, const Vector3f& plain) 
   return onSeam != seams.end() ? onSeam->color : plain;
 }
 
-float Gloss::at(const Vector3f& normal, const Vector3f& towardsLamp,
-                const Vector3f& direction) const {
+float Gloss::highlightAt(const Vector3f& normal, const Vector3f& towardsLamp,
+                         const Vector3f& direction) const {
   if (peak <= 0.0F) {
     return 0.0F;
   }

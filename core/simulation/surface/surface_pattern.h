@@ -43,7 +43,8 @@ struct Gloss {
 
   /// Returns the gray levels of the highlight. All vectors are unit vectors; `direction` is from
   /// the camera to the surface.
-  float at(const Vector3f& normal, const Vector3f& towardsLamp, const Vector3f& direction) const;
+  float highlightAt(const Vector3f& normal, const Vector3f& towardsLamp,
+                    const Vector3f& direction) const;
 };
 
 /// Gloss of plain balls. Chosen to look like rubber, on which the reflection of the lamp is barely

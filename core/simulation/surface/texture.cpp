@@ -22,7 +22,7 @@ float layeredNoise(Vector3f position, int layers) {
 float woodTone(const Vector3f& position) {
   const float plank = std::floor(position.y() / 0.13F);
   const float shift =
-      static_cast<float>(hashed(static_cast<std::uint32_t>(static_cast<int>(plank)), 5, 9) &
+      static_cast<float>(hashOfIntegers(static_cast<std::uint32_t>(static_cast<int>(plank)), 5, 9) &
                          0xFFFFU) /
       65535.0F;
   const Vector3f along{position.x() * 3.0F + 37.0F * shift, position.y() * 28.0F,
@@ -44,7 +44,7 @@ float floorTone(const Vector3f& position) {
 
 } // namespace
 
-std::uint32_t hashed(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+std::uint32_t hashOfIntegers(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   // The finalizer of MurmurHash3 (Appleby, public domain) over a sum of odd multiples.
   std::uint32_t h = x * 0x9E3779B1U + y * 0x85EBCA77U + z * 0xC2B2AE3DU + 0x27D4EB2FU;
   h = (h ^ (h >> 16U)) * 0x85EBCA6BU;
@@ -60,7 +60,7 @@ float valueNoise(const Vector3f& position) {
     const auto cell = [&](int axis, int bit) {
       return static_cast<std::uint32_t>(static_cast<int>(base[axis]) + bit);
     };
-    const auto word = hashed(cell(0, i & 1), cell(1, (i >> 1) & 1), cell(2, (i >> 2) & 1));
+    const auto word = hashOfIntegers(cell(0, i & 1), cell(1, (i >> 1) & 1), cell(2, (i >> 2) & 1));
     return static_cast<float>(word >> 8U) / 8388607.5F - 1.0F;
   };
   const auto mix = [](float a, float b, float share) { return a + share * (b - a); };
@@ -70,7 +70,7 @@ float valueNoise(const Vector3f& position) {
   return mix(front, back, s.z());
 }
 
-Vector3f texture(Pattern pattern, const Vector3f& color, const Vector3f& position) {
+Vector3f textureColor(Pattern pattern, const Vector3f& color, const Vector3f& position) {
   switch (pattern) {
   case Pattern::Wood: {
     const float tone = woodTone(position);

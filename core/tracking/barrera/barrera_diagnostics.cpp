@@ -34,7 +34,7 @@ CameraReport explainByColor(const cv::Mat& image, const ColorClassifier& color,
                ? CameraReport{} // behind the camera there is no distance to name
                : CameraReport{CameraStatus::NoColor, 0.0};
   }
-  const auto distance = distanceToNearest(matchImage(image, color), *expected);
+  const auto distance = distanceToNearestMaskPixel(matchImage(image, color), *expected);
   return distance ? CameraReport{CameraStatus::Elsewhere, *distance}
                   : CameraReport{CameraStatus::NoColor, 0.0};
 }

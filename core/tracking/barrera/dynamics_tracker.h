@@ -34,7 +34,7 @@ public:
 
   /// Returns the measured position of this frame (world frame, meters), or nothing if no position
   /// was measured.
-  const std::optional<Eigen::Vector3d>& measured() const { return measured_; }
+  const std::optional<Eigen::Vector3d>& measuredPosition() const { return measured_; }
 
 private:
   void measure();

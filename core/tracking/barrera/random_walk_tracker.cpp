@@ -67,8 +67,8 @@ cv::Mat RandomWalkTracker::imageOf(std::size_t camera) const {
   return present ? frames_->frames[camera]->image : cv::Mat();
 }
 
-void RandomWalkTracker::particles(int limit, Eigen::ArrayXXd& positions,
-                                  Eigen::ArrayXd& weights) const {
+void RandomWalkTracker::copyParticles(int limit, Eigen::ArrayXXd& positions,
+                                      Eigen::ArrayXd& weights) const {
   const Eigen::ArrayXXd& states = filter_.states();
   pickEvenly(states, filter_.weights(), limit, 3, positions, weights);
 }

@@ -35,9 +35,9 @@ public:
   /// Draws the particles again from a Gaussian given by the user (world frame, m, m²). Returns the
   /// new estimate.
   SphereEstimate correct(const Gaussian3& position);
-  /// Returns an even selection of at most `limit` particles: rows of x, y, z (meters), with linear
+  /// Copies an even selection of at most `limit` particles: rows of x, y, z (meters), with linear
   /// weights that sum to 1 over all particles.
-  void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
+  void copyParticles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
   /// Returns the approximate size of a copy in bytes.
   std::size_t memoryBytes() const;
 

@@ -31,9 +31,9 @@ concept BoxFilter = std::copy_constructible<F> && std::constructible_from<F, Par
   { filter.start(bgr, box, seed) } -> std::same_as<Status>;
   // Processes the next image, which must have the same size. start() must have succeeded before.
   { filter.step(bgr, team) } -> std::same_as<BoxEstimate>;
-  // Returns an even selection of at most this number of particles: the centers as rows of x and y,
+  // Copies an even selection of at most this number of particles: the centers as rows of x and y,
   // and the latest linear weights, which sum to 1 over all particles.
-  finished.particles(0, centers, weights);
+  finished.copyParticles(0, centers, weights);
   // Returns the approximate size of a copy in bytes.
   { finished.memoryBytes() } -> std::same_as<std::size_t>;
 };

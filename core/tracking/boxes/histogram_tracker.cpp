@@ -288,8 +288,8 @@ BoxEstimate HistogramTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
   return result;
 }
 
-void HistogramTracker::particles(int limit, Eigen::ArrayXXd& centers,
-                                 Eigen::ArrayXd& weights) const {
+void HistogramTracker::copyParticles(int limit, Eigen::ArrayXXd& centers,
+                                     Eigen::ArrayXd& weights) const {
   pickEvenly(weighted_, weights_, limit, 2, centers, weights);
   centers /= shrink_;
 }

@@ -25,7 +25,7 @@ public:
   void configure(const ParameterValues& parameters);
   Status start(const cv::Mat& bgr, const ImageBox& box, std::uint64_t seed);
   BoxEstimate step(const cv::Mat& bgr, ThreadTeam& team);
-  void particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const;
+  void copyParticles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const;
   std::size_t memoryBytes() const;
 
 private:

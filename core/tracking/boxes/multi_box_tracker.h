@@ -53,7 +53,7 @@ public:
                 std::uint64_t seed) override;
   BoxParticles boxParticles(std::size_t target, int limit) const override;
   std::vector<double> referenceHistogram(std::size_t target) const override {
-    return followed_.at(target).reference;
+    return followed_.at(target).referenceHistogram;
   }
   std::vector<CameraReport> cameraReports(std::size_t track) const override;
   bool canBeCopied() const override { return true; }
@@ -69,7 +69,7 @@ private:
     std::optional<F> filter; ///< empty before the frame of the box
     std::int64_t startedAt = -1;
     BoxEstimate estimate;
-    std::vector<double> reference; ///< histogram of the box in its own frame
+    std::vector<double> referenceHistogram; ///< histogram of the box in its own frame
   };
 
   /// Returns the image of the camera in which a box was set, or null if this camera delivered no
@@ -126,7 +126,7 @@ template <BoxFilter F> void MultiBoxTracker<F>::restart(std::uint64_t seed) {
     one.filter.reset();
     one.startedAt = -1;
     one.estimate = {};
-    one.reference.clear();
+    one.referenceHistogram.clear();
   }
 }
 
@@ -159,7 +159,7 @@ Status MultiBoxTracker<F>::follow(std::size_t target, const cv::Mat& bgr, const 
   one.box = box;
   one.filter.emplace(std::move(filter));
   one.startedAt = box.frame;
-  one.reference = boxHistogram(bgr, box.box);
+  one.referenceHistogram = boxHistogram(bgr, box.box);
   one.estimate = BoxEstimate{};
   one.estimate.box = box.box;
   one.estimate.camera = box.camera;
@@ -200,7 +200,7 @@ BoxParticles MultiBoxTracker<F>::boxParticles(std::size_t target, int limit) con
   }
   Eigen::ArrayXXd centers;
   Eigen::ArrayXd weights;
-  one.filter->particles(limit, centers, weights);
+  one.filter->copyParticles(limit, centers, weights);
   return {centers.cast<float>(), weights.cast<float>()};
 }
 
@@ -222,7 +222,7 @@ std::vector<CameraReport> MultiBoxTracker<F>::cameraReports(std::size_t track) c
 template <BoxFilter F> std::size_t MultiBoxTracker<F>::memoryBytes() const {
   std::size_t bytes = sizeof(MultiBoxTracker);
   for (const TrackedBox& one : followed_) {
-    bytes += sizeof(TrackedBox) + sizeof(double) * one.reference.capacity() +
+    bytes += sizeof(TrackedBox) + sizeof(double) * one.referenceHistogram.capacity() +
              (one.filter ? one.filter->memoryBytes() : 0);
   }
   return bytes;

@@ -129,7 +129,8 @@ BoxEstimate SugandiTracker::step(const cv::Mat& bgr, ThreadTeam& team) {
   return result;
 }
 
-void SugandiTracker::particles(int limit, Eigen::ArrayXXd& centers, Eigen::ArrayXd& weights) const {
+void SugandiTracker::copyParticles(int limit, Eigen::ArrayXXd& centers,
+                                   Eigen::ArrayXd& weights) const {
   pickEvenly(weighted_, weights_, limit, 2, centers, weights);
 }
 

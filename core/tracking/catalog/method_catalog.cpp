@@ -60,27 +60,27 @@ constexpr MethodFamily kSpheres{
     .heading = "Colored objects in 3D", .describe = colorText, .noTargetsText = lackOfTargets};
 /// Positions where the rays of several cameras meet.
 constexpr MethodFamily kTriangulated{.heading = kSpheres.heading,
-                                     .fewestCameras = 2,
+                                     .minCameras = 2,
                                      .describe = colorText,
                                      .noTargetsText = lackOfTargets};
 constexpr MethodFamily kBoxes{
-    .targets = TargetSource::Box,
+    .targetSource = TargetSource::Box,
     .heading = "Any object in the images of one camera (2D)",
     .needsCalibration = false,
     .tables = RunTables::Boxes,
     .hasBestParticle = false,
-    .tracksAgainOnEdit = true,
+    .retracksAfterEdit = true,
     .describe = boxText,
     .isDefined = [](const Target& target) { return target.box.has_value(); },
     .noTargetsText = lackOfBoxes,
     .firstFrameFor = firstBox};
 constexpr MethodFamily kPeople{
-    .targets = TargetSource::Images,
+    .targetSource = TargetSource::Images,
     .heading = "People in a room",
-    .fewestCameras = 2,
+    .minCameras = 2,
     .tables = RunTables::People,
     .hasBestParticle = false,
-    .masksMotion = true,
+    .hasMotionMasks = true,
     .describe = colorText,
     // The background is learned at the beginning.
     .firstFrameFor = [](const std::vector<Target>&, std::int64_t) { return std::int64_t{0}; }};
@@ -192,7 +192,7 @@ std::span<const Method> methods() {
   return kMethods;
 }
 
-std::vector<const Method*> methodsByUse() {
+std::vector<const Method*> methodsInDisplayOrder() {
   std::vector<const Method*> all;
   std::ranges::transform(kMethods, std::back_inserter(all),
                          [](const Method& method) { return &method; });
@@ -220,7 +220,8 @@ std::vector<std::string> methodNames() {
 }
 
 std::vector<std::string> methodNames(TargetSource targets) {
-  return namesWhere([targets](const MethodFamily& family) { return family.targets == targets; });
+  return namesWhere(
+      [targets](const MethodFamily& family) { return family.targetSource == targets; });
 }
 
 std::vector<std::string> methodNames(RunTables tables) {
@@ -243,14 +244,14 @@ std::string_view methodSummary(std::string_view method) {
 
 std::string_view methodPage(std::string_view method) {
   const Method* row = findMethod(method);
-  return (row != nullptr ? *row : kMethods[0]).text.page;
+  return (row != nullptr ? *row : kMethods[0]).text.manualPage;
 }
 
 std::vector<std::string_view> methodPages() {
   std::vector<std::string_view> pages;
   for (const Method& method : kMethods) {
-    if (std::ranges::find(pages, method.text.page) == pages.end()) {
-      pages.push_back(method.text.page);
+    if (std::ranges::find(pages, method.text.manualPage) == pages.end()) {
+      pages.push_back(method.text.manualPage);
     }
   }
   return pages;

@@ -35,23 +35,23 @@ enum class RunTables {
 /// properties instead of comparing families, so that a new family needs no changes elsewhere.
 /// tests/architecture counts where a family is named.
 struct MethodFamily {
-  TargetSource targets = TargetSource::Color;
+  TargetSource targetSource = TargetSource::Color;
   /// Purpose of these methods, used as the heading of their group in a list.
   std::string_view heading;
   /// True if the method estimates positions in the room with calibrated cameras. False if the
   /// method works in the images of one camera and needs no calibration.
   bool needsCalibration = true;
   /// Smallest number of cameras with which a target can be found.
-  int fewestCameras = 1;
+  int minCameras = 1;
   RunTables tables = RunTables::Trajectory;
   /// True if trajectories have columns for the particle of highest weight.
   bool hasBestParticle = true;
   /// True if masks and maps show motion, in every frame with images, whether or not the frame is
   /// tracked.
-  bool masksMotion = false;
+  bool hasMotionMasks = false;
   /// True if targets can be edited in frames that were already tracked. The following frames are
   /// then tracked again immediately, and past frames show the edited targets.
-  bool tracksAgainOnEdit = false;
+  bool retracksAfterEdit = false;
   /// Describes a target in words, as the method uses it.
   std::string (*describe)(const Target& target) = nullptr;
   /// Returns whether a target of the project has everything required for tracking.
@@ -65,15 +65,17 @@ struct MethodFamily {
 
   /// Returns whether the method finds its targets automatically. The project then defines no
   /// targets, and ground truth does not use the names of the targets.
-  bool findsTargets() const { return targets == TargetSource::Images; }
+  bool findsTargets() const { return targetSource == TargetSource::Images; }
   /// Returns whether masks show the pixels that have the color of a target.
-  bool masksColors() const { return targets == TargetSource::Color; }
+  bool hasColorMasks() const { return targetSource == TargetSource::Color; }
   /// Returns whether the method needs targets from the project, but none of `projectTargets` can be
   /// tracked.
   bool lacksTargets(const std::vector<Target>& projectTargets) const;
   /// Returns whether the methods of this family and of `other` track the same targets, so that a
   /// method of one family can continue a run of the other.
-  bool tracksSameTargetsAs(const MethodFamily& other) const { return targets == other.targets; }
+  bool tracksSameTargetsAs(const MethodFamily& other) const {
+    return targetSource == other.targetSource;
+  }
   /// Returns whether positions in the room are written, row by row during the run.
   bool writesPositions() const { return tables != RunTables::Boxes; }
   /// Returns whether the bodies of the targets are also stored and written.
@@ -82,9 +84,9 @@ struct MethodFamily {
 
 /// Description of a method, to help users choose one.
 struct MethodText {
-  std::string_view title;    ///< title that names what the method tracks
-  std::string_view sentence; ///< purpose or distinguishing feature of the method, in one line
-  std::string_view page;     ///< page of the manual, a file in docs/
+  std::string_view title;      ///< title that names what the method tracks
+  std::string_view sentence;   ///< purpose or distinguishing feature of the method, in one line
+  std::string_view manualPage; ///< page of the manual, a file in docs/
   /// Paper that describes exactly this method; empty if the method was developed for this project.
   std::string_view paper = {};
 };
@@ -120,7 +122,7 @@ const Method* findMethod(std::string_view name);
 /// Returns methods() in the order in which they are offered to the user. Methods of papers, which
 /// are intended for teaching and comparison, are last. Methods with the same headingOf() are
 /// adjacent.
-std::vector<const Method*> methodsByUse();
+std::vector<const Method*> methodsInDisplayOrder();
 /// Returns the heading of the group of methods to which a method belongs in a list. The heading
 /// names the purpose of the group.
 std::string_view headingOf(const Method& method);

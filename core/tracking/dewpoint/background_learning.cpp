@@ -21,7 +21,7 @@ std::vector<BackgroundModel::ExcludedCircle> excludedCircles(const TrackedObject
                                                              std::size_t camera) {
   std::vector<BackgroundModel::ExcludedCircle> hidden;
   for (const TrackedObject& object : objects) {
-    const TrackHypothesis* best = object.track.best();
+    const TrackHypothesis* best = object.track.mostLikelyHypothesis();
     if (best == nullptr || (object.isBall() && !best->hasRim())) {
       continue; // a part of something larger hides nothing
     }
@@ -42,7 +42,7 @@ bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
   for (std::size_t k = 0; k < objects.targetCount(); ++k) {
     const TrackHypothesis* const best = objects[k].track.confidentHypothesis();
     const SphereEstimate& estimate = estimates[k];
-    if (best == nullptr || !best->hasRim() || !best->outlineFound || !objects[k].isBall() ||
+    if (best == nullptr || !best->hasRim() || !best->wasOutlineFound || !objects[k].isBall() ||
         best->logLikelihoodRatio <
             TrackHypothesis::kMostlyVisibleShare * best->fullyVisibleLogLikelihoodRatio ||
         !estimate.valid || estimate.existenceProbability < kSurelyThere ||
@@ -55,7 +55,7 @@ bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
 
 void forgetFamiliarPixelsAt(const TrackedObject& object, const Eigen::Vector3d& position,
                             FrameImages& images) {
-  const TrackHypothesis* const best = object.track.best();
+  const TrackHypothesis* const best = object.track.mostLikelyHypothesis();
   const double radius = best != nullptr ? best->radius : object.track.target().radius;
   if (radius <= 0.0) { // nobody knows how much of the images it takes
     images.forgetFamiliarPixels();

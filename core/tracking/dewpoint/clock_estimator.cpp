@@ -115,8 +115,8 @@ void ClockEstimator::learn(const std::vector<Sighting>& sightings, double interv
   }
   elapsed_ += interval;
   for (const Sighting& sighting : sightings) {
-    agreeing_ += kAgreementGain * ((sighting.trust > 0.0 ? 1.0 : 0.0) - agreeing_);
-    if (sighting.trust > 0.0) {
+    agreeing_ += kAgreementGain * ((sighting.weight > 0.0 ? 1.0 : 0.0) - agreeing_);
+    if (sighting.weight > 0.0) {
       add(sighting);
     }
   }
@@ -130,7 +130,7 @@ void ClockEstimator::learn(const std::vector<Sighting>& sightings, double interv
 }
 
 void ClockEstimator::add(const Sighting& sighting) {
-  const std::vector<CameraInformation>& pulls = *sighting.pulls;
+  const std::vector<CameraInformation>& pulls = *sighting.cameraInformation;
   Eigen::Matrix3d total = Eigen::Matrix3d::Zero();
   Eigen::Vector3d pull = Eigen::Vector3d::Zero();
   int seeing = 0;
@@ -173,7 +173,7 @@ void ClockEstimator::add(const Sighting& sighting) {
   }
   information -= shared * eliminated * shared.transpose();
   vector -= shared * (eliminated * pull);
-  const double trust = sighting.trust / kCorrelatedFrames;
+  const double trust = sighting.weight / kCorrelatedFrames;
   information_ += trust * information;
   informationVector_ += trust * (vector + information * corrected);
 }

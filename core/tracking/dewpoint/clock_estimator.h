@@ -45,8 +45,8 @@ public:
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s
     /// Information about the position from each camera, computed with the delays from delays().
-    const std::vector<CameraInformation>* pulls = nullptr;
-    double trust = 1.0; ///< factor of the information, 0 to 1; 0 if the cameras do not agree
+    const std::vector<CameraInformation>* cameraInformation = nullptr;
+    double weight = 1.0; ///< factor of the information, 0 to 1; 0 if the cameras do not agree
   };
   /// Learns from the targets seen in a frame, `interval` seconds after the previous frame.
   void learn(const std::vector<Sighting>& sightings, double interval);

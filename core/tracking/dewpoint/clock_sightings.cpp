@@ -30,7 +30,7 @@ std::vector<ClockEstimator::Sighting> clockSightings(const TrackedObjects& objec
     const double trust = found->isSaturated()
                              ? 1.0 / std::max({1.0, found->disagreement, found->lastDisagreement})
                              : 0.0;
-    sightings.push_back({found->position(), found->velocity(), &found->pulls, trust});
+    sightings.push_back({found->position(), found->velocity(), &found->cameraInformation, trust});
   }
   return sightings;
 }

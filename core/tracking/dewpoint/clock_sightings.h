@@ -10,7 +10,7 @@ namespace dewpoint::tracking {
 
 /// Returns the targets of the frame that are tracked as balls and are moving. The delays of the
 /// cameras can be estimated from these targets. A target that is not almost fully visible has a
-/// `trust` of 0. The results point into `objects`.
+/// `weight` of 0. The results point into `objects`.
 std::vector<ClockEstimator::Sighting> clockSightings(const TrackedObjects& objects);
 
 } // namespace dewpoint::tracking

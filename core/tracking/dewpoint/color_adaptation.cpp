@@ -27,7 +27,7 @@ bool liesWithin(const SphereImage& outline, const cv::Size& size) {
 }
 
 bool isCertain(const TrackedObject& target, const SphereEstimate& estimate) {
-  const TrackHypothesis* best = target.track.best();
+  const TrackHypothesis* best = target.track.mostLikelyHypothesis();
   return best != nullptr && best->isSaturated() && estimate.valid && !estimate.degenerate &&
          !estimate.extent && // its outline is not known to the pixel
          estimate.existenceProbability >= kMinExistence &&
@@ -73,7 +73,7 @@ bool showsWhole(const TrackedObjects& objects, const FrameImages& images,
 void adaptColor(TrackedObjects& objects, const FrameImages& images, const SphereEstimate& estimate,
                 std::size_t target, double share) {
   TrackedObject& own = objects[target];
-  const Eigen::Vector3d velocity = own.track.best()->velocity();
+  const Eigen::Vector3d velocity = own.track.mostLikelyHypothesis()->velocity();
   for (std::size_t camera = 0; camera < images.cameraCount(); ++camera) {
     const FramePtr frame = images.frame(camera);
     if (!frame) {

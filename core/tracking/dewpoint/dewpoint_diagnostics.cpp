@@ -44,7 +44,7 @@ std::optional<double> distanceToLabel(const LabelImage& labels, PixelLabel label
                                       const Eigen::Vector2d& point) {
   cv::Mat mask;
   cv::compare(labels.labels(), static_cast<int>(label), mask, cv::CMP_EQ);
-  return distanceToNearest(mask, point);
+  return distanceToNearestMaskPixel(mask, point);
 }
 
 double gapBetween(const SphereImage& a, const SphereImage& b) {

@@ -46,8 +46,8 @@ BernoulliTrackSettings DewpointTracker::trackSettings() const {
   settings.accelerationSigma = parameters_.at("acceleration_sigma");
   settings.survivalTime = parameters_.at("survival_time");
   settings.searchSize = parameters_.at("search_size");
-  settings.errors.direction = parameters_.at("calibration_error") * kDegree;
-  settings.errors.time = 1e-3 * parameters_.at("time_error");
+  settings.systematicErrors.directionSigma = parameters_.at("calibration_error") * kDegree;
+  settings.systematicErrors.timeSigma = 1e-3 * parameters_.at("time_error");
   return settings;
 }
 
@@ -176,8 +176,8 @@ void DewpointTracker::beginFrame(FrameSetPtr frames) {
 
 void DewpointTracker::iterate(ThreadTeam& team) {
   const bool isFirst = key_.iteration == 0; // of the iterations on this frame
-  budget_.set(parameters_.at("time_budget"));
-  budget_.begin();
+  budget_.setLimit(parameters_.at("time_budget"));
+  budget_.beginIteration();
   for (TrackedObject& object : objects_) {
     object.track.configure(trackSettings());
     if (object.shape) {
@@ -254,7 +254,8 @@ void DewpointTracker::updateEstimate(std::size_t target) {
 }
 
 void DewpointTracker::learnClocks() {
-  clocks_.setPrior({1e-3 * parameters_.at("delay_spread"), trackSettings().errors.direction});
+  clocks_.setPrior(
+      {1e-3 * parameters_.at("delay_spread"), trackSettings().systematicErrors.directionSigma});
   clocks_.learn(clockSightings(objects_), secondsSinceLastFrame());
   images_.setDelays(clocks_.delays());
 }
@@ -280,9 +281,9 @@ void DewpointTracker::learnBackgrounds() {
   }
 }
 
-void DewpointTracker::particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                                Eigen::ArrayXd& weights) const {
-  objects_[target].track.particles(limit, positions, weights);
+void DewpointTracker::copyParticles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
+                                    Eigen::ArrayXd& weights) const {
+  objects_[target].track.copyParticles(limit, positions, weights);
 }
 
 std::unique_ptr<Tracker> DewpointTracker::clone() const {

@@ -55,8 +55,8 @@ public:
   void iterate(ThreadTeam& team) override;
   std::size_t trackCount() const override { return estimates_.size(); }
   TrackEstimate estimate(std::size_t track) const override { return estimates_.at(track); }
-  void particles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
-                 Eigen::ArrayXd& weights) const override;
+  void copyParticles(std::size_t target, int limit, Eigen::ArrayXXd& positions,
+                     Eigen::ArrayXd& weights) const override;
   bool canBeCopied() const override { return true; }
   std::unique_ptr<Tracker> clone() const override;
   std::size_t memoryBytes() const override;

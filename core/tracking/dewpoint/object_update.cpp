@@ -57,7 +57,7 @@ void ObjectUpdate::updateShape(std::size_t target) {
 }
 
 void ObjectUpdate::alignTimesFor(const TrackedObject& object) {
-  const TrackHypothesis* const expected = object.track.best();
+  const TrackHypothesis* const expected = object.track.mostLikelyHypothesis();
   in_.images.setDelays(expected != nullptr ? in_.clocks.delaysAt(expected->position())
                                            : in_.clocks.delays());
 }

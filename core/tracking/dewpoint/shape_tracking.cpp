@@ -89,8 +89,8 @@ void ShapeTracking::update(const std::vector<OccupiedSphere>& occupied, const Ra
                            ThreadTeam& team) {
   track_.update(observation_, occupied, key, team);
   const TrackHypothesis* const found = track_.hypothesis();
-  if (found != nullptr && found->probability > 0.5 && found->outlineFound) {
-    learn(track_.views(), found->position(), found->radius);
+  if (found != nullptr && found->probability > 0.5 && found->wasOutlineFound) {
+    learn(track_.measurements(), found->position(), found->radius);
   }
 }
 

@@ -95,7 +95,7 @@ std::vector<std::size_t> TrackedObjects::indicesByProbability() const {
   std::vector<std::size_t> order(objects_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto probability = [&](std::size_t k) {
-    const TrackHypothesis* best = objects_[k].track.best();
+    const TrackHypothesis* best = objects_[k].track.mostLikelyHypothesis();
     return best != nullptr ? best->probability : 0.0;
   };
   std::stable_sort(order.begin(), order.end(),
@@ -152,7 +152,7 @@ bool TrackedObjects::hasIdenticalTarget(std::size_t target) const {
 bool TrackedObjects::allTargetsVisible() const {
   return std::all_of(objects_.begin(), objects_.begin() + static_cast<std::ptrdiff_t>(targetCount_),
                      [](const TrackedObject& object) {
-                       const TrackHypothesis* best = object.track.best();
+                       const TrackHypothesis* best = object.track.mostLikelyHypothesis();
                        return best != nullptr && best->probability > kCertainProbability &&
                               isMostlyVisible(*best);
                      });
@@ -163,7 +163,7 @@ void TrackedObjects::explainOthers(SphereObservation& observation, const Tracked
   for (const TrackedObject& object : objects_) {
     const TrackHypothesis* other = &object != &own ? object.track.confidentHypothesis() : nullptr;
     // Only an object that is mostly visible itself explains anything.
-    const bool explains = other != nullptr && other->outlineFound && isMostlyVisible(*other) &&
+    const bool explains = other != nullptr && other->wasOutlineFound && isMostlyVisible(*other) &&
                           haveSameColor(object, own);
     for (std::size_t camera = 0; explains && camera < observation.cameraCount(); ++camera) {
       LabelImage& labels = observation.labels(camera);
@@ -190,7 +190,7 @@ void TrackedObjects::explainOtherTargets(std::size_t target) {
   const TrackedObject& own = objects_[target];
   for (std::size_t k = 0; k < targetCount_; ++k) {
     const TrackHypothesis* other = k != target ? objects_[k].track.confidentHypothesis() : nullptr;
-    if (other == nullptr || !other->outlineFound || !isMostlyVisible(*other) ||
+    if (other == nullptr || !other->wasOutlineFound || !isMostlyVisible(*other) ||
         !haveSameColor(objects_[k], own)) {
       continue;
     }
@@ -224,16 +224,16 @@ void TrackedObjects::suppressIfAtTarget(std::size_t distractor) {
     // A target that was clearly visible a frame ago is still there. (The estimate of a hidden one
     // may be wrong.)
     if (target != nullptr && target->isSaturated() && overlap(*own, *target)) {
-      track.suppressBest();
+      track.suppressBestHypothesis();
       own = nullptr;
     }
   }
 }
 
 std::vector<std::size_t> TrackedObjects::clearPositionOf(std::size_t target) {
-  const TrackHypothesis* const own = objects_[target].track.best();
+  const TrackHypothesis* const own = objects_[target].track.mostLikelyHypothesis();
   std::vector<std::size_t> changed;
-  for (std::size_t k = objects_.size(); own->outlineFound && k-- > 0;) {
+  for (std::size_t k = objects_.size(); own->wasOutlineFound && k-- > 0;) {
     const TrackHypothesis* const other = objects_[k].track.confidentHypothesis();
     if (k == target || other == nullptr || !overlap(*own, *other)) {
       continue;
@@ -241,7 +241,7 @@ std::vector<std::size_t> TrackedObjects::clearPositionOf(std::size_t target) {
     if (k >= targetCount_) {
       removeDistractor(k);
     } else {
-      objects_[k].track.suppressBest();
+      objects_[k].track.suppressBestHypothesis();
       objects_[k].track.removeOccupied({{own->position(), own->radius}});
       changed.push_back(k);
     }
@@ -258,7 +258,7 @@ void TrackedObjects::resolveConflicts() {
         continue;
       }
       (first->logLikelihoodRatio >= second->logLikelihoodRatio ? objects_[b] : objects_[a])
-          .track.suppressBest();
+          .track.suppressBestHypothesis();
     }
   }
 }

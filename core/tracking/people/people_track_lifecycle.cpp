@@ -106,8 +106,8 @@ TrackEstimate PeopleTrackLifecycle::estimate(std::size_t track) const {
   return index < people_.size() ? TrackEstimate(people_[index]) : TrackEstimate(AbsentEstimate{});
 }
 
-void PeopleTrackLifecycle::particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
-                                     Eigen::ArrayXd& weights) const {
+void PeopleTrackLifecycle::copyParticles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
+                                         Eigen::ArrayXd& weights) const {
   positions.resize(0, 3);
   weights.resize(0);
   const int identity = static_cast<int>(track) + 1;

@@ -37,8 +37,8 @@ public:
   void iterate(ThreadTeam& team) final;
   std::size_t trackCount() const override { return allPeople_.size(); }
   TrackEstimate estimate(std::size_t track) const override;
-  void particles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
-                 Eigen::ArrayXd& weights) const override;
+  void copyParticles(std::size_t track, int limit, Eigen::ArrayXXd& positions,
+                     Eigen::ArrayXd& weights) const override;
   const std::vector<Target>& allPeople() const override { return allPeople_; }
   const std::vector<PersonEstimate>& people() const override { return people_; }
   const std::vector<PeopleCameraState>& cameraStates() const override { return cameras_.states(); }

@@ -34,7 +34,7 @@ TrackSnapshot snapshotAt(std::int64_t frame, double time, const Eigen::Vector3d&
   frames->frames = {std::make_shared<const Frame>(), std::make_shared<const Frame>()};
   snapshot.frames = frames;
   snapshot.frame = frame;
-  snapshot.tracked = true;
+  snapshot.isTracked = true;
   TargetSnapshot& target = snapshot.targets.emplace_back();
   target.target.name = "ball";
   target.status = held ? TargetStatus::Held : TargetStatus::Searching;

@@ -258,7 +258,7 @@ TEST(Baselines, BarreraStartsInWhatTheCamerasSee) {
     ASSERT_NE(cloud, nullptr) << method;
     Eigen::ArrayXXd positions;
     Eigen::ArrayXd weights;
-    cloud->particles(0, 1000, positions, weights);
+    cloud->copyParticles(0, 1000, positions, weights);
     ASSERT_GT(positions.rows(), 100) << method;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       EXPECT_GT(positions.col(axis).maxCoeff() - positions.col(axis).minCoeff(), 0.3) << method;

@@ -23,7 +23,8 @@ using test::sameBits;
 constexpr std::int64_t kTravelFrames = 90;
 
 bool shows(const Session& session, std::int64_t frame) {
-  return eventually([&] { return session.newest()->frame == frame && !session.newest()->preview; });
+  return eventually(
+      [&] { return session.newest()->frame == frame && !session.newest()->isPreview; });
 }
 
 bool samePixels(const FrameSet& a, const FrameSet& b) {
@@ -72,7 +73,7 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
   std::map<std::int64_t, TrackSnapshotPtr> seen;
   for (std::int64_t frame = 0; frame < kTravelFrames; ++frame) {
     session.stepFrame();
-    ASSERT_TRUE(eventually([&] { return session.newest()->history.head == frame; }));
+    ASSERT_TRUE(eventually([&] { return session.newest()->history.newestTrackedFrame == frame; }));
     seen[frame] = session.newest();
   }
   for (const std::int64_t frame : {0, 88, 12, 11, 10, 9, 8, 31, 64, 65, 40}) {
@@ -80,11 +81,11 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
     ASSERT_TRUE(shows(session, frame));
     const auto now = session.newest();
     const auto then = seen[frame];
-    EXPECT_TRUE(now->past);
-    EXPECT_TRUE(now->tracked);
+    EXPECT_TRUE(now->isPast);
+    EXPECT_TRUE(now->isTracked);
     EXPECT_EQ(now->state, PlayState::Paused);
-    EXPECT_EQ(now->history.head, kTravelFrames - 1);
-    EXPECT_EQ(now->history.last, kTravelFrames - 1);
+    EXPECT_EQ(now->history.newestTrackedFrame, kTravelFrames - 1);
+    EXPECT_EQ(now->history.lastFrame, kTravelFrames - 1);
     EXPECT_EQ(now->iterations, then->iterations);
     EXPECT_TRUE(samePixels(*now->frames, *then->frames)) << frame;
     ASSERT_EQ(now->targets.size(), 1U);
@@ -104,11 +105,11 @@ TEST_P(TimeTravelTest, ShowsEveryMomentAsItWas) {
     if (particles > 0) { // kept as floats: 24 bits of about a meter
       EXPECT_LT((now->targets[0].particles - then->targets[0].particles).abs().maxCoeff(), 1e-6);
     }
-    EXPECT_LE(now->history.bytes, now->history.maxBytes + (std::size_t{1} << 20));
+    EXPECT_LE(now->history.memoryBytes, now->history.maxMemoryBytes + (std::size_t{1} << 20));
   }
   session.returnToNewestFrame();
   ASSERT_TRUE(shows(session, kTravelFrames - 1));
-  EXPECT_FALSE(session.newest()->past);
+  EXPECT_FALSE(session.newest()->isPast);
   EXPECT_EQ(session.trajectory().samples.size(),
             std::size_t{kTravelFrames}); // looking changes nothing
 }
@@ -224,15 +225,16 @@ TEST(TimeTravel, APreviewStandsInWhileImagesAreDecoded) {
     ASSERT_TRUE(shows(session, frame));
     EXPECT_TRUE(samePixels(*session.newest()->frames, *DrawnRecording::frame(frame)));
   }
-  EXPECT_LE(session.newest()->history.bytes, session.newest()->history.maxBytes + (1U << 20));
+  EXPECT_LE(session.newest()->history.memoryBytes,
+            session.newest()->history.maxMemoryBytes + (1U << 20));
 }
 
 TEST(TimeTravel, AnUntrackedPartIsShownAndTrackedFrom) {
   Session session(drawnInputs("dewpoint", kTravelFrames));
   session.showFrame(50);
   ASSERT_TRUE(shows(session, 50));
-  EXPECT_FALSE(session.newest()->tracked);
-  EXPECT_TRUE(session.newest()->past);
+  EXPECT_FALSE(session.newest()->isTracked);
+  EXPECT_TRUE(session.newest()->isPast);
   EXPECT_TRUE(samePixels(*session.newest()->frames, *DrawnRecording::frame(50)));
   EXPECT_EQ(session.newest()->targets.at(0).particles.rows(), 0);
   const Trajectory played = playedToTheEnd(session);
@@ -267,17 +269,18 @@ TEST_P(TimeTravelTwiceTest, AfterARerunDuringARerunTheRunStandsWhereItStood) {
   for (std::int64_t k = 0; k <= kStood; ++k) {
     session.stepFrame();
   }
-  ASSERT_TRUE(eventually([&] { return session.newest()->history.head == kStood; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->history.newestTrackedFrame == kStood; }));
   const Trajectory first = session.trajectory();
   session.rerunFrom(GetParam().first);
   session.rerunFrom(GetParam().second);
   session.setMasksShown(true); // in their order: both have begun when there are masks
   ASSERT_TRUE(eventually([&] {
     const auto snapshot = session.newest();
-    return !snapshot->masks.empty() && !snapshot->rerun && snapshot->history.head >= kStood;
+    return !snapshot->masks.empty() && !snapshot->rerun &&
+           snapshot->history.newestTrackedFrame >= kStood;
   }));
   EXPECT_EQ(session.newest()->state, PlayState::Paused);
-  EXPECT_EQ(session.newest()->history.head, kStood);
+  EXPECT_EQ(session.newest()->history.newestTrackedFrame, kStood);
   EXPECT_EQ(session.trajectory().samples.size(), first.samples.size());
   EXPECT_TRUE(sameBits(session.trajectory(), first));
 }
@@ -320,7 +323,8 @@ TEST(TimeTravel, ALiveRunIsRerunOverItsLastFrames) {
   live.historyBytes = std::size_t{200} << 20; // everything fits as it came: 90 x 2 x 230 KB = 41 MB
   Session session(std::move(live));
   session.play();
-  ASSERT_TRUE(eventually([&] { return session.newest()->history.head == kTravelFrames - 1; }));
+  ASSERT_TRUE(eventually(
+      [&] { return session.newest()->history.newestTrackedFrame == kTravelFrames - 1; }));
   const Trajectory first = session.trajectory();
   session.showFrame(30);
   ASSERT_TRUE(shows(session, 30));
@@ -337,15 +341,15 @@ TEST(TimeTravel, ALiveRunKeepsWithinItsMemory) {
   live.historyBytes = std::size_t{8} << 20;
   Session session(std::move(live));
   session.play();
-  ASSERT_TRUE(eventually([&] { return session.newest()->history.head == 399; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->history.newestTrackedFrame == 399; }));
   const HistoryState state = session.newest()->history;
-  EXPECT_GT(state.first, 0); // 400 x 2 x 230 KB = 184 MB would not fit
-  EXPECT_LE(state.bytes, state.maxBytes + (std::size_t{1} << 20));
+  EXPECT_GT(state.firstFrame, 0); // 400 x 2 x 230 KB = 184 MB would not fit
+  EXPECT_LE(state.memoryBytes, state.maxMemoryBytes + (std::size_t{1} << 20));
   session.showFrame(0); // gone: the oldest there is
-  ASSERT_TRUE(shows(session, state.first));
+  ASSERT_TRUE(shows(session, state.firstFrame));
   const auto picture = session.newest()->frames->frames[0];
   ASSERT_NE(picture, nullptr);
-  const auto truth = DrawnRecording::frame(state.first)->frames[0];
+  const auto truth = DrawnRecording::frame(state.firstFrame)->frames[0];
   EXPECT_EQ(picture->captureTime, truth->captureTime);
   // Noise of 3 gray levels, some of which JPEG takes for itself.
   EXPECT_LT(cv::norm(picture->image, truth->image, cv::NORM_L1) /

@@ -221,7 +221,7 @@ TEST_P(FilterThreads, AnotherNumberTakesOverInTheMiddleOfARun) {
   for (int k = 0; k < 15; ++k) {
     session.stepFrame();
   }
-  ASSERT_TRUE(eventually([&] { return session.newest()->history.head == 14; }));
+  ASSERT_TRUE(eventually([&] { return session.newest()->history.newestTrackedFrame == 14; }));
   EXPECT_EQ(reportedThreads(session), "1");
   session.setFilterThreads(3);
   ASSERT_TRUE(eventually([&] { return reportedThreads(session) == "3"; }));

@@ -34,7 +34,7 @@ TEST(SelfTest, ADiskThatCannotBeWrittenToIsAProblem) {
   parts.scratchFolder = "/proc/nowhere";
   const auto lines = runSelfTest(parts);
   EXPECT_EQ(lineOf(lines, "disk").level, FindingLevel::Problem);
-  EXPECT_EQ(worstOf(lines), FindingLevel::Problem);
+  EXPECT_EQ(worstLevelOf(lines), FindingLevel::Problem);
 }
 
 TEST(SelfTest, ACameraThatMayNotBeOpenedIsAProblem) {

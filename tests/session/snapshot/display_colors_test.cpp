@@ -10,7 +10,7 @@ namespace dewpoint::tests {
 namespace {
 
 const std::vector<DisplayColor>& palette() {
-  return displayPalette(DisplayGround::Light);
+  return displayPalette(DisplayBackground::Light);
 }
 
 ColorRange rangeAbout(double hue, double saturation = 0.5, double intensity = 0.5) {
@@ -29,7 +29,7 @@ double luminance(const DisplayColor& color) {
 TEST(DisplayColors, APinkBallIsPink) {
   // The range of the simulated ball.
   const ColorRange pink{320.0, 352.0, 0.25, 0.65, 0.15, 0.90};
-  const auto colors = displayColors({{.learned = pink}}, DisplayGround::Light);
+  const auto colors = displayColors({{.learnedColors = pink}}, DisplayBackground::Light);
   ASSERT_EQ(colors.size(), 1U);
   EXPECT_GT(colors[0][0], colors[0][2] + 0.1); // red above blue above green
   EXPECT_GT(colors[0][2], colors[0][1] + 0.1);
@@ -48,7 +48,7 @@ TEST(DisplayColors, GrayAndManyHuesAreNoColor) {
   EXPECT_FALSE(centralColor(ColorRange{}).has_value());
   EXPECT_FALSE(centralColor({0.0, 360.0, 0.2, 1.0, 0.0, 1.0}).has_value());
   EXPECT_FALSE(centralColor({100.0, 120.0, 0.0, 0.6, 0.2, 0.8}).has_value());
-  const auto colors = displayColors({{}, {.learned = ColorRange{}}}, DisplayGround::Dark);
+  const auto colors = displayColors({{}, {.learnedColors = ColorRange{}}}, DisplayBackground::Dark);
   EXPECT_EQ(colors[0], palette()[0]);
   EXPECT_EQ(colors[1], palette()[1]);
 }
@@ -58,11 +58,11 @@ TEST(DisplayColors, EachReadsOnItsGround) {
     for (const double intensity : {0.12, 0.5, 0.88}) {
       const auto middle = centralColor(rangeAbout(hue, 0.5, intensity));
       ASSERT_TRUE(middle.has_value()) << hue;
-      const DisplayColor onLight = legibleOn(*middle, DisplayGround::Light);
-      const DisplayColor onDark = legibleOn(*middle, DisplayGround::Dark);
+      const DisplayColor onLight = legibleColor(*middle, DisplayBackground::Light);
+      const DisplayColor onDark = legibleColor(*middle, DisplayBackground::Dark);
       EXPECT_LT(luminance(onLight), 0.45) << hue; // the floor is white
       EXPECT_GT(luminance(onDark), 0.18) << hue;  // the floor has 0.02
-      const DisplayColor onImage = legibleOn(*middle, DisplayGround::Image);
+      const DisplayColor onImage = legibleColor(*middle, DisplayBackground::Image);
       EXPECT_GT(luminance(onImage), 0.35) << hue; // a line with a dark halo
       for (const DisplayColor& color : {onLight, onDark, onImage}) {
         EXPECT_GE(color.minCoeff(), 0.0);
@@ -71,14 +71,14 @@ TEST(DisplayColors, EachReadsOnItsGround) {
     }
   }
   const DisplayColor fine(0.8, 0.3, 0.5);
-  EXPECT_EQ(legibleOn(fine, DisplayGround::Light), fine);
+  EXPECT_EQ(legibleColor(fine, DisplayBackground::Light), fine);
 }
 
 TEST(DisplayColors, TargetsThatLookAlikeHaveColorsOfThePalette) {
-  const auto colors = displayColors({{.learned = rangeAbout(330.0)},
-                                     {.learned = rangeAbout(120.0)},
-                                     {.learned = rangeAbout(334.0)}},
-                                    DisplayGround::Light);
+  const auto colors = displayColors({{.learnedColors = rangeAbout(330.0)},
+                                     {.learnedColors = rangeAbout(120.0)},
+                                     {.learnedColors = rangeAbout(334.0)}},
+                                    DisplayBackground::Light);
   EXPECT_EQ(colors[0], palette()[0]);
   EXPECT_GT(colors[1][1], colors[1][0]); // stays green
   EXPECT_FALSE(areSimilar(colors[0], colors[2]));
@@ -88,26 +88,26 @@ TEST(DisplayColors, TargetsThatLookAlikeHaveColorsOfThePalette) {
 TEST(DisplayColors, PeopleKeepTheirs) {
   const DisplayColor identity(0.1, 0.2, 0.9);
   const auto colors =
-      displayColors({{.fixed = identity}, {.fixed = identity}}, DisplayGround::Dark);
+      displayColors({{.fixedColor = identity}, {.fixedColor = identity}}, DisplayBackground::Dark);
   EXPECT_EQ(colors[0], identity);
   EXPECT_EQ(colors[1], identity);
 }
 
 TEST(DisplayColors, ATargetHasOneHueOnEveryGround) {
   // Two blues that differ in lightness, and two targets without a color.
-  const std::vector<DisplayColorSource> sources{{.learned = rangeAbout(220.0, 0.5, 0.2)},
-                                                {.learned = rangeAbout(220.0, 0.5, 0.8)},
-                                                {.learned = rangeAbout(120.0)},
+  const std::vector<DisplayColorSource> sources{{.learnedColors = rangeAbout(220.0, 0.5, 0.2)},
+                                                {.learnedColors = rangeAbout(220.0, 0.5, 0.8)},
+                                                {.learnedColors = rangeAbout(120.0)},
                                                 {},
                                                 {}};
-  const auto image = displayColors(sources, DisplayGround::Image);
-  for (const DisplayGround ground : {DisplayGround::Light, DisplayGround::Dark}) {
+  const auto image = displayColors(sources, DisplayBackground::Image);
+  for (const DisplayBackground ground : {DisplayBackground::Light, DisplayBackground::Dark}) {
     const auto colors = displayColors(sources, ground);
     for (std::size_t k = 0; k < sources.size(); ++k) {
-      const auto inPalette = [k](const std::vector<DisplayColor>& shown, DisplayGround where) {
+      const auto inPalette = [k](const std::vector<DisplayColor>& shown, DisplayBackground where) {
         return std::ranges::find(displayPalette(where), shown[k]) - displayPalette(where).begin();
       };
-      EXPECT_EQ(inPalette(image, DisplayGround::Image), inPalette(colors, ground)) << k;
+      EXPECT_EQ(inPalette(image, DisplayBackground::Image), inPalette(colors, ground)) << k;
     }
     EXPECT_GT(colors[2][1], colors[2][0]); // green
   }
@@ -116,22 +116,23 @@ TEST(DisplayColors, ATargetHasOneHueOnEveryGround) {
 TEST(DisplayColors, WhatIsDrawnOverTheTargetIsLighterThanTheTarget) {
   const auto pink = centralColor({320.0, 352.0, 0.25, 0.65, 0.15, 0.90});
   ASSERT_TRUE(pink.has_value());
-  EXPECT_GT(luminance(legibleOn(*pink, DisplayGround::Image)), 1.5 * luminance(*pink));
+  EXPECT_GT(luminance(legibleColor(*pink, DisplayBackground::Image)), 1.5 * luminance(*pink));
 }
 
 TEST(DisplayColors, MoreTargetsThanThePaletteHasStillHaveOneEach) {
-  const auto colors =
-      displayColors(std::vector<DisplayColorSource>(palette().size() + 2), DisplayGround::Light);
+  const auto colors = displayColors(std::vector<DisplayColorSource>(palette().size() + 2),
+                                    DisplayBackground::Light);
   ASSERT_EQ(colors.size(), palette().size() + 2);
   EXPECT_EQ(colors.back(), palette()[1]);
 }
 
 TEST(DisplayColors, OfManyTargetsTheFirstOnesKeepTheirColors) {
   std::vector<DisplayColorSource> sources(kMaxOwnColors + 2);
-  sources.front().learned = rangeAbout(120.0);
-  sources.back().learned = rangeAbout(120.0); // too many to compare
-  const auto colors = displayColors(sources, DisplayGround::Light);
-  EXPECT_EQ(colors.front(), legibleOn(*centralColor(rangeAbout(120.0)), DisplayGround::Light));
+  sources.front().learnedColors = rangeAbout(120.0);
+  sources.back().learnedColors = rangeAbout(120.0); // too many to compare
+  const auto colors = displayColors(sources, DisplayBackground::Light);
+  EXPECT_EQ(colors.front(),
+            legibleColor(*centralColor(rangeAbout(120.0)), DisplayBackground::Light));
   EXPECT_EQ(colors.back(), palette()[(kMaxOwnColors + 1) % palette().size()]);
 }
 

@@ -28,10 +28,10 @@ FramePtr frameOf(const TrackSnapshotPtr& snapshot, std::size_t camera) {
 TEST(LiveFrameFiller, ALateCameraShowsItsLastImage) {
   LiveFrameFiller filler;
   const auto both = trackedFrame(1.0, true, true);
-  EXPECT_EQ(filler.filled(both).get(), both.get()); // nothing to fill: no copy
+  EXPECT_EQ(filler.withMissingImages(both).get(), both.get()); // nothing to fill: no copy
   auto one = trackedFrame(1.05, true, false);
   one->masks = {cv::Mat(2, 2, CV_8UC1), cv::Mat()};
-  const auto seen = filler.filled(one);
+  const auto seen = filler.withMissingImages(one);
   EXPECT_EQ(frameOf(seen, 0), frameOf(one, 0));
   EXPECT_EQ(frameOf(seen, 1), frameOf(both, 1));
   EXPECT_EQ(frameOf(one, 1), nullptr); // what was published stays as it was
@@ -40,23 +40,25 @@ TEST(LiveFrameFiller, ALateCameraShowsItsLastImage) {
 
 TEST(LiveFrameFiller, ASilentCameraIsMissing) {
   LiveFrameFiller filler;
-  filler.filled(trackedFrame(1.0, true, true));
-  const double young = LiveFrameFiller::kMaxImageAge;
-  EXPECT_NE(frameOf(filler.filled(trackedFrame(1.0 + 0.9 * young, true, false)), 1), nullptr);
-  EXPECT_EQ(frameOf(filler.filled(trackedFrame(1.0 + young, true, false)), 1), nullptr);
-  EXPECT_EQ(frameOf(filler.filled(trackedFrame(0.5, true, false)), 1), nullptr); // begun anew
+  filler.withMissingImages(trackedFrame(1.0, true, true));
+  const double young = LiveFrameFiller::kMaxImageAgeSeconds;
+  EXPECT_NE(frameOf(filler.withMissingImages(trackedFrame(1.0 + 0.9 * young, true, false)), 1),
+            nullptr);
+  EXPECT_EQ(frameOf(filler.withMissingImages(trackedFrame(1.0 + young, true, false)), 1), nullptr);
+  EXPECT_EQ(frameOf(filler.withMissingImages(trackedFrame(0.5, true, false)), 1),
+            nullptr); // begun anew
 }
 
 TEST(LiveFrameFiller, RecordingsAndThePastAreShownAsTheyAre) {
   LiveFrameFiller filler;
-  filler.filled(trackedFrame(1.0, true, true));
+  filler.withMissingImages(trackedFrame(1.0, true, true));
   auto recorded = trackedFrame(1.05, true, false);
   recorded->frameCount = 100;
-  EXPECT_EQ(frameOf(filler.filled(recorded), 1), nullptr);
+  EXPECT_EQ(frameOf(filler.withMissingImages(recorded), 1), nullptr);
   auto past = trackedFrame(1.05, true, false);
-  past->past = true;
-  EXPECT_EQ(frameOf(filler.filled(past), 1), nullptr);
-  EXPECT_EQ(filler.filled(nullptr), nullptr);
+  past->isPast = true;
+  EXPECT_EQ(frameOf(filler.withMissingImages(past), 1), nullptr);
+  EXPECT_EQ(filler.withMissingImages(nullptr), nullptr);
 }
 
 } // namespace

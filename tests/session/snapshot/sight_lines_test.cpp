@@ -27,7 +27,7 @@ TEST(SightLines, EachCameraSeesAHeldTarget) {
   const auto lines = sightLines(snapshot, snapshot.targets[0]);
   ASSERT_EQ(lines.size(), 2U);
   for (const SightLine& line : lines) {
-    EXPECT_TRUE(line.sees);
+    EXPECT_TRUE(line.seesTarget);
     EXPECT_EQ(line.from, (*snapshot.rig)[static_cast<std::size_t>(line.camera)].center());
     EXPECT_EQ(line.to, test::kBall);
   }
@@ -38,8 +38,8 @@ TEST(SightLines, ReasonsSayWhereItIsHidden) {
   snapshot.targets[0].cameraReports = {{CameraStatus::Hidden}, {CameraStatus::PartlyHidden}};
   auto lines = sightLines(snapshot, snapshot.targets[0]);
   ASSERT_EQ(lines.size(), 2U);
-  EXPECT_FALSE(lines[0].sees);
-  EXPECT_TRUE(lines[1].sees);
+  EXPECT_FALSE(lines[0].seesTarget);
+  EXPECT_TRUE(lines[1].seesTarget);
   snapshot.targets[0].cameraReports = {{CameraStatus::NoImage}, {CameraStatus::OutOfView}};
   EXPECT_TRUE(sightLines(snapshot, snapshot.targets[0]).empty());
 }
@@ -51,7 +51,7 @@ TEST(SightLines, EvidenceStandsForReasonsThatAreNotGiven) {
   const auto lines = sightLines(snapshot, snapshot.targets[0]);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].camera, 0);
-  EXPECT_FALSE(lines[0].sees);
+  EXPECT_FALSE(lines[0].seesTarget);
 }
 
 TEST(SightLines, NothingBesideTheImagesOrWithoutAPosition) {
@@ -71,7 +71,7 @@ const PointClick kCenterOfLeft{0, {79.5, 59.5}}; // where both cameras look
 
 TEST(SightLines, TheRayOfAClickGoesThroughTheOtherImage) {
   const TrackSnapshot snapshot = heldBall();
-  const auto lines = clickedRay(snapshot, kCenterOfLeft, 1);
+  const auto lines = clickedRayLines(snapshot, kCenterOfLeft, 1);
   ASSERT_EQ(lines.size(), 1U);
   double low = 1e9;
   double high = -1e9;
@@ -85,10 +85,10 @@ TEST(SightLines, TheRayOfAClickGoesThroughTheOtherImage) {
 }
 
 TEST(SightLines, NoRayInTheImageOfTheClickOrWithoutACamera) {
-  EXPECT_TRUE(clickedRay(heldBall(), kCenterOfLeft, 0).empty());
-  EXPECT_TRUE(clickedRay(heldBall(), kCenterOfLeft, 2).empty());
-  EXPECT_TRUE(clickedRay(heldBall(), {2, {79.5, 59.5}}, 1).empty());
-  EXPECT_TRUE(clickedRay({}, kCenterOfLeft, 1).empty());
+  EXPECT_TRUE(clickedRayLines(heldBall(), kCenterOfLeft, 0).empty());
+  EXPECT_TRUE(clickedRayLines(heldBall(), kCenterOfLeft, 2).empty());
+  EXPECT_TRUE(clickedRayLines(heldBall(), {2, {79.5, 59.5}}, 1).empty());
+  EXPECT_TRUE(clickedRayLines({}, kCenterOfLeft, 1).empty());
   EXPECT_TRUE(clickedRayEnds(heldBall(), {-1, {79.5, 59.5}}, test::kBall).empty());
 }
 
@@ -102,7 +102,7 @@ TEST(SightLines, TheRayOfAClickEndsAQuarterBeyondThePosition) {
 }
 
 TEST(SightLines, DashesBeginAndEndWithAStroke) {
-  const auto strokes = dashes(Eigen::Vector3d::Zero(), {9.0, 0.0, 0.0}, 5);
+  const auto strokes = dashedLine(Eigen::Vector3d::Zero(), {9.0, 0.0, 0.0}, 5);
   ASSERT_EQ(strokes.size(), 5U);
   EXPECT_DOUBLE_EQ(strokes[1][0].x(), 2.0);
   EXPECT_DOUBLE_EQ(strokes[1][1].x(), 3.0);

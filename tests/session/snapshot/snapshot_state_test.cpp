@@ -12,7 +12,7 @@ TrackSnapshot snapshotOf(const std::vector<TargetStatus>& statuses) {
   TrackSnapshot snapshot;
   snapshot.rig = std::make_shared<const CameraRig>(test::twoCameras());
   snapshot.frames = std::make_shared<const FrameSet>();
-  snapshot.tracked = true;
+  snapshot.isTracked = true;
   for (const TargetStatus status : statuses) {
     TargetSnapshot& target = snapshot.targets.emplace_back();
     target.target.name = std::to_string(snapshot.targets.size());
@@ -46,8 +46,8 @@ TEST(SnapshotState, WithoutImagesTargetsOrTrackingThereIsNothingToJudge) {
   EXPECT_EQ(trackingState(snapshot), TrackingState::NoImages);
   EXPECT_EQ(trackingState(snapshotOf({})), TrackingState::NoTarget);
   TrackSnapshot past = snapshotOf({TargetStatus::Held});
-  past.past = true;
-  past.tracked = false;
+  past.isPast = true;
+  past.isTracked = false;
   EXPECT_EQ(trackingState(past), TrackingState::NotTracked);
 }
 
@@ -62,7 +62,7 @@ TEST(SnapshotState, TheWorstTargetSpeaksForAll) {
 
 TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
   TrackSnapshot snapshot = snapshotOf({TargetStatus::Held, TargetStatus::Searching});
-  snapshot.family.targets = TargetSource::Box;
+  snapshot.family.targetSource = TargetSource::Box;
   for (TargetSnapshot& target : snapshot.targets) {
     target.estimate = AbsentEstimate{};
     target.stateWhileAbsent = TrackingState::NoBox;
@@ -83,7 +83,7 @@ TEST(SnapshotState, ABoxIsHiddenOrMissingAndOfOneCamera) {
 
 TEST(SnapshotState, PeopleAreLearnedFirst) {
   TrackSnapshot snapshot = snapshotOf({});
-  snapshot.family.targets = TargetSource::Images;
+  snapshot.family.targetSource = TargetSource::Images;
   snapshot.peopleCameras.resize(2);
   snapshot.peopleCameras[0].learned = 1.0;
   snapshot.peopleCameras[1].learned = 0.5;
@@ -112,23 +112,23 @@ TEST(SnapshotState, TheTargetToExplainIsTheChosenOneOrTheFirstInTrouble) {
 
 TEST(SnapshotState, OnlyAHeldTargetWithinTheImageIsInView) {
   TrackSnapshot snapshot = snapshotOf({TargetStatus::Searching, TargetStatus::Held});
-  ASSERT_NE(heldTargetInView(snapshot, 0), nullptr);
-  EXPECT_EQ(heldTargetInView(snapshot, 0)->target.name, "2");
-  EXPECT_EQ(heldTargetInView(snapshot, 2), nullptr);
+  ASSERT_NE(trackedTargetInView(snapshot, 0), nullptr);
+  EXPECT_EQ(trackedTargetInView(snapshot, 0)->target.name, "2");
+  EXPECT_EQ(trackedTargetInView(snapshot, 2), nullptr);
   SphereEstimate behind;
   behind.mean = Eigen::Vector3d(0.0, -0.8, 0.1); // of the left camera
   snapshot.targets[1].estimate = behind;
-  EXPECT_EQ(heldTargetInView(snapshot, 0), nullptr);
+  EXPECT_EQ(trackedTargetInView(snapshot, 0), nullptr);
   BoxEstimate box;
   box.camera = 1; // a box is in its own camera only
   snapshot.targets[1].estimate = box;
-  EXPECT_EQ(heldTargetInView(snapshot, 0), nullptr);
-  EXPECT_NE(heldTargetInView(snapshot, 1), nullptr);
+  EXPECT_EQ(trackedTargetInView(snapshot, 0), nullptr);
+  EXPECT_NE(trackedTargetInView(snapshot, 1), nullptr);
 }
 
 TEST(SnapshotState, AClickMeetsTheNearestPersonWhoseHullIsThere) {
   TrackSnapshot snapshot = snapshotOf({});
-  snapshot.family.targets = TargetSource::Images;
+  snapshot.family.targetSource = TargetSource::Images;
   addPerson(snapshot, test::kBall + Eigen::Vector3d(0.0, 0.3, 0.0)); // behind, for the left camera
   addPerson(snapshot, test::kBall);
   const Eigen::Vector2d center(79.5, 59.5); // where both cameras look

@@ -33,14 +33,14 @@ void show(TargetSpeed& speed, const TrackSnapshot& snapshot) {
 
 TEST(TargetSpeed, NeedsASecondFrame) {
   TargetSpeed speed;
-  EXPECT_FALSE(speed.now());
+  EXPECT_FALSE(speed.metersPerSecond());
   show(speed, frameAt(0));
-  EXPECT_FALSE(speed.now());
+  EXPECT_FALSE(speed.metersPerSecond());
   show(speed, frameAt(1));
-  ASSERT_TRUE(speed.now());
-  EXPECT_NEAR(*speed.now(), kSpeed, 1e-9);
+  ASSERT_TRUE(speed.metersPerSecond());
+  EXPECT_NEAR(*speed.metersPerSecond(), kSpeed, 1e-9);
   show(speed, frameAt(1)); // the same frame again
-  EXPECT_NEAR(*speed.now(), kSpeed, 1e-9);
+  EXPECT_NEAR(*speed.metersPerSecond(), kSpeed, 1e-9);
 }
 
 TEST(TargetSpeed, ANewNameChangesNothing) {
@@ -50,12 +50,12 @@ TEST(TargetSpeed, ANewNameChangesNothing) {
   TrackSnapshot renamed = frameAt(1);
   renamed.targets.front().target.name = "the same ball";
   show(speed, renamed);
-  ASSERT_TRUE(speed.now());
-  EXPECT_NEAR(*speed.now(), kSpeed, 1e-9);
+  ASSERT_TRUE(speed.metersPerSecond());
+  EXPECT_NEAR(*speed.metersPerSecond(), kSpeed, 1e-9);
   TrackSnapshot other = frameAt(2); // of which nothing is known
   other.targets.front().target.name = "another";
   show(speed, other);
-  EXPECT_FALSE(speed.now());
+  EXPECT_FALSE(speed.metersPerSecond());
 }
 
 TEST(TargetSpeed, FramesThatTheScreenLeftOutAreNoGap) {
@@ -63,20 +63,20 @@ TEST(TargetSpeed, FramesThatTheScreenLeftOutAreNoGap) {
   for (const std::int64_t frame : {0, 3, 7}) {
     show(speed, frameAt(frame));
   }
-  ASSERT_TRUE(speed.now());
-  EXPECT_NEAR(*speed.now(), kSpeed, 1e-9);
+  ASSERT_TRUE(speed.metersPerSecond());
+  EXPECT_NEAR(*speed.metersPerSecond(), kSpeed, 1e-9);
 }
 
 TEST(TargetSpeed, NothingIsSaidAcrossAGap) {
   TargetSpeed speed;
   show(speed, frameAt(0));
   show(speed, frameAt(100));
-  EXPECT_FALSE(speed.now());
+  EXPECT_FALSE(speed.metersPerSecond());
   show(speed, frameAt(101));
-  ASSERT_TRUE(speed.now());
-  EXPECT_NEAR(*speed.now(), kSpeed, 1e-9);
+  ASSERT_TRUE(speed.metersPerSecond());
+  EXPECT_NEAR(*speed.metersPerSecond(), kSpeed, 1e-9);
   show(speed, frameAt(102, false));
-  EXPECT_FALSE(speed.now());
+  EXPECT_FALSE(speed.metersPerSecond());
 }
 
 TEST(TargetSpeed, OneMayStepBack) {
@@ -85,8 +85,8 @@ TEST(TargetSpeed, OneMayStepBack) {
     show(speed, frameAt(frame));
   }
   show(speed, frameAt(4));
-  ASSERT_TRUE(speed.now());
-  EXPECT_NEAR(*speed.now(), kSpeed, 1e-9);
+  ASSERT_TRUE(speed.metersPerSecond());
+  EXPECT_NEAR(*speed.metersPerSecond(), kSpeed, 1e-9);
 }
 
 TEST(TargetSpeed, AnotherTargetOrRunBeginsAgain) {
@@ -96,14 +96,14 @@ TEST(TargetSpeed, AnotherTargetOrRunBeginsAgain) {
   TrackSnapshot other = frameAt(2);
   other.targets.front().target.name = "other ball";
   show(speed, other);
-  EXPECT_FALSE(speed.now());
+  EXPECT_FALSE(speed.metersPerSecond());
   other = frameAt(3);
   other.targets.front().target.name = "other ball";
   show(speed, other);
-  EXPECT_TRUE(speed.now());
+  EXPECT_TRUE(speed.metersPerSecond());
   other.seed += 1;
   show(speed, other);
-  EXPECT_FALSE(speed.now());
+  EXPECT_FALSE(speed.metersPerSecond());
 }
 
 TEST(TargetSpeed, FollowsALongRun) {
@@ -111,8 +111,8 @@ TEST(TargetSpeed, FollowsALongRun) {
   for (std::int64_t frame = 0; frame < 1000; ++frame) {
     show(speed, frameAt(frame));
   }
-  ASSERT_TRUE(speed.now());
-  EXPECT_NEAR(*speed.now(), kSpeed, 1e-9);
+  ASSERT_TRUE(speed.metersPerSecond());
+  EXPECT_NEAR(*speed.metersPerSecond(), kSpeed, 1e-9);
 }
 
 } // namespace

@@ -111,8 +111,8 @@ TEST_F(TakeReplayTest, ARunThatBeganInTheTakeIsTheSameToTheLastBit) {
   track(30);
   const ReplayComparison comparison = compare();
   EXPECT_TRUE(comparison.isSame()) << allSentences(comparison);
-  EXPECT_GE(comparison.compared, 30);
-  EXPECT_EQ(comparison.incomplete, 0);
+  EXPECT_GE(comparison.comparedFrames, 30);
+  EXPECT_EQ(comparison.incompleteFrames, 0);
   EXPECT_EQ(comparison.largestDistance, 0.0);
   EXPECT_TRUE(comparison.changedCameras.empty());
   EXPECT_NE(allSentences(comparison).find("Same in all"), std::string::npos);
@@ -124,8 +124,8 @@ TEST_F(TakeReplayTest, ARunThatBeganEarlierCannotBeCompared) {
   record();
   track(10);
   const ReplayComparison comparison = compare();
-  EXPECT_GE(comparison.framesBefore, 5);
-  EXPECT_EQ(comparison.compared, 0);
+  EXPECT_GE(comparison.framesBeforeTake, 5);
+  EXPECT_EQ(comparison.comparedFrames, 0);
   EXPECT_FALSE(comparison.isSame());
   EXPECT_NE(allSentences(comparison).find("before the take"), std::string::npos);
 }

@@ -101,13 +101,13 @@ TEST(CameraOverlay, HasTheParticleOfHighestWeight) {
   TargetSnapshot target = threeParticles();
   auto& sphere = std::get<SphereEstimate>(target.estimate);
   sphere.best = {0.05, 0.02, 0.12};
-  EXPECT_FALSE(cameraOverlay(snapshot, 0, target).best); // of no particles
+  EXPECT_FALSE(cameraOverlay(snapshot, 0, target).bestParticle); // of no particles
   sphere.particleCount = 3;
-  const auto best = cameraOverlay(snapshot, 0, target).best;
+  const auto best = cameraOverlay(snapshot, 0, target).bestParticle;
   ASSERT_TRUE(best);
   EXPECT_TRUE(best->isApprox(*Projector((*snapshot.rig)[0]).project(sphere.best)));
   target.estimate = PersonEstimate{};
-  EXPECT_FALSE(cameraOverlay(snapshot, 0, target).best);
+  EXPECT_FALSE(cameraOverlay(snapshot, 0, target).bestParticle);
 }
 
 TEST(CameraOverlay, LightParticlesFarAwayAreNotOfTheCloud) {

@@ -21,16 +21,17 @@ Target targetOf(const std::string& name, const ColorRange& color) {
 
 TEST(TargetColors, TheLearnedColorCountsWhereTargetsAreFoundByColor) {
   const std::vector<Target> targets{targetOf("ball", kGreen)};
-  EXPECT_EQ(displayColorSources(targets, methodFamily("dewpoint"))[0].learned[0], kGreen);
-  EXPECT_TRUE(displayColorSources(targets, methodFamily("histogram"))[0].learned.empty());
+  EXPECT_EQ(displayColorSources(targets, methodFamily("dewpoint"))[0].learnedColors[0], kGreen);
+  EXPECT_TRUE(displayColorSources(targets, methodFamily("histogram"))[0].learnedColors.empty());
 }
 
 TEST(TargetColors, APersonHasTheColorOfItsIdentity) {
   const auto sources =
       displayColorSources({targetOf(personName(2), ColorRange())}, methodFamily("people"));
   const cv::Scalar color = identityColor(2); // blue, green, red
-  ASSERT_TRUE(sources[0].fixed.has_value());
-  EXPECT_EQ(*sources[0].fixed, DisplayColor(DisplayColor(color[2], color[1], color[0]) / 255.0));
+  ASSERT_TRUE(sources[0].fixedColor.has_value());
+  EXPECT_EQ(*sources[0].fixedColor,
+            DisplayColor(DisplayColor(color[2], color[1], color[0]) / 255.0));
 }
 
 TEST(TargetColors, ASnapshotHasTheColorsOfItsProject) {

@@ -30,7 +30,7 @@ TEST(ViewImage, AMaskHasAContour) {
   mask(cv::Rect(1, 1, 4, 4)).setTo(255);
   cv::Mat tints(1, 256, CV_8UC3, cv::Scalar(20, 220, 120));
   cv::Mat view(12, 12, CV_8UC3, cv::Scalar::all(100)); // twice as large
-  outlineMask(view, mask, tints);
+  drawMaskOutline(view, mask, tints);
   EXPECT_EQ(view.at<cv::Vec3b>(6, 6), cv::Vec3b(100, 100, 100)); // inside
   EXPECT_EQ(view.at<cv::Vec3b>(6, 2), cv::Vec3b(20, 220, 120));  // its border
   EXPECT_EQ(view.at<cv::Vec3b>(6, 1), cv::Vec3b(40, 40, 40));    // and around it

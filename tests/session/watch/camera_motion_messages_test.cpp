@@ -23,7 +23,7 @@ CameraMotionReport solved(std::size_t camera = 1) {
 
 CameraMotionReport back() {
   CameraMotionReport report = solved();
-  report.isBack = true;
+  report.isBackInPose = true;
   return report;
 }
 
@@ -70,10 +70,10 @@ TEST(CameraMotionMessages, WhenOneIsDealtWithTheOthersAreToldAgain) {
   EXPECT_EQ(told(news, {solved(0), solved(1)}, 11.0),
             (Stages{CameraMotionStage::Solved, CameraMotionStage::Solved}));
   const auto after = news.update({solved(1)}, 12.0);
-  EXPECT_TRUE(after.withdrawn);
+  EXPECT_TRUE(after.withdrawsEarlier);
   ASSERT_EQ(after.items.size(), 1U);
   EXPECT_EQ(after.items[0].report.event.camera, 1U);
-  EXPECT_FALSE(news.update({solved(1)}, 13.0).withdrawn);
+  EXPECT_FALSE(news.update({solved(1)}, 13.0).withdrawsEarlier);
 }
 
 TEST(CameraMotionMessages, AnotherRunBeginsAnew) {
@@ -81,7 +81,7 @@ TEST(CameraMotionMessages, AnotherRunBeginsAnew) {
   (void)news.update({solved()}, 11.0);
   news.clear();
   const auto again = news.update({solved()}, 11.0);
-  EXPECT_FALSE(again.withdrawn);
+  EXPECT_FALSE(again.withdrawsEarlier);
   EXPECT_EQ(again.items.size(), 1U);
 }
 

@@ -102,8 +102,8 @@ TEST(CameraMotionWatch, ReportsAndSolvesABumpedCamera) {
   ASSERT_EQ(watch.reports().size(), 1U);
   const CameraMotionReport& report = watch.reports()[0];
   EXPECT_EQ(report.event.camera, 1U);
-  ASSERT_TRUE(report.targetPixels);
-  EXPECT_NEAR(*report.targetPixels, 3.1, 1.0);
+  ASSERT_TRUE(report.targetDistancePx);
+  EXPECT_NEAR(*report.targetDistancePx, 3.1, 1.0);
   EXPECT_LT(seconds(report.event.time), 12.0);
   ASSERT_TRUE(report.newPose);
   EXPECT_LT(angleBetween(report.newPose->camera, bumped), 0.05 * kDegree);
@@ -213,7 +213,7 @@ TEST(CameraMotionWatch, WhatWasReportedBeforeStaysWhileItRests) {
   watch.setPaused(false);
   show(watch, bumped, 12.0, 15.0, picture);
   ASSERT_EQ(watch.reports().size(), 1U);
-  EXPECT_FALSE(watch.reports()[0].isBack);
+  EXPECT_FALSE(watch.reports()[0].isBackInPose);
 }
 
 } // namespace

@@ -80,7 +80,7 @@ TEST(BoardCalibration, LensesAndPosesOfARecording) {
   const auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen) << sentence(seen.error());
   ASSERT_EQ(seen->cameras.size(), 2U);
-  EXPECT_EQ(seen->cameras[0].searched, kFrames);
+  EXPECT_EQ(seen->cameras[0].searchedImages, kFrames);
   EXPECT_GE(seen->cameras[0].views.size(), 12U);
 
   const auto lenses = intrinsicsFromBoards(*seen, wish);
@@ -129,7 +129,7 @@ TEST(BoardCalibration, OnlyTheFramesOfARangeAreSearched) {
   wish.endFrame = 6;
   auto seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen) << sentence(seen.error());
-  EXPECT_EQ(seen->cameras[0].searched, 3);
+  EXPECT_EQ(seen->cameras[0].searchedImages, 3);
   for (const BoardView& view : seen->cameras[0].views) {
     EXPECT_GE(view.instant, 3);
     EXPECT_LT(view.instant, 6);
@@ -138,7 +138,7 @@ TEST(BoardCalibration, OnlyTheFramesOfARangeAreSearched) {
   wish.floorFrame = 0; // outside the range, but it is what makes the world
   seen = findBoards(recorded.project, *source, wish);
   ASSERT_TRUE(seen) << sentence(seen.error());
-  EXPECT_EQ(seen->cameras[0].searched, 4);
+  EXPECT_EQ(seen->cameras[0].searchedImages, 4);
 
   wish.firstFrame = kFrames;
   wish.endFrame.reset();
@@ -150,7 +150,7 @@ TEST(BoardCalibration, OnlyTheFramesOfARangeAreSearched) {
 TEST(BoardCalibration, FramesBetweenThoseLookedAtArePassedOver) {
   const Recorded recorded;
   BoardCalibrationRequest wish = recorded.wish();
-  wish.frameLimit = 5; // every third frame
+  wish.maxSearchedFrames = 5; // every third frame
   wish.floorFrame = 7;
   const auto source = recorded.open();
   const auto seen = findBoards(recorded.project, *source, wish);
@@ -173,7 +173,7 @@ struct BlindCamera {
     BoardDetections::PerCamera blind = seen.cameras[0];
     blind.name = "door";
     blind.views.clear();
-    blind.missed.clear();
+    blind.missedImages.clear();
     seen.cameras.insert(seen.cameras.begin(), blind);
     ProjectCamera camera = recorded.project.cameras[0];
     camera.camera.name = "door";

@@ -41,8 +41,8 @@ struct Room {
       project.cameras.push_back(known);
     }
     wish.board.board = board;
-    wish.lenses.holdSeconds = 2.5 * kFrame;
-    wish.rig.holdSeconds = 2.5 * kFrame;
+    wish.lensGuidance.holdSeconds = 2.5 * kFrame;
+    wish.rigGuidance.holdSeconds = 2.5 * kFrame;
   }
 
   /// The next images, with the board there; still images are drawn once.
@@ -84,7 +84,7 @@ struct Room {
 
 TEST(BoardGuide, WhoDoesAsToldGetsALens) {
   Room room(1);
-  room.wish.lenses.requestedProjectionPx = 2.0;
+  room.wish.lensGuidance.requestedProjectionPx = 2.0;
   BoardGuide guide(room.project, room.wish);
   std::size_t step = 0;
   BoardGuideState state;
@@ -99,12 +99,12 @@ TEST(BoardGuide, WhoDoesAsToldGetsALens) {
   EXPECT_EQ(state.phase, Phase::Finished) << step;
   ASSERT_TRUE(state.cameras[0].lens.projectionPx);
   EXPECT_LE(*state.cameras[0].lens.projectionPx, 2.0);
-  EXPECT_GE(state.cameras[0].taken.size(), 10U);
-  EXPECT_EQ(state.cameras[0].taken.size(), state.seen->cameras[0].views.size());
+  EXPECT_GE(state.cameras[0].capturedOutlines.size(), 10U);
+  EXPECT_EQ(state.cameras[0].capturedOutlines.size(), state.detections->cameras[0].views.size());
 
   BoardCalibrationRequest wish = room.wish.board;
-  wish.views = 60;
-  const auto outcome = calibrateFromBoards(room.project, *state.seen, wish, {true, false});
+  wish.maxViews = 60;
+  const auto outcome = calibrateFromBoards(room.project, *state.detections, wish, {true, false});
   ASSERT_TRUE(outcome) << sentence(outcome.error());
   const double focal = outcome->project.cameras[0].camera.intrinsics.focalX;
   EXPECT_NEAR(focal, room.cameras[0].intrinsics.focalX, 4.0);
@@ -118,7 +118,7 @@ TEST(BoardGuide, TheSameFramesGiveTheSameViews) {
     for (int k = 0; k < 3 * kStill; ++k) {
       guide.step(*room.frames(room.shown(7 + 3 * (k / kStill), BoardTilt::Flat)));
     }
-    runs.push_back(*guide.state().seen);
+    runs.push_back(*guide.state().detections);
   }
   ASSERT_EQ(runs[0].cameras[0].views.size(), 3U);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -138,7 +138,7 @@ TEST(BoardGuide, PlacesFromABoardThatBothSee) {
     room.project.cameras[k].camera.cameraFromWorld.setIdentity();
   }
   room.wish.goal = {false, true};
-  room.wish.rig.instantsPerPair = 5;
+  room.wish.rigGuidance.instantsPerPair = 5;
   BoardGuide guide(room.project, room.wish);
   EXPECT_EQ(guide.state().phase, Phase::Poses);
   BoardGuideState state;
@@ -157,7 +157,7 @@ TEST(BoardGuide, PlacesFromABoardThatBothSee) {
   ASSERT_TRUE(state.cameras[1].positionSigma);
   EXPECT_LE(*state.cameras[1].positionSigma, room.wish.requiredPositionSigma);
   const auto outcome =
-      calibrateFromBoards(room.project, *state.seen, room.wish.board, room.wish.goal);
+      calibrateFromBoards(room.project, *state.detections, room.wish.board, room.wish.goal);
   ASSERT_TRUE(outcome) << sentence(outcome.error());
   // The right camera stands 12 cm to the right of the left one.
   EXPECT_LT((outcome->project.cameras[1].camera.center() - Eigen::Vector3d(0.12, 0.0, 0.0)).norm(),
@@ -171,11 +171,11 @@ TEST(BoardGuide, TakesWhatAPersonAsksForAndGoesOn) {
   guide.step(*room.frames(room.shown(9, BoardTilt::Flat)));
   const auto state = guide.captureNow();
   EXPECT_EQ(state.cameras[0].lens.views, 1);
-  EXPECT_EQ(state.seen->cameras[0].views.size(), 1U);
+  EXPECT_EQ(state.detections->cameras[0].views.size(), 1U);
   EXPECT_EQ(guide.skipToPoses().phase, Phase::Poses);
   guide.step(*room.frames(room.shown(16, BoardTilt::Flat, 0.5)));
   EXPECT_EQ(guide.captureNow().rig.instants, 1);
-  EXPECT_EQ(guide.state().cameras[1].pairViews, 1);
+  EXPECT_EQ(guide.state().cameras[1].pairViewCount, 1);
   EXPECT_FALSE(guide.state().floorFrame);
   guide.step(*room.frames(room.shown(10, BoardTilt::Flat, 0.5)));
   EXPECT_EQ(guide.captureFloor().floorFrame, 2);
@@ -183,19 +183,19 @@ TEST(BoardGuide, TakesWhatAPersonAsksForAndGoesOn) {
 
 TEST(BoardGuide, AllThatWasTakenIsCalibratedFrom) {
   BoardGuideRequest wish;
-  wish.board.views = 30;
-  wish.lenses.maxViews = 60;
-  wish.board.instants = 17;
+  wish.board.maxViews = 30;
+  wish.lensGuidance.maxViews = 60;
+  wish.board.maxInstants = 17;
   wish.board.floorFrame = 3; // of a recording: live, the floor is what was shown
   BoardGuideState state;
-  const BoardCalibrationRequest without = requestForCaptured(wish, state);
-  EXPECT_EQ(without.views, 60); // as many as the guidance takes of a lens, not 30 of them
+  const BoardCalibrationRequest without = requestForCapturedViews(wish, state);
+  EXPECT_EQ(without.maxViews, 60); // as many as the guidance takes of a lens, not 30 of them
   EXPECT_FALSE(without.floorFrame);
-  EXPECT_EQ(without.instants, 17);
+  EXPECT_EQ(without.maxInstants, 17);
   state.floorFrame = 42;
-  wish.board.views = 80;
-  const BoardCalibrationRequest onFloor = requestForCaptured(wish, state);
-  EXPECT_EQ(onFloor.views, 80); // more are never too many
+  wish.board.maxViews = 80;
+  const BoardCalibrationRequest onFloor = requestForCapturedViews(wish, state);
+  EXPECT_EQ(onFloor.maxViews, 80); // more are never too many
   EXPECT_EQ(onFloor.floorFrame, 42);
 }
 
@@ -226,7 +226,7 @@ TEST(BoardGuideThread, LooksAtTheNewestImagesInItsOwnThread) {
   };
   for (int k = 0; k < kStill; ++k) {
     const auto frames = room.frames(pose);
-    watch.show(frames);
+    watch.offer(frames);
     until([&] { return watch.newest()->frame == frames->index; });
   }
   EXPECT_EQ(watch.newest()->cameras[0].lens.views, 1);

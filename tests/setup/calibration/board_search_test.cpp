@@ -83,14 +83,14 @@ TEST(BoardSearch, ALongRecordingIsNotSearchedForTheWrongBoard) {
   const auto first = findBoards(recording.project, *source, request);
   ASSERT_TRUE(first) << sentence(first.error());
   EXPECT_TRUE(first->hasOnlyOtherBoard());
-  EXPECT_FALSE(first->searchedAll);
-  EXPECT_EQ(first->cameras[0].searched, kBoardProposalFrames);
+  EXPECT_FALSE(first->hasSearchedAll);
+  EXPECT_EQ(first->cameras[0].searchedImages, kBoardProposalFrames);
   request.suggestBoardFirst = false;
   const auto all = findBoards(recording.project, *source, request);
   ASSERT_TRUE(all) << sentence(all.error());
   EXPECT_TRUE(all->hasOnlyOtherBoard());
-  EXPECT_TRUE(all->searchedAll);
-  EXPECT_EQ(all->cameras[0].searched, 40);
+  EXPECT_TRUE(all->hasSearchedAll);
+  EXPECT_EQ(all->cameras[0].searchedImages, 40);
 }
 
 TEST(BoardSearch, TheRightBoardIsSearchedForInAllFrames) {
@@ -106,7 +106,7 @@ TEST(BoardSearch, TheRightBoardIsSearchedForInAllFrames) {
       });
   ASSERT_TRUE(seen);
   EXPECT_FALSE(seen->otherBoard);
-  EXPECT_EQ(seen->cameras[1].searched, 40);
+  EXPECT_EQ(seen->cameras[1].searchedImages, 40);
   request.suggestBoardFirst = false;
   const auto again = findBoards(recording.project, *source, request);
   ASSERT_TRUE(again);
@@ -131,8 +131,9 @@ TEST(BoardSearch, AMirroredCameraIsNamed) {
   EXPECT_EQ(findMirroredVideos(*source, request.board).value(), mirrored);
   const auto lenses = intrinsicsFromBoards(*seen, request);
   ASSERT_TRUE(lenses) << sentence(lenses.error());
-  ASSERT_EQ(lenses->kept.size(), 1U);
-  EXPECT_NE(lenses->kept[0].detail.find("mirror"), std::string::npos) << lenses->kept[0].detail;
+  ASSERT_EQ(lenses->keptIntrinsics.size(), 1U);
+  EXPECT_NE(lenses->keptIntrinsics[0].detail.find("mirror"), std::string::npos)
+      << lenses->keptIntrinsics[0].detail;
   const auto poses = extrinsicsFromBoards(recording.project, *seen, request);
   ASSERT_FALSE(poses);
   EXPECT_NE(poses.error().detail.find("mirror"), std::string::npos) << poses.error().detail;

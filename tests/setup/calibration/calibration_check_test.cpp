@@ -93,8 +93,8 @@ protected:
     ASSERT_TRUE(saveCalibration(rig, folder_ / name));
   }
   std::optional<fs::path> found() const {
-    return calibrationBeside({(folder_ / "left.mkv").string(), (folder_ / "right.mkv").string()},
-                             {"left", "right"});
+    return calibrationFileBeside(
+        {(folder_ / "left.mkv").string(), (folder_ / "right.mkv").string()}, {"left", "right"});
   }
 };
 
@@ -127,7 +127,8 @@ TEST_F(CalibrationBesideTest, IsNotLookedForAmongTooManyFiles) {
 }
 
 TEST_F(CalibrationBesideTest, IsNotLookedForBesideDevicesAndStreams) {
-  EXPECT_FALSE(calibrationBeside({"/dev/video0", "rtsp://camera.example/1"}, {"left", "right"}));
+  EXPECT_FALSE(
+      calibrationFileBeside({"/dev/video0", "rtsp://camera.example/1"}, {"left", "right"}));
 }
 
 TEST(MatchCameras, IsByNameElseByOrderElseNotAtAll) {

@@ -71,8 +71,8 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   wish.hints.unit = 0.001;
   const auto made = importCalibration(project_, wish);
   ASSERT_TRUE(made) << sentence(made.error());
-  EXPECT_FALSE(made->matchedByOrder);
-  EXPECT_FALSE(made->lensOnly);
+  EXPECT_FALSE(made->wasMatchedByOrder);
+  EXPECT_FALSE(made->hasOnlyIntrinsics);
   EXPECT_LT(made->largestPixels, 1e-6);
   ASSERT_EQ(made->cameras.size(), 2U);
   EXPECT_EQ(made->cameras[0].name, "left");

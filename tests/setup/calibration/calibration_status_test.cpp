@@ -44,34 +44,34 @@ TEST(CalibrationStatus, GuessedCamerasAreMissing) {
   const CalibrationStatus status = calibrationStatus(project);
   ASSERT_EQ(status.cameras.size(), 2U);
   for (const CameraCalibrationStatus& camera : status.cameras) {
-    EXPECT_EQ(camera.lens.knowledge, Knowledge::Missing);
-    EXPECT_EQ(camera.pose.knowledge, Knowledge::Missing);
+    EXPECT_EQ(camera.lens.knowledge, KnowledgeLevel::Missing);
+    EXPECT_EQ(camera.pose.knowledge, KnowledgeLevel::Missing);
   }
-  EXPECT_EQ(status.scale.knowledge, Knowledge::Missing);
-  EXPECT_EQ(status.floor.knowledge, Knowledge::Missing);
+  EXPECT_EQ(status.scale.knowledge, KnowledgeLevel::Missing);
+  EXPECT_EQ(status.floor.knowledge, KnowledgeLevel::Missing);
 }
 
 TEST(CalibrationStatus, SimulatedCamerasAreExact) {
   const CalibrationStatus status = calibrationStatus(test::twoCameraProject());
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Measured), 2U);
-  EXPECT_EQ(status.scale.knowledge, Knowledge::Measured);
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured), 2U);
+  EXPECT_EQ(status.scale.knowledge, KnowledgeLevel::Measured);
   EXPECT_FALSE(status.scale.origin);
 }
 
 TEST(CalibrationStatus, NumbersWithoutARecordAreGiven) {
   const CalibrationStatus status = calibrationStatus(recordedProject());
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Given), 2U);
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Measured), 0U);
-  EXPECT_EQ(status.scale.knowledge, Knowledge::Given);
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Given), 2U);
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured), 0U);
+  EXPECT_EQ(status.scale.knowledge, KnowledgeLevel::Given);
   EXPECT_FALSE(status.accuracy);
 }
 
 TEST(CalibrationStatus, MeasuredCamerasHaveAnAccuracy) {
   const CalibrationStatus status = calibrationStatus(boardProject());
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::lens, Knowledge::Measured), 2U);
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Measured), 2U);
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::lens, KnowledgeLevel::Measured), 2U);
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured), 2U);
   EXPECT_EQ(worstError(status, &CameraCalibrationStatus::lens), 0.4);
-  EXPECT_EQ(status.scale.knowledge, Knowledge::Measured);
+  EXPECT_EQ(status.scale.knowledge, KnowledgeLevel::Measured);
   EXPECT_EQ(status.scale.error, 0.001);
   EXPECT_EQ(status.floor.origin, CalibrationOrigin::Board);
   EXPECT_EQ(status.accuracy, 0.003);
@@ -84,9 +84,9 @@ TEST(CalibrationStatus, ACameraMovedByHandIsNoLongerMeasured) {
   moved.cameraFromWorld.translation().x() += 0.01;
   setCalibration(project.cameras[1], moved);
   const CalibrationStatus status = calibrationStatus(project);
-  EXPECT_EQ(status.cameras[0].pose.knowledge, Knowledge::Measured);
-  EXPECT_EQ(status.cameras[1].pose.knowledge, Knowledge::Given);
-  EXPECT_EQ(status.cameras[1].lens.knowledge, Knowledge::Measured);
+  EXPECT_EQ(status.cameras[0].pose.knowledge, KnowledgeLevel::Measured);
+  EXPECT_EQ(status.cameras[1].pose.knowledge, KnowledgeLevel::Given);
+  EXPECT_EQ(status.cameras[1].lens.knowledge, KnowledgeLevel::Measured);
   EXPECT_FALSE(status.accuracy); // it was that of both
   EXPECT_FALSE(status.accuracyOutside);
 }
@@ -97,7 +97,7 @@ TEST(CalibrationStatus, APoorLensIsNotDone) {
   const CalibrationStatus status = calibrationStatus(project);
   EXPECT_TRUE(status.cameras[0].lens.isPoor);
   EXPECT_FALSE(status.cameras[1].lens.isPoor);
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::lens, Knowledge::Measured), 1U);
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::lens, KnowledgeLevel::Measured), 1U);
 }
 
 TEST(CalibrationStatus, ALensAloneLeavesThePositionAGuess) {
@@ -108,14 +108,14 @@ TEST(CalibrationStatus, ALensAloneLeavesThePositionAGuess) {
   project.cameras[0].calibrated.lens =
       recordOfLens(project.cameras[0].camera, CalibrationOrigin::Board, 0.4);
   const CalibrationStatus status = calibrationStatus(project);
-  EXPECT_EQ(status.cameras[0].lens.knowledge, Knowledge::Measured);
-  EXPECT_EQ(status.cameras[0].pose.knowledge, Knowledge::Missing);
+  EXPECT_EQ(status.cameras[0].lens.knowledge, KnowledgeLevel::Measured);
+  EXPECT_EQ(status.cameras[0].pose.knowledge, KnowledgeLevel::Missing);
 }
 
 TEST(CalibrationStatus, AMoveOfAllCamerasKeepsWhatIsKnown) {
   const Similarity change{2.0, geometry::rotationFromVector({0.0, 0.0, 0.8}), {0.3, 0.2, 0.1}};
   const CalibrationStatus status = calibrationStatus(withMovedWorld(boardProject(), change));
-  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, Knowledge::Measured), 2U);
+  EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured), 2U);
   EXPECT_NEAR(*worstError(status, &CameraCalibrationStatus::pose), 0.004, 1e-12);
   EXPECT_NEAR(*status.accuracy, 0.006, 1e-12);
   EXPECT_NEAR(*status.accuracyOutside, 0.018, 1e-12);
@@ -130,17 +130,18 @@ TEST(CalibrationStatus, ACalibrationFromAFileIsGiven) {
   const auto made = withCalibration(project, rig, "rig.toml");
   ASSERT_TRUE(made);
   const CalibrationStatus status = calibrationStatus(made->project);
-  EXPECT_EQ(status.cameras[0].pose.knowledge, Knowledge::Given);
+  EXPECT_EQ(status.cameras[0].pose.knowledge, KnowledgeLevel::Given);
   EXPECT_EQ(status.cameras[0].pose.origin, CalibrationOrigin::File);
-  EXPECT_EQ(status.scale.knowledge, Knowledge::Given);
+  EXPECT_EQ(status.scale.knowledge, KnowledgeLevel::Given);
 }
 
 TEST(CalibrationStatus, EachOriginHasAText) {
   EXPECT_STREQ(originText({}), "guessed");
-  EXPECT_STREQ(originText({.knowledge = Knowledge::Measured}), "exact (simulated)");
-  EXPECT_STREQ(originText({.knowledge = Knowledge::Given}), "set by hand");
-  EXPECT_STREQ(originText({.knowledge = Knowledge::Measured, .origin = CalibrationOrigin::Board}),
-               "board");
+  EXPECT_STREQ(originText({.knowledge = KnowledgeLevel::Measured}), "exact (simulated)");
+  EXPECT_STREQ(originText({.knowledge = KnowledgeLevel::Given}), "set by hand");
+  EXPECT_STREQ(
+      originText({.knowledge = KnowledgeLevel::Measured, .origin = CalibrationOrigin::Board}),
+      "board");
 }
 
 } // namespace

@@ -38,7 +38,7 @@ TEST_F(FloorFromBoardTest, TheBoardLiesOnTheFloorAfterwards) {
   const int place = 0; // not tilted, 0.45 m in front of the cameras
   const auto found = withFloorFromBoard(project_, shown_.board, frames(place));
   ASSERT_TRUE(found) << found.error().detail;
-  EXPECT_EQ(found->cameras, 2U);
+  EXPECT_EQ(found->cameraCount, 2U);
   EXPECT_LT(found->rmsPx, 0.5);
   EXPECT_EQ(found->project.calibrated.floor, CalibrationOrigin::Board);
   for (const ProjectCamera& camera : found->project.cameras) {

@@ -36,9 +36,9 @@ TEST(MirroredVideos, SidesAreCountedInImages) {
   images[0] = flipped;
   images.emplace_back(360, 480, CV_8UC1, cv::Scalar(90));
   const BoardSides sides = countSides(board, images);
-  EXPECT_EQ(sides.plain, 2);
-  EXPECT_EQ(sides.mirrored, 1);
-  EXPECT_EQ(countSides(boardOf("chessboard:6x4:0.03"), images).mirrored, 0);
+  EXPECT_EQ(sides.plainCount, 2);
+  EXPECT_EQ(sides.mirroredCount, 1);
+  EXPECT_EQ(countSides(boardOf("chessboard:6x4:0.03"), images).mirroredCount, 0);
 }
 
 TEST(MirroredVideos, TheSentenceNamesTheCamera) {

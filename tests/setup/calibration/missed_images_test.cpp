@@ -14,12 +14,12 @@ namespace {
 BoardDetections::PerCamera searchedCamera(const std::vector<std::int64_t>& seen,
                                           const std::vector<std::int64_t>& missed) {
   BoardDetections::PerCamera camera;
-  camera.searched = static_cast<int>(seen.size() + missed.size());
+  camera.searchedImages = static_cast<int>(seen.size() + missed.size());
   for (const std::int64_t frame : seen) {
     camera.views.push_back({"", frame, {}});
   }
   for (const std::int64_t frame : missed) {
-    camera.missed.push_back({"", frame, {}});
+    camera.missedImages.push_back({"", frame, {}});
   }
   return camera;
 }
@@ -30,7 +30,7 @@ TEST(MissedImages, FramesThatFollowEachOtherAreOneRun) {
   EXPECT_EQ(missedText(searchedCamera({15, 25}, {0, 5, 10, 20})),
             "no board was found in frames 0-10, 20");
   auto camera = searchedCamera({}, {0, 5, 10});
-  camera.missed[1].miss = {BoardMiss::Reason::TooFewCorners, 3, 0.0, 0.0};
+  camera.missedImages[1].miss = {BoardMiss::Reason::TooFewCorners, 3, 0.0, 0.0};
   EXPECT_EQ(missedText(camera), "no board was found in frames 0, 5 (too few corners: 3), 10");
 }
 
@@ -75,17 +75,17 @@ TEST(MissedImages, EachPictureWithoutABoardIsNamed) {
   project.cameras.emplace_back().camera.name = "camera";
   const auto outcome = calibrateFromBoards(project, *seen, request, {true, false});
   ASSERT_TRUE(outcome) << sentence(outcome.error());
-  ASSERT_EQ(outcome->missed.size(), 1U);
-  ASSERT_EQ(outcome->missed[0].size(), 2U);
-  EXPECT_EQ(outcome->missed[0][1].file, "picture5.png");
+  ASSERT_EQ(outcome->missedRuns.size(), 1U);
+  ASSERT_EQ(outcome->missedRuns[0].size(), 2U);
+  EXPECT_EQ(outcome->missedRuns[0][1].file, "picture5.png");
 }
 
 TEST(MissedImages, ACameraThatSawNothingHasTheReasons) {
   BoardDetections seen;
   auto& camera = seen.cameras.emplace_back();
   camera.name = "camera";
-  camera.searched = 1;
-  camera.missed.push_back({"a.png", 0, {BoardMiss::Reason::TooSmall, 0, 0.0, 6.2}});
+  camera.searchedImages = 1;
+  camera.missedImages.push_back({"a.png", 0, {BoardMiss::Reason::TooSmall, 0, 0.0, 6.2}});
   BoardCalibrationRequest request;
   request.board = boardOf("chessboard:9x6:0.025");
   const auto lenses = intrinsicsFromBoards(seen, request);

@@ -109,8 +109,8 @@ TEST(ThrownBall, HalfHiddenByHandsMakesNothingWorse) {
     const auto refinement = refineFromViews(project, thrown(truth, seed, 5.0), {});
     ASSERT_TRUE(refinement) << sentence(refinement.error());
     EXPECT_GT(worstPosition(refinement->result.cameras, truth),
-              3.0 * worstPosition(refinement->before, truth)); // so it must not be applied
-    EXPECT_TRUE(isUnneeded(*refinement) || isKnownBetter(*refinement));
+              3.0 * worstPosition(refinement->camerasBefore, truth)); // so it must not be applied
+    EXPECT_TRUE(isUnnecessary(*refinement) || isKnownBetter(*refinement));
     EXPECT_TRUE(isDoubtful(*refinement));
     ASSERT_FALSE(refinement->gaps.empty());
     EXPECT_EQ(refinement->gaps[0].missing, MissingMotion::OffThePlane)
@@ -128,7 +128,7 @@ TEST(ThrownBall, AMovedCameraIsStillCorrected) {
   moved.calibrated.pose = recordOfPose(moved.camera, CalibrationOrigin::Board, 0.0015);
   const auto refinement = refineFromViews(project, thrown(truth, seed, 5.0), {});
   ASSERT_TRUE(refinement) << sentence(refinement.error());
-  EXPECT_FALSE(isUnneeded(*refinement));
+  EXPECT_FALSE(isUnnecessary(*refinement));
   EXPECT_FALSE(isKnownBetter(*refinement));
 }
 

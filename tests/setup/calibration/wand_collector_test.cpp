@@ -27,7 +27,7 @@ TEST(WandCollector, SeesWhatLookingThroughTheRecordingSees) {
     expected.add(*frames);
     collector.offer(frames);
   }
-  ASSERT_TRUE(eventually([&] { return collector.state().searched == 12; }));
+  ASSERT_TRUE(eventually([&] { return collector.state().searchedFrameSets == 12; }));
   const auto views = collector.views();
   ASSERT_EQ(views[1].size(), 12U); // one still disc in each of the recording's frames
   for (std::size_t k = 0; k < views[1].size(); ++k) {
@@ -35,7 +35,7 @@ TEST(WandCollector, SeesWhatLookingThroughTheRecordingSees) {
     EXPECT_EQ(views[1][k].time, expected.views()[1][k].time);
   }
   const auto state = collector.state();
-  EXPECT_EQ(state.dropped, 0);
+  EXPECT_EQ(state.droppedFrameSets, 0);
   EXPECT_NEAR(state.seconds, 11.0 / 30.0, 1e-6); // of twelve frames at 30 per second
   EXPECT_EQ(state.cameras[0].count, 12U);
   // The disc is in the middle of the image, whose regions are 6 x 4: region (3, 2), or the one
@@ -50,13 +50,14 @@ TEST(WandCollector, DropsAndCountsWhatItCannotHold) {
   const cv::Mat large(3000, 4000, CV_8UC3, cv::Scalar(60, 60, 60));
   set->frames = {std::make_shared<const Frame>(Frame{0, timeStamp(0.0), large}), nullptr};
   WandCollector collector(2, pink());
-  for (std::size_t k = 0; k < 3 * WandCollector::kMaxWaiting; ++k) {
+  for (std::size_t k = 0; k < 3 * WandCollector::kMaxWaitingFrameSets; ++k) {
     collector.offer(set);
   }
   const auto state = collector.state();
-  EXPECT_GT(state.dropped, 0);
-  EXPECT_LE(state.waiting,
-            static_cast<std::int64_t>(WandCollector::kMaxWaiting) + 1); // and the one looked at
+  EXPECT_GT(state.droppedFrameSets, 0);
+  EXPECT_LE(state.waitingFrameSets,
+            static_cast<std::int64_t>(WandCollector::kMaxWaitingFrameSets) +
+                1); // and the one looked at
 }
 
 TEST(FrameTap, IsGivenEveryFrameTakenOnce) {

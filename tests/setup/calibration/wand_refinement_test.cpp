@@ -44,14 +44,14 @@ TEST(WandRefinement, WhatTheFormerCamerasExplainAsWellIsNotNeeded) {
   WandRefinement refinement = refinedTo(0.003);
   refinement.accuracy->heldOut = 100;
   refinement.accuracy->heldOutPx = 0.4;
-  EXPECT_FALSE(isUnneeded(refinement)); // not compared
+  EXPECT_FALSE(isUnnecessary(refinement)); // not compared
   refinement.beforePx = 0.5;
-  EXPECT_FALSE(isUnneeded(refinement));
+  EXPECT_FALSE(isUnnecessary(refinement));
   EXPECT_FALSE(isDoubtful(refinement));
   refinement.beforePx = 0.35;
-  EXPECT_TRUE(isUnneeded(refinement));
+  EXPECT_TRUE(isUnnecessary(refinement));
   EXPECT_TRUE(isDoubtful(refinement));
-  EXPECT_NE(unneededText(refinement).find("0.35 px"), std::string::npos);
+  EXPECT_NE(unnecessaryText(refinement).find("0.35 px"), std::string::npos);
 }
 
 /// A refinement of calibrated cameras, whose new positions are known to 6 mm.
@@ -60,7 +60,7 @@ WandRefinement ofCalibratedCameras() {
   refinement.accuracy->heldOut = 100;
   refinement.accuracy->heldOutPx = 0.4;
   refinement.accuracy->cameras = {{0.004, 0.001}, {0.006, 0.001}};
-  refinement.beforeCalibrated = true;
+  refinement.wasCalibratedBefore = true;
   refinement.beforePx = 0.7; // worse than the new ones, but not as of a camera that was moved
   return refinement;
 }
@@ -71,7 +71,7 @@ TEST(WandRefinement, CamerasThatWereKnownBetterAreKept) {
   refinement.beforeError = 0.0015;
   EXPECT_TRUE(isKnownBetter(refinement));
   EXPECT_TRUE(isDoubtful(refinement));
-  EXPECT_FALSE(isUnneeded(refinement));
+  EXPECT_FALSE(isUnnecessary(refinement));
   EXPECT_EQ(knownBetterText(refinement),
             "the old camera positions are known more accurately (+-1.5 mm) than the new ones (+-6 "
             "mm): keep the old ones");
@@ -93,7 +93,7 @@ TEST(WandRefinement, CamerasThatTheImagesContradictAreReplaced) {
   EXPECT_FALSE(isKnownBetter(refinement));
   refinement = ofCalibratedCameras();
   refinement.beforeError = 0.0015;
-  refinement.beforeCalibrated = false; // placed by hand
+  refinement.wasCalibratedBefore = false; // placed by hand
   EXPECT_FALSE(isKnownBetter(refinement));
 }
 
@@ -103,7 +103,7 @@ WandRefinement rotatedBy(const std::vector<double>& degrees) {
   for (std::size_t k = 0; k < degrees.size(); ++k) {
     Camera camera;
     camera.name = "camera " + std::to_string(k + 1);
-    refinement.before.push_back(camera);
+    refinement.camerasBefore.push_back(camera);
     camera.cameraFromWorld.linear() =
         Eigen::AngleAxisd(degrees[k] * kDegree, Eigen::Vector3d::UnitX()).toRotationMatrix();
     refinement.result.cameras.push_back(camera);
@@ -116,11 +116,11 @@ TEST(WandRefinement, ACameraThatWasFarOffIsNamed) {
   const auto found = farOffCameras(refinement);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].camera, 1U);
-  EXPECT_NE(farOffText(found[0], refinement.before)
+  EXPECT_NE(farOffText(found[0], refinement.camerasBefore)
                 .find("camera 2 was far off: the refinement "
                       "rotates it by 2.1 degrees"),
             std::string::npos)
-      << farOffText(found[0], refinement.before);
+      << farOffText(found[0], refinement.camerasBefore);
 }
 
 TEST(WandRefinement, CamerasThatAllMoveAlikeAreNotNamed) {

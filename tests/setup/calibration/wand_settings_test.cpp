@@ -27,11 +27,11 @@ TEST(WandSettings, BallsAreThoseThatAreNamedOrTheFirstOnes) {
   WandSettings wish;
   EXPECT_EQ(selectedTargets(wish, withBalls(0)), Names{});
   EXPECT_EQ(selectedTargets(wish, withBalls(2)), Names{"a"});
-  wish.ball = "b";
+  wish.ballTarget = "b";
   EXPECT_EQ(selectedTargets(wish, withBalls(2)), Names{"b"});
-  wish.stick = true;
+  wish.usesStick = true;
   EXPECT_EQ(selectedTargets(wish, withBalls(3)), (Names{"b", "a"})); // another than the first end
-  wish.other = "c";
+  wish.secondBallTarget = "c";
   EXPECT_EQ(selectedTargets(wish, withBalls(3)), (Names{"b", "c"}));
   EXPECT_EQ(selectedTargets(wish, withBalls(2)), (Names{"b", "a"})); // "c" was removed
   EXPECT_EQ(selectedTargets(wish, withBalls(1)), Names{"a"});
@@ -44,16 +44,16 @@ TEST(WandSettings, TheFirstObstacleIsNamed) {
   EXPECT_EQ(obstacleOf(wish, {}, oneCamera), WandObstacle::TooFewCameras);
   EXPECT_EQ(obstacleOf(wish, {}, withBalls(0)), WandObstacle::NoBall);
   EXPECT_EQ(obstacleOf(wish, {}, withBalls(1)), WandObstacle::None);
-  wish.stick = true;
+  wish.usesStick = true;
   EXPECT_EQ(obstacleOf(wish, {}, withBalls(1)), WandObstacle::NoSecondBall);
   EXPECT_EQ(obstacleOf(wish, {}, withBalls(2)), WandObstacle::None);
-  wish.ball = wish.other = "b";
+  wish.ballTarget = wish.secondBallTarget = "b";
   EXPECT_EQ(obstacleOf(wish, {}, withBalls(2)), WandObstacle::SameBallTwice);
 }
 
 TEST(WandSettings, ADistanceAndAFallNeedBothMoments) {
   WandSettings wish;
-  wish.size = WandScaleSource::Distance;
+  wish.scaleSource = WandScaleSource::Distance;
   std::vector<MarkedInstant> instants{at(1.0, WandEvent::DistanceFrom)};
   EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::IncompleteDistance);
   instants.push_back(at(2.0, WandEvent::DistanceTo));
@@ -62,21 +62,21 @@ TEST(WandSettings, ADistanceAndAFallNeedBothMoments) {
   EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::IncompleteFall);
   instants.push_back(at(2.5, WandEvent::FallBegins));
   EXPECT_EQ(obstacleOf(wish, instants, withBalls(1)), WandObstacle::None);
-  wish.stick = true; // whose length is the size: no distance is asked for
+  wish.usesStick = true; // whose length is the size: no distance is asked for
   EXPECT_EQ(obstacleOf(wish, {}, withBalls(2)), WandObstacle::None);
 }
 
 TEST(WandSettings, OptionsSayWhatWasDecided) {
   WandSettings wish;
-  wish.size = WandScaleSource::Distance;
+  wish.scaleSource = WandScaleSource::Distance;
   wish.distance = 1.5;
   wish.findOffsets = true;
   wish.initialPositionError = 0.3;
-  wish.onlySelectedFrames = true;
+  wish.usesOnlySelectedFrames = true;
   const std::vector<MarkedInstant> instants{
       at(1.0, WandEvent::Floor), at(2.0, WandEvent::DistanceFrom), at(3.0, WandEvent::DistanceTo),
       at(4.0, WandEvent::Floor), at(5.0, WandEvent::FallBegins),   at(5.5, WandEvent::FallEnds)};
-  const WandOptions options = toOptions(wish, instants, withBalls(1), FrameSpan{10, 99});
+  const WandOptions options = toWandOptions(wish, instants, withBalls(1), FrameSpan{10, 99});
   EXPECT_EQ(options.targets, std::vector<std::string>{"a"});
   ASSERT_TRUE(options.distance);
   EXPECT_EQ(options.distance->meters, 1.5);
@@ -92,15 +92,15 @@ TEST(WandSettings, OptionsSayWhatWasDecided) {
 
 TEST(WandSettings, AStickLeavesOutWhatIsOfOneBall) {
   WandSettings wish;
-  wish.stick = true;
-  wish.length = 0.7;
-  wish.size = WandScaleSource::Diameter;
-  EXPECT_EQ(toOptions(wish, {}, withBalls(2)).stickLength, 0.7);
-  EXPECT_FALSE(toOptions(wish, {}, withBalls(2)).fromDiameter);
-  wish.stick = false;
-  EXPECT_EQ(toOptions(wish, {}, withBalls(2)).stickLength, 0.0);
-  EXPECT_TRUE(toOptions(wish, {}, withBalls(2)).fromDiameter);
-  EXPECT_FALSE(toOptions(wish, {}, withBalls(2), FrameSpan{3, 4}).endFrame); // not asked for
+  wish.usesStick = true;
+  wish.stickLength = 0.7;
+  wish.scaleSource = WandScaleSource::Diameter;
+  EXPECT_EQ(toWandOptions(wish, {}, withBalls(2)).stickLength, 0.7);
+  EXPECT_FALSE(toWandOptions(wish, {}, withBalls(2)).usesBallDiameter);
+  wish.usesStick = false;
+  EXPECT_EQ(toWandOptions(wish, {}, withBalls(2)).stickLength, 0.0);
+  EXPECT_TRUE(toWandOptions(wish, {}, withBalls(2)).usesBallDiameter);
+  EXPECT_FALSE(toWandOptions(wish, {}, withBalls(2), FrameSpan{3, 4}).endFrame); // not asked for
 }
 
 TEST(WandSettings, OnlyTheFloorIsTouchedOften) {

@@ -54,7 +54,7 @@ TEST(WandViews, TheOptionsMakeTheProblem) {
   options.targets = {"red"}; // a stick has two balls
   EXPECT_EQ(wandProblem(project, options).error().field, "target");
   options.stickLength = 0.0;
-  options.fromDiameter = true;
+  options.usesBallDiameter = true;
   EXPECT_EQ(wandProblem(project, options)->scale, WandScale::Diameter);
   options.targets = {"green"};
   EXPECT_EQ(wandProblem(project, options).error().code, ErrorCode::NotFound);

@@ -66,7 +66,7 @@ TEST(WorldStep, OriginLevelAndAxisTakeTheirPoints) {
   EXPECT_LT(pointInRoom(rigOf(origin->project), a)->mean.norm(), 1e-6);
   const auto level = withWorldStep(project, WorldStep::Level, {a, b});
   ASSERT_TRUE(level);
-  EXPECT_NEAR(level->rotated, std::atan(0.1), 1e-6);
+  EXPECT_NEAR(level->rotationAngle, std::atan(0.1), 1e-6);
   const auto axis = withWorldStep(project, WorldStep::XAxis, {a, b});
   ASSERT_TRUE(axis);
   const CameraRig rig = rigOf(axis->project);

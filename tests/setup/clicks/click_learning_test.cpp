@@ -39,7 +39,7 @@ TEST(ClickLearningResult, TakesInWhatTheOtherCameraShows) {
   EXPECT_EQ(now->samples[0], click);
   EXPECT_TRUE(now->samples[1].found);
   EXPECT_EQ(now->samples[1].frame, 7);
-  EXPECT_EQ(now->found.size(), 1U);
+  EXPECT_EQ(now->outlines.size(), 1U);
   EXPECT_TRUE(matches(now->color.range, kRed));
   EXPECT_TRUE(matches(now->color.range, kWarmRed));
   EXPECT_FALSE(matches(now->color.range, {120, 120, 120}));
@@ -70,7 +70,7 @@ TEST(ClickLearningResult, FindsEachColorOfATargetInTheOtherCamera) {
   ASSERT_EQ(lesson->samples.size(), 4U);
   EXPECT_EQ(lesson->samples[2].camera, 1);
   EXPECT_EQ(lesson->samples[3].camera, 1);
-  EXPECT_EQ(lesson->found.size(), 2U);
+  EXPECT_EQ(lesson->outlines.size(), 2U);
   for (const color::BgrColor& bgr : {kRed, blue}) {
     EXPECT_TRUE(color::ColorClassifier(lesson->color.ranges()).matches(bgr[0], bgr[1], bgr[2]));
   }
@@ -121,11 +121,11 @@ TEST(ClickLearningResult, ExcludesWhatWasFoundAndTakenAway) {
   const auto without = setup::withoutSample(lesson->samples, 1);
   ASSERT_EQ(without.size(), 2U);
   EXPECT_TRUE(without[1].excluded && !without[1].found);
-  EXPECT_TRUE(setup::anyClicked(without));
+  EXPECT_TRUE(setup::hasClickedSample(without));
   const auto again = learnFromClicks(scene.rig, {scene.images, {}, 0}, without);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->samples, without);
-  EXPECT_FALSE(setup::anyClicked(setup::withoutSample(without, 0)));
+  EXPECT_FALSE(setup::hasClickedSample(setup::withoutSample(without, 0)));
 }
 
 // Two bands of one color: the second is learned beside the first, which is neither it nor what it

@@ -24,9 +24,9 @@ TEST(CounterpartSearch, FindsTheBallInTheOtherCameras) {
   scene.paintInAll(kBall, kRadius, kRed);
   const Counterparts counterparts =
       findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius));
-  ASSERT_EQ(counterparts.found.size(), 2U);
+  ASSERT_EQ(counterparts.samples.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
-    const color::ColorSample& sample = counterparts.found[i];
+    const color::ColorSample& sample = counterparts.samples[i];
     EXPECT_EQ(sample.camera, static_cast<int>(i) + 1);
     EXPECT_TRUE(sample.found && !sample.excluded);
     EXPECT_TRUE(scene.isOn(sample, kBall, kRadius));
@@ -42,8 +42,8 @@ TEST(CounterpartSearch, FindsItInACameraWithOtherWhiteBalanceAndExposure) {
   scene.paint(1, kBall, kRadius, {26, 30, 168});
   const Counterparts counterparts =
       findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius));
-  ASSERT_EQ(counterparts.found.size(), 1U);
-  EXPECT_TRUE(scene.isOn(counterparts.found[0], kBall, kRadius));
+  ASSERT_EQ(counterparts.samples.size(), 1U);
+  EXPECT_TRUE(scene.isOn(counterparts.samples[0], kBall, kRadius));
 }
 
 // The same color lies a meter beside the ray, where the click's ray does not pass: 150 px of it.
@@ -53,7 +53,7 @@ TEST(CounterpartSearch, DoesNotTakeTheSameColorBesideTheRay) {
   scene.paint(1, kBall + Eigen::Vector3d(0.0, 0.0, 0.5), kRadius, kRed);
   const Counterparts counterparts =
       findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius));
-  EXPECT_TRUE(counterparts.found.empty());
+  EXPECT_TRUE(counterparts.samples.empty());
 }
 
 TEST(CounterpartSearch, DoesNotTakeAnotherColorOnTheRay) {
@@ -61,7 +61,7 @@ TEST(CounterpartSearch, DoesNotTakeAnotherColorOnTheRay) {
   scene.paint(0, kBall, kRadius, kRed);
   scene.paint(1, kBall, kRadius, kGreen);
   EXPECT_TRUE(
-      findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius)).found.empty());
+      findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius)).samples.empty());
 }
 
 // Two balls alike on the ray of the click, one behind the other in its camera: beside each other in
@@ -75,7 +75,7 @@ TEST(CounterpartSearch, LeavesOpenWhichOfTwoAlikeItIs) {
   scene.paint(1, behind, kRadius * 1.15, kRed); // as large as it would have to be there
   const Counterparts counterparts =
       findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius));
-  EXPECT_TRUE(counterparts.found.empty());
+  EXPECT_TRUE(counterparts.samples.empty());
   EXPECT_TRUE(holds(counterparts.undecided[1], scene.discOf(1, kBall, kRadius).center));
   EXPECT_TRUE(holds(counterparts.undecided[1], scene.discOf(1, behind, kRadius).center));
 }
@@ -88,8 +88,8 @@ TEST(CounterpartSearch, DecidesByAThirdCamera) {
   scene.paint(1, kBall + 0.3 * sight, kRadius * 1.15, kRed);
   const Counterparts counterparts =
       findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius));
-  ASSERT_EQ(counterparts.found.size(), 2U);
-  EXPECT_TRUE(scene.isOn(counterparts.found[0], kBall, kRadius));
+  ASSERT_EQ(counterparts.samples.size(), 2U);
+  EXPECT_TRUE(scene.isOn(counterparts.samples[0], kBall, kRadius));
 }
 
 // And so does a volume that only the nearer one lies in, if what lies outside is not so much that
@@ -102,13 +102,13 @@ TEST(CounterpartSearch, DecidesByTheVolume) {
   scene.paint(1, kBall, kSmall, kRed);
   scene.paint(1, kBall + 0.6 * sight, kSmall * 1.3, kRed);
   const ColorSample click = scene.clickOn(0, kBall, kSmall);
-  EXPECT_TRUE(findCounterparts(scene.rig, scene.images, click).found.empty());
+  EXPECT_TRUE(findCounterparts(scene.rig, scene.images, click).samples.empty());
   CounterpartLimits limits;
   limits.volume =
       WorldBox{kBall - Eigen::Vector3d::Constant(0.1), kBall + Eigen::Vector3d::Constant(0.1)};
   const Counterparts counterparts = findCounterparts(scene.rig, scene.images, click, limits);
-  ASSERT_EQ(counterparts.found.size(), 1U);
-  EXPECT_TRUE(scene.isOn(counterparts.found[0], kBall, kSmall));
+  ASSERT_EQ(counterparts.samples.size(), 1U);
+  EXPECT_TRUE(scene.isOn(counterparts.samples[0], kBall, kSmall));
 }
 
 // The discs are 14.9 and 14.0 px in radius; regions lack some of their rims.
@@ -130,7 +130,7 @@ TEST(CounterpartSearch, SearchesForAnyRadiusWhereTheKnownOneFitsNothing) {
   limits.radius = 0.25 * kRadius;
   const Counterparts counterparts =
       findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius), limits);
-  ASSERT_EQ(counterparts.found.size(), 1U);
+  ASSERT_EQ(counterparts.samples.size(), 1U);
   EXPECT_NEAR(counterparts.radius.value(), kRadius, 0.1 * kRadius);
 }
 
@@ -142,7 +142,7 @@ TEST(CounterpartSearch, DoesNotTakeWhatIsExcluded) {
   limits.excluded[0].excluded = true;
   const Counterparts counterparts =
       findCounterparts(scene.rig, scene.images, scene.clickOn(0, kBall, kRadius), limits);
-  EXPECT_TRUE(counterparts.found.empty());
+  EXPECT_TRUE(counterparts.samples.empty());
 }
 
 TEST(CounterpartSearch, FindsNothingWithoutCalibrationOrImage) {
@@ -152,7 +152,7 @@ TEST(CounterpartSearch, FindsNothingWithoutCalibrationOrImage) {
   scene.rig[1].intrinsics.focalX = scene.rig[1].intrinsics.focalY = 0.0;
   scene.images[2].release();
   const Counterparts counterparts = findCounterparts(scene.rig, scene.images, click);
-  EXPECT_TRUE(counterparts.found.empty());
+  EXPECT_TRUE(counterparts.samples.empty());
   EXPECT_EQ(counterparts.undecided.size(), 3U);
 }
 

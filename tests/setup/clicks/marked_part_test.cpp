@@ -50,8 +50,8 @@ TEST(MarkedPart, IsWhatABoxHoldsOfSomethingLarger) {
   ASSERT_TRUE(part);
   EXPECT_LT((part->center - hand.center).norm(), 2.0);
   EXPECT_NEAR(part->radiusPx, hand.radius, 2.0);
-  EXPECT_FALSE(part->whole.isBox());
-  EXPECT_GT(part->whole.area, 1.5 * 3.14 * hand.radius * hand.radius);
+  EXPECT_FALSE(part->wholeObject.isBox());
+  EXPECT_GT(part->wholeObject.area, 1.5 * 3.14 * hand.radius * hand.radius);
   // A box around all of it, and no box.
   const Eigen::Vector3d middle = 0.5 * (kHand + kElbow);
   EXPECT_FALSE(setup::partInBox(scene.images[0], boxOn(scene, 0, middle, 0.4)));
@@ -76,7 +76,7 @@ TEST(MarkedPart, LiesOnItsRayWhereTheOtherCameraShowsTheThing) {
   const PaintedRig scene = paintedArm(2);
   const auto mark = setup::partInBox(scene.images[0], boxOn(scene, 0, kHand, 1.2 * kHandRadius));
   ASSERT_TRUE(mark);
-  const auto found = setup::findCounterparts(scene.rig, scene.images, mark->whole).found;
+  const auto found = setup::findCounterparts(scene.rig, scene.images, mark->wholeObject).samples;
   ASSERT_EQ(found.size(), 1U);
   const auto part = setup::locatePart(scene.rig, scene.images, {*mark}, found);
   ASSERT_TRUE(part);

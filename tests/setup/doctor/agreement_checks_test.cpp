@@ -37,7 +37,7 @@ protected:
 TEST_F(AgreementChecks, ImagesThatFitAreFine) {
   seenBy(ball::rigOf(2));
   const auto all = findings();
-  EXPECT_EQ(worstOf(all), FindingLevel::Ok) << linesOf(all);
+  EXPECT_EQ(worstLevelOf(all), FindingLevel::Ok) << linesOf(all);
 }
 
 TEST_F(AgreementChecks, SwappedImagesAreNamed) {

@@ -15,7 +15,7 @@ TEST(Finding, EachKindHasItsWordsAndAnAdviceWhereSomethingIsWrong) {
     EXPECT_EQ(static_cast<int>(words.kind), number++)
         << words.name << ": in the order of the kinds";
     EXPECT_TRUE(names.insert(words.name).second) << words.name;
-    EXPECT_TRUE(words.what.ends_with('.')) << words.what;
+    EXPECT_TRUE(words.sentence.ends_with('.')) << words.sentence;
     const bool isFine = words.level == FindingLevel::Ok;
     const bool saysWhatToDo = !words.advice.empty() || words.kind == FindingKind::CamerasDisagree;
     EXPECT_EQ(saysWhatToDo, !isFine) << words.name;
@@ -44,10 +44,10 @@ TEST(Finding, PlacesAreFilledOnceAndSentencesBeginWithACapital) {
 }
 
 TEST(Finding, TheWorstDecides) {
-  EXPECT_EQ(worstOf({}), FindingLevel::Ok);
-  EXPECT_EQ(worstOf({{FindingKind::ProjectRead}, {FindingKind::LengthsDiffer}}),
+  EXPECT_EQ(worstLevelOf({}), FindingLevel::Ok);
+  EXPECT_EQ(worstLevelOf({{FindingKind::ProjectRead}, {FindingKind::LengthsDiffer}}),
             FindingLevel::Note);
-  EXPECT_EQ(worstOf({{FindingKind::RatesDiffer}, {FindingKind::ProjectRead}}),
+  EXPECT_EQ(worstLevelOf({{FindingKind::RatesDiffer}, {FindingKind::ProjectRead}}),
             FindingLevel::Problem);
 }
 

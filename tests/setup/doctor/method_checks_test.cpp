@@ -25,7 +25,7 @@ TEST_F(MethodChecks, AMethodThatNeedsToKnowWhereTheCamerasAre) {
 TEST_F(MethodChecks, AVolumeThatNobodySees) {
   project_.volumeOfInterest = WorldBox{{-0.3, -0.3, 0.0}, {0.3, 0.3, 0.4}};
   const auto seen = findings();
-  EXPECT_EQ(worstOf(seen), FindingLevel::Ok) << linesOf(seen);
+  EXPECT_EQ(worstLevelOf(seen), FindingLevel::Ok) << linesOf(seen);
   project_.volumeOfInterest = WorldBox{{30.0, 30.0, 30.0}, {31.0, 31.0, 31.0}};
   EXPECT_EQ(found(FindingKind::VolumeOutOfView).values[0], "2");
 }

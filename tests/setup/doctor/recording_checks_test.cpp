@@ -9,10 +9,10 @@ using RecordingChecks = ExaminedProject;
 
 TEST_F(RecordingChecks, NothingIsWrongWithASoundProject) {
   const auto all = findings();
-  EXPECT_EQ(worstOf(all), FindingLevel::Ok) << linesOf(all);
+  EXPECT_EQ(worstLevelOf(all), FindingLevel::Ok) << linesOf(all);
   const Finding fine = found(FindingKind::RecordingFine);
   EXPECT_EQ(fine.field, "camera 1.images");
-  EXPECT_EQ(fillPlaceholders(textsOf(fine.kind).what, fine.values),
+  EXPECT_EQ(fillPlaceholders(textsOf(fine.kind).sentence, fine.values),
             "'camera 1' has 12 frames of 320 x 240 pixels, no rate stated.");
 }
 
@@ -44,7 +44,7 @@ TEST_F(RecordingChecks, ADamagedImageIsFoundWhereItIsLookedAt) {
 TEST_F(RecordingChecks, ADamagedImageInBetweenIsFoundOnRequest) {
   std::ofstream(imageFile(1, 3)) << "cut off";
   const auto quick = findings();
-  EXPECT_EQ(worstOf(quick), FindingLevel::Ok) << linesOf(quick);
+  EXPECT_EQ(worstLevelOf(quick), FindingLevel::Ok) << linesOf(quick);
   options_.everyFrame = true;
   EXPECT_EQ(found(FindingKind::FrameUnreadable).values[1], "3");
 }
@@ -59,7 +59,7 @@ TEST_F(RecordingChecks, AVideoThatIsCutOffIsNamed) {
     std::filesystem::resize_file(cut, std::filesystem::file_size(whole) / 2);
   }
   project_.cameras[0].location = cut;
-  EXPECT_EQ(worstOf(findings()), FindingLevel::Problem);
+  EXPECT_EQ(worstLevelOf(findings()), FindingLevel::Problem);
 }
 
 TEST_F(RecordingChecks, TheSizeIsNotThatOfTheCalibration) {

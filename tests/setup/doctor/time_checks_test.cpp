@@ -49,7 +49,7 @@ TEST_F(TimeChecks, TablesThatFitAreFine) {
   project_.cameras[0].times = text("a.csv", times(0.0, kFrames));
   project_.cameras[1].times = text("b.csv", times(0.01, kFrames));
   const auto all = findings();
-  EXPECT_EQ(worstOf(all), FindingLevel::Ok) << linesOf(all);
+  EXPECT_EQ(worstLevelOf(all), FindingLevel::Ok) << linesOf(all);
 }
 
 TEST_F(TimeChecks, DelaysInMilliseconds) {

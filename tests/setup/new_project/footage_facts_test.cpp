@@ -41,7 +41,7 @@ TEST_F(FootageFactsTest, OfAVideoAreSizeRateLengthAndASmallPicture) {
   EXPECT_EQ((*facts)->width, 320);
   EXPECT_EQ((*facts)->height, 240);
   EXPECT_NEAR((*facts)->framesPerSecond, 25.0, 0.1);
-  EXPECT_EQ((*facts)->frames, 7);
+  EXPECT_EQ((*facts)->frameCount, 7);
   EXPECT_LT((*facts)->preview.cols, 320);
   EXPECT_EQ((*facts)->preview.cols * 240, (*facts)->preview.rows * 320);
   EXPECT_EQ((*facts)->preview.type(), CV_8UC3);
@@ -54,7 +54,7 @@ TEST_F(FootageFactsTest, AFolderOfImagesHasNoRate) {
   const auto facts = readFootageFacts(folder_.string());
   ASSERT_TRUE(facts);
   ASSERT_TRUE(*facts);
-  EXPECT_EQ((*facts)->frames, 3);
+  EXPECT_EQ((*facts)->frameCount, 3);
   EXPECT_EQ((*facts)->framesPerSecond, 0.0);
   EXPECT_EQ((*facts)->preview.size(), cv::Size(64, 48)); // small as it is
 }
@@ -83,7 +83,7 @@ FootageFacts recording(int width, double rate, std::int64_t frames) {
   facts.width = width;
   facts.height = 240;
   facts.framesPerSecond = rate;
-  facts.frames = frames;
+  facts.frameCount = frames;
   return facts;
 }
 
@@ -94,12 +94,12 @@ TEST(FootageDifferences, AreThoseThatMatter) {
   EXPECT_EQ(footageDifferences({one, recording(320, 29.97, 378)}), FootageDifferences());
   EXPECT_EQ(footageDifferences({one, recording(320, 0.0, 378)}), FootageDifferences());
   const auto shorter = footageDifferences({one, recording(320, 30.0, 120)});
-  EXPECT_EQ(shorter.shortest, 120);
-  EXPECT_FALSE(shorter.sizes || shorter.rates);
+  EXPECT_EQ(shorter.shortestFrameCount, 120);
+  EXPECT_FALSE(shorter.sizesDiffer || shorter.ratesDiffer);
   const auto other = footageDifferences({recording(320, 0.0, 9), recording(640, 25.0, 9), one});
-  EXPECT_EQ(other.shortest, 9);
-  EXPECT_TRUE(other.sizes);
-  EXPECT_TRUE(other.rates);
+  EXPECT_EQ(other.shortestFrameCount, 9);
+  EXPECT_TRUE(other.sizesDiffer);
+  EXPECT_TRUE(other.ratesDiffer);
 }
 
 } // namespace

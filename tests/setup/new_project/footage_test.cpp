@@ -30,20 +30,22 @@ protected:
 TEST(Footage, NumbersAreSortedByTheirValue) {
   const std::vector<std::string> sorted{"/z/cam 1.mkv", "/y/cam 2.mkv", "/x/cam 10.mkv"};
   EXPECT_EQ(inNaturalOrder({sorted[2], sorted[1], sorted[0]}), sorted); // folders do not count
-  EXPECT_TRUE(displayOrderLess("a9b10", "a10b9"));
-  EXPECT_TRUE(displayOrderLess("cam 007", "cam 8"));
-  EXPECT_TRUE(displayOrderLess("12345678901234567890", "12345678901234567891")); // beyond 64 bits
-  EXPECT_FALSE(displayOrderLess("cam 2", "cam 2"));
+  EXPECT_TRUE(isBeforeInDisplayOrder("a9b10", "a10b9"));
+  EXPECT_TRUE(isBeforeInDisplayOrder("cam 007", "cam 8"));
+  EXPECT_TRUE(
+      isBeforeInDisplayOrder("12345678901234567890", "12345678901234567891")); // beyond 64 bits
+  EXPECT_FALSE(isBeforeInDisplayOrder("cam 2", "cam 2"));
 }
 
 TEST(Footage, LettersAreSortedAsPeopleDo) {
-  EXPECT_TRUE(displayOrderLess("ball", "Camera"));
-  EXPECT_TRUE(displayOrderLess("Camera", "door"));
-  EXPECT_TRUE(displayOrderLess("Ärmel", "Bild")); // as an A
-  EXPECT_TRUE(displayOrderLess("cam", "cam 1"));
-  EXPECT_TRUE(displayOrderLess("cam_1", "cam1")); // signs, digits, letters
-  EXPECT_TRUE(displayOrderLess("cam1", "cama"));
-  EXPECT_NE(displayOrderLess("a1", "A1"), displayOrderLess("A1", "a1")); // an order even so
+  EXPECT_TRUE(isBeforeInDisplayOrder("ball", "Camera"));
+  EXPECT_TRUE(isBeforeInDisplayOrder("Camera", "door"));
+  EXPECT_TRUE(isBeforeInDisplayOrder("Ärmel", "Bild")); // as an A
+  EXPECT_TRUE(isBeforeInDisplayOrder("cam", "cam 1"));
+  EXPECT_TRUE(isBeforeInDisplayOrder("cam_1", "cam1")); // signs, digits, letters
+  EXPECT_TRUE(isBeforeInDisplayOrder("cam1", "cama"));
+  EXPECT_NE(isBeforeInDisplayOrder("a1", "A1"),
+            isBeforeInDisplayOrder("A1", "a1")); // an order even so
 }
 
 TEST_F(FootageTest, AnEndingTellsFootage) {

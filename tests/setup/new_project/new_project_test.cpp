@@ -106,7 +106,7 @@ TEST_F(NewProjectTest, CalibrationsGoByName) {
   const auto made = createNewProject(wanted);
   ASSERT_TRUE(made) << sentence(made.error());
   EXPECT_FALSE(made->lacksCalibration);
-  EXPECT_FALSE(made->matchedByOrder);
+  EXPECT_FALSE(made->wasMatchedByOrder);
   EXPECT_EQ(made->project.cameras[0].camera.intrinsics.focalX, 102.0); // the third of the file
   EXPECT_EQ(made->project.cameras[1].camera.intrinsics.focalX, 100.0); // the first
 }
@@ -116,7 +116,7 @@ TEST_F(NewProjectTest, OrElseByOrderWhichIsSaid) {
   wanted.calibration = calibration({"cam_0", "cam_1"});
   const auto made = createNewProject(wanted);
   ASSERT_TRUE(made);
-  EXPECT_TRUE(made->matchedByOrder);
+  EXPECT_TRUE(made->wasMatchedByOrder);
   EXPECT_EQ(made->project.cameras[1].camera.intrinsics.focalX, 101.0);
   EXPECT_EQ(made->project.cameras[1].camera.name, "right");
 }
@@ -132,7 +132,7 @@ TEST_F(NewProjectTest, ACalibrationThatFitsNeitherWayIsRefused) {
   wanted.adaptation.names = {{"right", "other"}};
   const auto mapped = createNewProject(wanted);
   ASSERT_TRUE(mapped) << sentence(mapped.error());
-  EXPECT_FALSE(mapped->matchedByOrder);
+  EXPECT_FALSE(mapped->wasMatchedByOrder);
   EXPECT_EQ(mapped->project.cameras[1].camera.name, "right");
   EXPECT_EQ(mapped->project.cameras[1].camera.intrinsics.focalX, 101.0);
 }

@@ -131,7 +131,7 @@ TEST(PartShapes, AMovedPartHoldsTheMovedPoints) {
   // A quarter turn about Z takes X to Y.
   Eigen::Matrix3d turn;
   turn << 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0;
-  const MovingPart there = moved(rod, turn, {0.0, 0.0, 1.0});
+  const MovingPart there = movedPart(rod, turn, {0.0, 0.0, 1.0});
   EXPECT_TRUE(contains(there, {0.0F, 0.31F, 1.0F}));
   EXPECT_TRUE(contains(there, {0.015F, 0.2F, 1.0F}));
   EXPECT_FALSE(contains(there, {0.2F, 0.0F, 1.0F}));
@@ -164,7 +164,7 @@ TEST(SurfacePattern, ARotatedPartTakesItsPatternAlong) {
   EXPECT_EQ(part.colorAt(Vector3f::UnitX()), Vector3f(Vector3f::Zero()));
   Eigen::Matrix3d turn;
   turn << 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0;
-  const MovingPart rotated = moved(part, turn, Eigen::Vector3d::Zero());
+  const MovingPart rotated = movedPart(part, turn, Eigen::Vector3d::Zero());
   EXPECT_EQ(rotated.colorAt(Vector3f::UnitY()), Vector3f(Vector3f::Zero()));
   EXPECT_EQ(rotated.colorAt(Vector3f::UnitX()), kAnyColor);
 }
@@ -173,15 +173,15 @@ TEST(SurfacePattern, AHighlightIsWhereTheLampIsMirrored) {
   const simulation::Gloss gloss{400.0F, 20.0F};
   // Lamp and camera both straight above: mirrored at the top.
   const Vector3f down{0.0F, 0.0F, -1.0F};
-  EXPECT_NEAR(gloss.at(Vector3f::UnitZ(), Vector3f::UnitZ(), down), 400.0F, 0.01F);
+  EXPECT_NEAR(gloss.highlightAt(Vector3f::UnitZ(), Vector3f::UnitZ(), down), 400.0F, 0.01F);
   const Vector3f aside{std::sin(0.3F), 0.0F, std::cos(0.3F)};
-  EXPECT_NEAR(gloss.at(aside, Vector3f::UnitZ(), down), 400.0F * std::pow(std::cos(0.3F), 20.0F),
-              0.1F);
+  EXPECT_NEAR(gloss.highlightAt(aside, Vector3f::UnitZ(), down),
+              400.0F * std::pow(std::cos(0.3F), 20.0F), 0.1F);
 }
 
 MovingPart targetOf(MovingShape shape, const Vector3f& size) {
   MovingPart part = partOf(shape, size);
-  part.target = true;
+  part.belongsToTarget = true;
   return part;
 }
 
@@ -189,7 +189,7 @@ TEST(TargetVolume, ABallIsThatOfTheTextbook) {
   MovingPart ball = simulation::ballPart(0.1, kAnyColor);
   ball.center = {1.0F, 2.0F, 3.0F};
   EXPECT_EQ(simulation::targetVolume({ball}).volume, 0.0) << "not marked";
-  ball.target = true;
+  ball.belongsToTarget = true;
   const auto volume = simulation::targetVolume({ball});
   EXPECT_NEAR(volume.volume, 4.0 / 3.0 * std::numbers::pi * 1e-3, 1e-8);
   EXPECT_LT((volume.centroid - Eigen::Vector3d(1.0, 2.0, 3.0)).norm(), 1e-9);
@@ -222,23 +222,23 @@ TEST(TargetVolume, APartTakesItsMomentsAlong) {
   const MovingPart cone = targetOf(MovingShape::Frustum, {0.1F, 0.0F, 0.1F});
   Eigen::Matrix3d turn; // Z to X
   turn << 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0;
-  const auto volume = simulation::targetVolume({moved(cone, turn, {1.0, 2.0, 3.0})});
+  const auto volume = simulation::targetVolume({movedPart(cone, turn, {1.0, 2.0, 3.0})});
   EXPECT_LT((volume.centroid - Eigen::Vector3d(0.95, 2.0, 3.0)).norm(), 1e-6);
   EXPECT_LT((volume.covariance - 0.0015 * Eigen::Matrix3d::Identity()).norm(), 1e-6);
 }
 
 TEST(TargetVolume, WhatTwoPartsShareCountsOnce) {
   MovingPart ball = simulation::ballPart(0.1, kAnyColor);
-  ball.target = true;
+  ball.belongsToTarget = true;
   MovingPart other = ball;
-  other.target = false;
+  other.belongsToTarget = false;
   other.center.x() = 5.0F;
   const auto twice = simulation::targetVolume({ball, ball, other});
   EXPECT_NEAR(twice.volume, 4.0 / 3.0 * std::numbers::pi * 1e-3, 1e-8);
   EXPECT_LT(twice.centroid.norm(), 1e-8) << "and what is not marked does not count";
   // Two balls whose centers are a radius apart share 5/16 of one.
   other.center.x() = 0.1F;
-  other.target = true;
+  other.belongsToTarget = true;
   const auto both = simulation::targetVolume({ball, other});
   EXPECT_NEAR(both.volume, (2.0 - 5.0 / 16.0) * 4.0 / 3.0 * std::numbers::pi * 1e-3, 0.0001);
   EXPECT_NEAR(both.centroid.x(), 0.05, 1e-6);

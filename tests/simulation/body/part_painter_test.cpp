@@ -84,7 +84,7 @@ TEST(PartPainter, WhatIsNearerHidesPointByPoint) {
   const MovingPart ball = simulation::ballPart(0.035, kPink);
   const MovingPart before =
       simulation::capsuleBetween({-0.06, -0.05, 0.0}, {0.06, -0.05, 0.0}, 0.01, Vector3f::Zero());
-  const MovingPart behind = moved(before, Eigen::Matrix3d::Identity(), {0.0, 0.1, 0.0});
+  const MovingPart behind = movedPart(before, Eigen::Matrix3d::Identity(), {0.0, 0.1, 0.0});
   const auto at = [](const cv::Mat& image) { return image.at<cv::Vec3b>(60, 80); };
   const cv::Mat hidden = renderStage(stageOf(bodyOf({ball, before})), 0, 0.0, 0);
   const cv::Mat seen = renderStage(stageOf(bodyOf({behind, ball})), 0, 0.0, 0);
@@ -101,7 +101,7 @@ TEST(PartPainter, ASpinningPatternIsBlurred) {
     StageBody body = ballAt({0.5, 0.5, 0.15});
     body.parts = [part, rate](double time) {
       const Eigen::AngleAxisd turn(rate * time, Eigen::Vector3d::UnitZ());
-      return std::vector{moved(part, turn.toRotationMatrix(), Eigen::Vector3d::Zero())};
+      return std::vector{movedPart(part, turn.toRotationMatrix(), Eigen::Vector3d::Zero())};
     };
     return renderStage(stageOf(body), 0, 0.0, 0);
   };

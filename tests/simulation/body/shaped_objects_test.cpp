@@ -22,9 +22,9 @@ TEST(ShapedObjects, WhatHasTheColorIsTheTarget) {
        {simulation::capOnHead(kPinkBody), simulation::glovedHand(0.5, kPinkBody),
         simulation::sleevedArm(kPinkBody), simulation::cone(kPinkBody),
         simulation::stick(kPinkBody), simulation::computerMouse(kPinkBody)}) {
-    EXPECT_TRUE(std::ranges::any_of(parts, &MovingPart::target));
+    EXPECT_TRUE(std::ranges::any_of(parts, &MovingPart::belongsToTarget));
     for (const MovingPart& part : parts) {
-      EXPECT_EQ(part.target, part.color == kPinkBody);
+      EXPECT_EQ(part.belongsToTarget, part.color == kPinkBody);
     }
     EXPECT_LT(simulation::targetVolume(parts).centroid.norm(), 0.06) << "near the origin";
   }
@@ -68,9 +68,9 @@ TEST(ShapedObjects, AGrippingHandTouchesTheBall) {
 TEST(ShapedObjects, AShirtIsTrunkAndArms) {
   simulation::Walker walker;
   walker.clothes.shirt = kPinkBody;
-  walker.way = {{0.0, {-1.0, 0.2}}, {2.0, {1.0, 0.2}}};
+  walker.waypoints = {{0.0, {-1.0, 0.2}}, {2.0, {1.0, 0.2}}};
   const auto parts = simulation::shirtOnPerson(walker, 1.0);
-  EXPECT_EQ(std::ranges::count_if(parts, &MovingPart::target), 5);
+  EXPECT_EQ(std::ranges::count_if(parts, &MovingPart::belongsToTarget), 5);
   const auto volume = simulation::targetVolume(parts);
   // Half way, around the middle of the trunk, 1.21 m high at a height of 1.75 m.
   EXPECT_NEAR(volume.centroid.x(), 0.0, 0.1);

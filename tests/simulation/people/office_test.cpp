@@ -10,7 +10,7 @@ OfficeScene oneWalker() {
   OfficeScene scene;
   simulation::Walker walker;
   walker.height = 1.8;
-  walker.way = {{0.0, {-1.0, 0.2}}, {2.0, {1.0, 0.2}}};
+  walker.waypoints = {{0.0, {-1.0, 0.2}}, {2.0, {1.0, 0.2}}};
   walker.presentFrom = 0.5;
   scene.people.push_back(walker);
   return scene;
@@ -44,7 +44,7 @@ TEST(Office, IsAPureFunction) {
 TEST(Office, NobodyIsThereBeforeTheBeginningOrBehindTheWalls) {
   simulation::ViewCache views;
   OfficeScene scene = oneWalker();
-  scene.people[0].way = {{0.0, {-4.2, 0.5}}, {2.0, {-2.0, 0.5}}};
+  scene.people[0].waypoints = {{0.0, {-4.2, 0.5}}, {2.0, {-2.0, 0.5}}};
   const OfficeRenderer renderer(scene, views);
   EXPECT_FALSE(renderer.isInsideOffice(0, 0.2));  // not there yet
   EXPECT_FALSE(renderer.isInsideOffice(0, 0.55)); // behind the wall

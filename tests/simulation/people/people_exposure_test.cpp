@@ -30,7 +30,7 @@ const RoomView& exposureView() {
 PeopleAt passingAt(double speed) {
   return [speed](double time) {
     Walker walker;
-    walker.way = {{-10.0, {-10.0 * speed, 1.0}}, {10.0, {10.0 * speed, 1.0}}};
+    walker.waypoints = {{-10.0, {-10.0 * speed, 1.0}}, {10.0, {10.0 * speed, 1.0}}};
     return std::vector<std::vector<BodyPart>>{bodyParts(walker, time)};
   };
 }
@@ -63,7 +63,7 @@ TEST(ExposureSteps, AShortExposureIsOneStep) {
   const auto steps = exposureSteps({0.01, 0.0}, 120);
   ASSERT_EQ(steps.size(), 1U);
   EXPECT_NEAR(steps[0].time, 0.0, 1e-12);
-  for (const float share : steps[0].shares) {
+  for (const float share : steps[0].rowShares) {
     EXPECT_NEAR(share, 1.0F, 1e-5F);
   }
 }
@@ -77,7 +77,7 @@ TEST(ExposureSteps, EachRowHasItsOwnTime) {
     double sum = 0.0;
     double mean = 0.0;
     for (const ExposureStep& step : steps) {
-      const double share = step.shares[static_cast<std::size_t>(row)];
+      const double share = step.rowShares[static_cast<std::size_t>(row)];
       sum += share;
       mean += share * step.time;
     }

@@ -39,7 +39,7 @@ OfficeScene sceneOf(const std::vector<Walker>& people) {
 Walker standing(double height, double x, double y) {
   Walker walker;
   walker.height = height;
-  walker.way = {{0.0, {x, y}}};
+  walker.waypoints = {{0.0, {x, y}}};
   return walker;
 }
 
@@ -99,9 +99,9 @@ TEST(PeoplePainter, MasksDoNotOverlapAndTheNearerOneWins) {
 // A box of 0.4 x 0.3 m, 4 m away, is 23 x 17 px; it hides the chest, and is no body itself.
 TEST(PeoplePainter, ALoadHidesABodyAndIsNone) {
   Walker walker = standing(1.75, 0.0, 1.0);
-  walker.way = {{0.0, {0.0, 1.0}},
-                {1000.0, {0.0, 0.9}}}; // stands, as good as, and faces the camera
-  walker.load = simulation::CarriedObject();
+  walker.waypoints = {{0.0, {0.0, 1.0}},
+                      {1000.0, {0.0, 0.9}}}; // stands, as good as, and faces the camera
+  walker.carriedObject = simulation::CarriedObject();
   const OfficeRenderer renderer(sceneOf({walker}), views());
   const cv::Mat who = whoIn(renderer);
   const cv::Mat whole = renderer.silhouette(0, 0, 0);
@@ -128,10 +128,10 @@ TEST(PeoplePainter, MovedFurnitureIsWhereItIsAtTheTime) {
   scene.noiseSigma = 0.0;
   const OfficeRenderer bare(scene, views());
   auto cabinet = simulation::makeCabinet({0.25F, 0.2F, 0.45F}, simulation::rgb(200, 40, 40));
-  cabinet.way = {{1.0, {-0.6, 0.5}, 0.0}, {2.0, {0.6, 0.5}, 0.0}};
+  cabinet.waypoints = {{1.0, {-0.6, 0.5}, 0.0}, {2.0, {0.6, 0.5}, 0.0}};
   scene.furniture = {cabinet};
   const OfficeRenderer renderer(scene, views());
-  EXPECT_LT((renderer.scene().furniture[0].at(1.5).position - Eigen::Vector2d(0.0, 0.5)).norm(),
+  EXPECT_LT((renderer.scene().furniture[0].poseAt(1.5).position - Eigen::Vector2d(0.0, 0.5)).norm(),
             1e-12);
   const cv::Mat left = renderer.backgroundImage(0);
   const cv::Mat right = renderer.render(0, 60);

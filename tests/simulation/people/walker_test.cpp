@@ -16,7 +16,7 @@ using simulation::Walker;
 Walker standingAtOrigin(double height) {
   Walker walker;
   walker.height = height;
-  walker.way = {{0.0, {0.0, 0.0}}};
+  walker.waypoints = {{0.0, {0.0, 0.0}}};
   return walker;
 }
 
@@ -66,7 +66,7 @@ TEST(Walker, HasAChildsHeadBelowAnAdultsHeight) {
 
 TEST(Walker, IsAsTallAsItStands) {
   for (const double height : {0.9, 1.1, 1.75, 2.0}) {
-    EXPECT_EQ(standingAtOrigin(height).top(0.0), height);
+    EXPECT_EQ(standingAtOrigin(height).topHeight(0.0), height);
   }
 }
 
@@ -75,11 +75,11 @@ TEST(Walker, IsAsTallAsItStands) {
 // 0.491 + 0.755 cos 0.05 + 0.02 sin 0.05 = 1.246 m, the top at 1.346 m, that is 1.342 m of 1.75 m.
 TEST(Walker, SitsLower) {
   const Walker sitter = taking(Posture::Sitting);
-  EXPECT_EQ(sitter.top(1.0), 1.75);
-  EXPECT_NEAR(sitter.top(2.0), 1.342, 0.001);
-  const double between = sitter.top(1.5);
+  EXPECT_EQ(sitter.topHeight(1.0), 1.75);
+  EXPECT_NEAR(sitter.topHeight(2.0), 1.342, 0.001);
+  const double between = sitter.topHeight(1.5);
   EXPECT_LT(between, 1.75);
-  EXPECT_GT(between, sitter.top(2.0));
+  EXPECT_GT(between, sitter.topHeight(2.0));
   // The feet stay where they are: the lower end of the shins at 0.02 m less half their overhang.
   const auto parts = bodyParts(sitter, 2.0);
   EXPECT_NEAR(parts[5].center.z() - parts[5].halfSize.z(), -0.002F, 1e-4F);
@@ -89,9 +89,9 @@ TEST(Walker, SitsLower) {
 
 TEST(Walker, CrouchesLowerStillAndRises) {
   Walker walker = taking(Posture::Crouching);
-  EXPECT_LT(walker.top(2.0), 1.1);
+  EXPECT_LT(walker.topHeight(2.0), 1.1);
   walker.postures.push_back({5.0, Posture::Standing});
-  EXPECT_EQ(walker.top(6.0), 1.75);
+  EXPECT_EQ(walker.topHeight(6.0), 1.75);
   const auto angles = jointAnglesAt(walker.postures, 6.0);
   EXPECT_TRUE(angles.isUpright());
 }
@@ -108,7 +108,7 @@ TEST(Posture, ChangesSmoothly) {
 
 TEST(Walker, HoldsABoxBeforeTheChest) {
   Walker walker = standingAtOrigin(1.75);
-  walker.load = simulation::CarriedObject();
+  walker.carriedObject = simulation::CarriedObject();
   const auto parts = bodyParts(walker, 0.0);
   ASSERT_EQ(parts.size(), 13U);
   const BodyPart& box = parts.back();
@@ -117,13 +117,13 @@ TEST(Walker, HoldsABoxBeforeTheChest) {
   // Half the trunk's depth, a gap of 0.01 m and half the box: 0.125 + 0.01 + 0.15 m ahead.
   EXPECT_NEAR(box.center.x(), 0.285F, 1e-5F);
   EXPECT_NEAR(box.center.y(), 0.0F, 1e-6F);
-  EXPECT_EQ(walker.top(0.0), 1.75);
+  EXPECT_EQ(walker.topHeight(0.0), 1.75);
 }
 
 TEST(Walker, CarriesABagBesideTheRightLeg) {
   Walker walker = standingAtOrigin(1.75);
-  walker.load = simulation::CarriedObject();
-  walker.load->kind = simulation::CarriedObject::Kind::Bag;
+  walker.carriedObject = simulation::CarriedObject();
+  walker.carriedObject->kind = simulation::CarriedObject::Kind::Bag;
   const BodyPart bag = bodyParts(walker, 0.0).back();
   EXPECT_LT(bag.center.y(), -0.2F); // the walker faces x, so y is to the left
   EXPECT_LT(bag.center.z(), 0.9F);
@@ -132,16 +132,16 @@ TEST(Walker, CarriesABagBesideTheRightLeg) {
 TEST(Cloth, HasTwoColorsInStripes) {
   const simulation::Vector3f first(1.0F, 2.0F, 3.0F);
   simulation::Cloth cloth;
-  cloth.second = {7.0F, 8.0F, 9.0F};
-  cloth.width = 0.1F;
+  cloth.secondColor = {7.0F, 8.0F, 9.0F};
+  cloth.patternWidth = 0.1F;
   EXPECT_EQ(clothColor(cloth, first, {0.0F, 0.0F, 0.15F}), first); // plain
   cloth.pattern = simulation::ClothPattern::Stripes;
   EXPECT_EQ(clothColor(cloth, first, {0.0F, 0.0F, 0.05F}), first);
-  EXPECT_EQ(clothColor(cloth, first, {0.3F, 0.2F, 0.15F}), cloth.second);
-  EXPECT_EQ(clothColor(cloth, first, {0.3F, 0.2F, -0.05F}), cloth.second);
+  EXPECT_EQ(clothColor(cloth, first, {0.3F, 0.2F, 0.15F}), cloth.secondColor);
+  EXPECT_EQ(clothColor(cloth, first, {0.3F, 0.2F, -0.05F}), cloth.secondColor);
   cloth.pattern = simulation::ClothPattern::Checks;
   EXPECT_EQ(clothColor(cloth, first, {0.05F, 0.15F, 0.15F}), first); // fields 0 + 1 + 1
-  EXPECT_EQ(clothColor(cloth, first, {0.05F, 0.05F, 0.15F}), cloth.second);
+  EXPECT_EQ(clothColor(cloth, first, {0.05F, 0.05F, 0.15F}), cloth.secondColor);
 }
 
 } // namespace

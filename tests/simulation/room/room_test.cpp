@@ -20,11 +20,11 @@ Camera cameraAtDesk() {
 }
 
 TEST(Room, ADeskIsAtHeightZeroAndAHallHasWalls) {
-  const RoomHit desk = Room(Furnishing::Desk).cast({0.5F, 0.5F, 0.4F}, {0.0F, 0.0F, -1.0F});
+  const RoomHit desk = Room(Furnishing::Desk).castRay({0.5F, 0.5F, 0.4F}, {0.0F, 0.0F, -1.0F});
   EXPECT_NEAR(desk.distance, 0.4F, 1e-5F);
   EXPECT_LT((desk.normal - Vector3f::UnitZ()).norm(), 1e-5F);
   const Room hall(Furnishing::Hall);
-  const RoomHit wall = hall.cast({0.0F, 0.0F, 2.2F}, {1.0F, 0.0F, 0.0F});
+  const RoomHit wall = hall.castRay({0.0F, 0.0F, 2.2F}, {1.0F, 0.0F, 0.0F});
   EXPECT_NEAR(wall.distance, kHallHalfSize, 1e-4F);
   EXPECT_LT((wall.normal + Vector3f::UnitX()).norm(), 1e-5F) << "walls face inward";
 }
@@ -40,13 +40,13 @@ TEST(RoomDesign, AddsFurnitureWallsAndALamp) {
   RoomDesign design;
   design.additionalFurniture.add(Shape::Box, {0.5F, 0.5F, 0.35F}, {0.1F, 0.1F, 0.1F},
                                  {Pattern::Plain, rgb(250, 10, 10)});
-  design.walls = Material{Pattern::Plain, rgb(10, 10, 250)};
+  design.wallMaterial = Material{Pattern::Plain, rgb(10, 10, 250)};
   design.lamp = Vector3f{0.5F, -1.0F, 1.5F};
   const Room room(Furnishing::Desk, design);
   EXPECT_EQ(room.lamp(), *design.lamp);
   EXPECT_EQ(Room(Furnishing::Desk).lamp(), kLampPosition);
   // From the camera to the front of the box: 1 m less its half size.
-  EXPECT_NEAR(room.cast({0.5F, -0.5F, 0.35F}, Vector3f::UnitY()).distance, 0.9F, 1e-5F);
+  EXPECT_NEAR(room.castRay({0.5F, -0.5F, 0.35F}, Vector3f::UnitY()).distance, 0.9F, 1e-5F);
   const RoomView view(cameraAtDesk(), room);
   const auto& box = view.background.at<cv::Vec3f>(30, 40);
   EXPECT_GT(box[2], 5.0F * box[0]) << "red";

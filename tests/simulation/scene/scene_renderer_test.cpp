@@ -118,14 +118,14 @@ TEST(SceneRenderer, TheLightChangesAsTheSceneSays) {
 TEST(SceneRenderer, DistractorsAddBallsOfTheSameColor) {
   Scene scene = stillScene();
   const double one = cv::countNonZero(pinkPixels(SceneRenderer(scene).render(0, 0)));
-  scene.distractors = 3;
+  scene.distractorCount = 3;
   const double four = cv::countNonZero(pinkPixels(SceneRenderer(scene).render(0, 0)));
   EXPECT_GT(four, 1.3 * one); // smaller where they lie farther off
 }
 
 TEST(SceneRenderer, TheOccluderHidesTheBallForAWhile) {
   Scene scene = stillScene();
-  scene.occluder = true;
+  scene.hasOccluder = true;
   const SceneRenderer renderer(scene);
   int fewest = 1 << 20;
   int most = 0;
@@ -139,13 +139,13 @@ TEST(SceneRenderer, TheOccluderHidesTheBallForAWhile) {
 
 TEST(SceneFile, ComesBackAsItWas) {
   Scene scene = demoScene();
-  scene.distractors = 2;
-  scene.occluder = true;
+  scene.distractorCount = 2;
+  scene.hasOccluder = true;
   scene.seed = 11;
   const auto parsed = parseScene(sceneToml(scene), "scene.toml");
   ASSERT_TRUE(parsed) << sentence(parsed.error());
-  EXPECT_EQ(parsed->distractors, 2);
-  EXPECT_TRUE(parsed->occluder);
+  EXPECT_EQ(parsed->distractorCount, 2);
+  EXPECT_TRUE(parsed->hasOccluder);
   EXPECT_EQ(parsed->seed, 11U);
   EXPECT_EQ(parsed->balls.front().color, scene.balls.front().color);
   EXPECT_EQ(parsed->balls.front().stillSeconds, scene.balls.front().stillSeconds);

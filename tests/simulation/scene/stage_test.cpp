@@ -146,8 +146,8 @@ TEST(Illumination, GainAndLampsAddUp) {
   const Vector3f top{0.5F, 0.5F, 0.185F};
   const Vector3f up = Vector3f::UnitZ();
   const float room = shade(top, up, 1.0F);
-  EXPECT_NEAR(field.at(top, up).x(), room, 1e-6F);
-  EXPECT_NEAR(field.at(top, up).z(), room + 0.4F, 1e-5F);
+  EXPECT_NEAR(field.lightAt(top, up).x(), room, 1e-6F);
+  EXPECT_NEAR(field.lightAt(top, up).z(), room + 0.4F, 1e-5F);
 }
 
 TEST(Illumination, LampsFallOffBeyondTheirReach) {
@@ -162,8 +162,8 @@ TEST(Illumination, LampsFallOffBeyondTheirReach) {
   light.roomGain = 0.0F;
   light.additionalLamps = {lamp};
   const LightField field{&light, 0.0};
-  EXPECT_NEAR(field.at({0.0F, 0.0F, -2.0F}, Vector3f::UnitZ()).y(), 0.125F, 1e-6F);
-  EXPECT_NEAR(field.at({0.0F, 0.0F, 0.0F}, Vector3f::UnitZ()).y(), 0.5F, 1e-6F);
+  EXPECT_NEAR(field.lightAt({0.0F, 0.0F, -2.0F}, Vector3f::UnitZ()).y(), 0.125F, 1e-6F);
+  EXPECT_NEAR(field.lightAt({0.0F, 0.0F, 0.0F}, Vector3f::UnitZ()).y(), 0.5F, 1e-6F);
 }
 
 TEST(Illumination, AShadowTakesTheLampAndMoves) {
@@ -186,7 +186,7 @@ TEST(Stage, IsMeteredInTheLightItHas) {
   stage.light = [](std::size_t, double time) {
     simulation::Light light;
     light.gain.setConstant(0.5);
-    light.dark = time > 1.0;
+    light.isDark = time > 1.0;
     return light;
   };
   // Half the level is 2^-1 in the tone curve of power 0.45: 1 / 0.45 = 2.22 stops of light.
@@ -208,7 +208,7 @@ TEST(Stage, PeopleWalkBehindBodies) {
   const cv::Mat empty = renderStage(stage, 0, 1.0, 0);
   Walker walker;
   walker.height = 1.75;
-  walker.way = {{0.0, {0.3, 1.75}}, {2.0, {0.7, 1.75}}};
+  walker.waypoints = {{0.0, {0.3, 1.75}}, {2.0, {0.7, 1.75}}};
   stage.people = {walker};
   stage.floorHeight = -0.75F;
   const cv::Mat with = renderStage(stage, 0, 1.0, 0);

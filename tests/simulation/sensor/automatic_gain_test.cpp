@@ -16,7 +16,8 @@ TEST(ControlLoop, CancelsADisturbance) {
   // All of the error at once, one frame later.
   EXPECT_EQ(loopCorrections({1.0, 0, 0.0, 4.0}, std::vector<double>{1.0, 1.0, 1.0}, 0.0),
             (std::vector<double>{0.0, -1.0, -1.0}));
-  // 0.2 per frame, seen two frames late: settles (0.2 < 2 sin(pi / 10) = 0.62) into its deadband.
+  // 0.2 per frame, seen two frames late: settles (0.2 < 2 sin(pi / 10) = 0.62) into its
+  // deadband.
   const auto slow = loopCorrections({0.2, 2, 0.03, 4.0}, std::vector<double>(120, 1.0), 0.0);
   EXPECT_NEAR(slow[3], -0.6, 1e-12) << "three times the first error";
   EXPECT_NEAR(slow.back(), -1.0, 0.03);
@@ -35,11 +36,11 @@ TEST(AutomaticGain, HasSettledBeforeTheRunButForItsError) {
   const std::vector<Eigen::Vector3d> light(200, {1.5, 1.0, 1.0});
   const GainCurve curve = automaticGains(control, light, 30.0);
   // One stop too much light in green: half the exposure; blue is half a stop more than green.
-  EXPECT_NEAR(curve.at(0.0).exposure, std::exp2(-0.5), 1e-9);
+  EXPECT_NEAR(curve.gainAt(0.0).exposure, std::exp2(-0.5), 1e-9);
   EXPECT_NEAR(curve.gainPerFrame.back().exposure, 0.5, 0.5 * 0.03);
-  EXPECT_NEAR(curve.at(0.0).whiteBalance[0], std::exp2(-0.3), 1e-9);
-  EXPECT_NEAR(curve.at(100.0).whiteBalance[2], std::exp2(-0.1), 1e-9);
-  EXPECT_EQ(curve.at(1.0).whiteBalance[1], 1.0);
+  EXPECT_NEAR(curve.gainAt(0.0).whiteBalance[0], std::exp2(-0.3), 1e-9);
+  EXPECT_NEAR(curve.gainAt(100.0).whiteBalance[2], std::exp2(-0.1), 1e-9);
+  EXPECT_EQ(curve.gainAt(1.0).whiteBalance[1], 1.0);
 }
 
 TEST(AutomaticGain, FollowsTheLightSlowly) {
@@ -60,8 +61,8 @@ TEST(AutomaticGain, FollowsTheLightSlowly) {
 TEST(AutomaticGain, HuntsWhenItsMeterIsMisled) {
   AutomaticGain control;
   control.huntingStops = 0.3;
-  control.huntingPeriod = 4.0;
-  control.exposure.deadband = 0.0;
+  control.huntingPeriodSeconds = 4.0;
+  control.exposure.deadbandStops = 0.0;
   const GainCurve curve =
       automaticGains(control, std::vector<Eigen::Vector3d>(480, Eigen::Vector3d::Zero()), 30.0);
   double low = 1.0;
@@ -76,7 +77,7 @@ TEST(AutomaticGain, HuntsWhenItsMeterIsMisled) {
 }
 
 TEST(GainCurve, WithoutFramesIsOne) {
-  EXPECT_EQ(GainCurve().at(3.0).exposure, 1.0);
+  EXPECT_EQ(GainCurve().gainAt(3.0).exposure, 1.0);
 }
 
 } // namespace

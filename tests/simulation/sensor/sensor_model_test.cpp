@@ -69,7 +69,7 @@ TEST(ToneCurve, WhiteBalanceComesBeforeTheCurve) {
 TEST(Bayer, AConstantColorStaysItself) {
   const cv::Mat color(24, 32, CV_32FC3, cv::Scalar(0.2, 0.5, 0.8));
   // Digits of 12 bits, then divided by 0.6: an error of at most 0.5 / 4095 / 0.6 = 2e-4.
-  EXPECT_LT(cv::norm(demosaiced(mosaic(color)), color, cv::NORM_INF), 3e-4);
+  EXPECT_LT(cv::norm(demosaiced(bayerMosaic(color)), color, cv::NORM_INF), 3e-4);
 }
 
 TEST(Bayer, NoiseIsThatOfCountedElectrons) {

@@ -45,11 +45,13 @@ TEST(SurfacePattern, ASeamRunsAroundAndPatchesLieOverIt) {
 TEST(Gloss, IsBrightestWhereTheSurfaceMirrorsTheLamp) {
   const Gloss gloss{100.0F, 12.0F};
   const Vector3f looking = -Vector3f::UnitZ(); // from above
-  EXPECT_NEAR(gloss.at(Vector3f::UnitZ(), Vector3f::UnitZ(), looking), 100.0F, 1e-4F);
+  EXPECT_NEAR(gloss.highlightAt(Vector3f::UnitZ(), Vector3f::UnitZ(), looking), 100.0F, 1e-4F);
   // A lamp 60 degrees aside: the half way is 30 degrees off, cos^12 of it is (3/4)^6.
-  EXPECT_NEAR(gloss.at(Vector3f::UnitZ(), tilted(60.0F), looking), 100.0F * 0.17798F, 1e-2F);
-  EXPECT_EQ(gloss.at(-Vector3f::UnitZ(), Vector3f::UnitZ(), looking), 0.0F) << "turned away";
-  EXPECT_EQ(Gloss{}.at(Vector3f::UnitZ(), Vector3f::UnitZ(), looking), 0.0F);
+  EXPECT_NEAR(gloss.highlightAt(Vector3f::UnitZ(), tilted(60.0F), looking), 100.0F * 0.17798F,
+              1e-2F);
+  EXPECT_EQ(gloss.highlightAt(-Vector3f::UnitZ(), Vector3f::UnitZ(), looking), 0.0F)
+      << "turned away";
+  EXPECT_EQ(Gloss{}.highlightAt(Vector3f::UnitZ(), Vector3f::UnitZ(), looking), 0.0F);
 }
 
 TEST(Solid, ItsAxesAreRotatedAboutTheVertical) {
@@ -59,7 +61,8 @@ TEST(Solid, ItsAxesAreRotatedAboutTheVertical) {
   EXPECT_LT((toSolidFrame(box, Vector3f::UnitY()) - Vector3f::UnitX()).norm(), 1e-6F);
   const Vector3f any{0.3F, -0.7F, 0.2F};
   EXPECT_LT((toSolidFrame(box, toWorld(box, any)) - any).norm(), 1e-6F);
-  EXPECT_GE(box.bound, box.halfSize.norm() - 1e-6F) << "the corners lie in the sphere around it";
+  EXPECT_GE(box.boundingRadius, box.halfSize.norm() - 1e-6F)
+      << "the corners lie in the sphere around it";
 }
 
 } // namespace

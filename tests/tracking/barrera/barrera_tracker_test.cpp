@@ -137,14 +137,14 @@ TEST(BarreraTracker, StartIsAPointOrABox) {
   const CameraRig rig = barreraRig();
   Eigen::ArrayXXd positions;
   Eigen::ArrayXd weights;
-  startedBarrera(parameters(), rig)->particles(1000, positions, weights);
+  startedBarrera(parameters(), rig)->copyParticles(1000, positions, weights);
   ASSERT_EQ(positions.rows(), 200);
   EXPECT_TRUE((positions.col(0) == 0.4).all() && (positions.col(1) == 0.1).all() &&
               (positions.col(2) == 0.2).all());
   EXPECT_NEAR(weights.sum(), 1.0, 1e-12);
 
   const auto box = parameters({{"particles", 20000}, {"start_half_x", 2.0}, {"start_half_z", 0.5}});
-  startedBarrera(box, rig)->particles(20000, positions, weights);
+  startedBarrera(box, rig)->copyParticles(20000, positions, weights);
   EXPECT_GE(positions.col(0).minCoeff(), -1.6); // 0.4 - 2
   EXPECT_LE(positions.col(0).maxCoeff(), 2.4);
   EXPECT_TRUE((positions.col(1) == 0.1).all());
@@ -164,7 +164,7 @@ TEST(BarreraTracker, StaysInTheVolumeOfInterest) {
   tracker->setVolumeOfInterest(volume);
   Eigen::ArrayXXd positions;
   Eigen::ArrayXd weights;
-  tracker->particles(500, positions, weights);
+  tracker->copyParticles(500, positions, weights);
   ASSERT_EQ(positions.rows(), 500);
   for (Eigen::Index k = 0; k < positions.rows(); ++k) {
     EXPECT_TRUE(volume.contains(positions.row(k).transpose().matrix(), 1e-12));
@@ -197,10 +197,10 @@ TEST(BarreraTracker, NewParticleCountActsAtTheNextIterationAndKeepsThePlace) {
     EXPECT_LT((estimate.mean - kBallCenter).norm(), 0.03);
     Eigen::ArrayXXd positions;
     Eigen::ArrayXd weights;
-    tracker->particles(1 << 20, positions, weights);
+    tracker->copyParticles(1 << 20, positions, weights);
     EXPECT_EQ(positions.rows(), count);
     EXPECT_NEAR(weights.sum(), 1.0, 1e-9);
-    tracker->particles(10, positions, weights);
+    tracker->copyParticles(10, positions, weights);
     EXPECT_EQ(positions.rows(), 10);
     EXPECT_LE(weights.sum(), 1.0);
   }
@@ -263,7 +263,7 @@ TEST(BarreraTracker, SearchingFromOutsideAnImageDoesNotSayThatTheTargetIsOutside
   EXPECT_FALSE(tracker->iterate(team).valid);
   for (const CameraReport& report : tracker->cameraReports()) {
     EXPECT_EQ(report.status, CameraStatus::Elsewhere);
-    EXPECT_GT(report.pixels, 100.0);
+    EXPECT_GT(report.distancePx, 100.0);
   }
   Target blue = redBall();
   blue.color.hueMin = 220.0;

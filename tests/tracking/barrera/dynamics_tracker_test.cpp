@@ -22,9 +22,9 @@ TEST(DynamicsTracker, MeasuresWhereTheColorsMassIs) {
   const Eigen::Vector3d ball = drawn::kMiddle + Eigen::Vector3d(0.05, -0.04, 0.03);
   tracker.restart(1);
   tracker.beginFrame(drawn::framesOf(rig, {{ball}}, 0));
-  ASSERT_TRUE(tracker.measured());
+  ASSERT_TRUE(tracker.measuredPosition());
   // Disks of about 20 pixels: their centers of mass are good to a tenth of a pixel, 1 mm is 0.5.
-  EXPECT_LT((*tracker.measured() - ball).norm(), 0.002);
+  EXPECT_LT((*tracker.measuredPosition() - ball).norm(), 0.002);
   ThreadTeam team(1);
   const SphereEstimate estimate = tracker.iterate(team);
   EXPECT_TRUE(estimate.valid);
@@ -39,11 +39,11 @@ TEST(DynamicsTracker, WhatIsOutsideTheVolumeOfInterestIsNoMeasurement) {
                                        drawn::kMiddle + Eigen::Vector3d(1.0, 1.0, 1.0)});
   tracker.restart(1);
   tracker.beginFrame(drawn::framesOf(rig, {{drawn::kMiddle}}, 0));
-  EXPECT_FALSE(tracker.measured());
+  EXPECT_FALSE(tracker.measuredPosition());
   ThreadTeam team(1);
   EXPECT_FALSE(tracker.iterate(team).valid);
   tracker.beginFrame(drawn::framesOf(rig, {{drawn::kMiddle + Eigen::Vector3d(0.15, 0.0, 0.0)}}, 1));
-  EXPECT_TRUE(tracker.measured());
+  EXPECT_TRUE(tracker.measuredPosition());
   EXPECT_TRUE(tracker.iterate(team).valid);
 }
 
@@ -52,7 +52,7 @@ TEST(DynamicsTracker, OneCameraAloneMeasuresNothing) {
   DynamicsTracker tracker(startingAt(drawn::kMiddle), rig, drawn::redBall());
   tracker.restart(1);
   tracker.beginFrame(drawn::framesOf(rig, {{drawn::kMiddle}}, 0));
-  EXPECT_FALSE(tracker.measured());
+  EXPECT_FALSE(tracker.measuredPosition());
   ThreadTeam team(1);
   EXPECT_FALSE(tracker.iterate(team).valid);
   tracker.beginFrame(drawn::framesOf(rig, {}, 1));

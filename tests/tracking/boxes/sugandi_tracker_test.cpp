@@ -54,7 +54,7 @@ TEST(SugandiTracker, KeepsTheSizeOfTheBoxAndSaysHowSureItIs) {
   EXPECT_TRUE(estimate.visible);
   Eigen::ArrayXXd centers;
   Eigen::ArrayXd weights;
-  tracker->particles(1000, centers, weights);
+  tracker->copyParticles(1000, centers, weights);
   EXPECT_EQ(centers.rows(), 100);
   EXPECT_EQ(centers.cols(), 2);
   EXPECT_NEAR(weights.sum(), 1.0, 1e-12); // of all particles

@@ -20,8 +20,8 @@ TEST(MethodCatalog, EachMethodIsFoundByItsOwnName) {
     EXPECT_EQ(findMethod(method.name), &method);
     EXPECT_FALSE(method.text.title.empty() || method.text.sentence.empty()) << method.name;
     EXPECT_EQ(methodSummary(method.name), method.text.sentence);
-    EXPECT_EQ(methodPage(method.name), method.text.page);
-    EXPECT_TRUE(std::filesystem::exists(pages / method.text.page)) << method.name;
+    EXPECT_EQ(methodPage(method.name), method.text.manualPage);
+    EXPECT_TRUE(std::filesystem::exists(pages / method.text.manualPage)) << method.name;
     EXPECT_FALSE(headingOf(method).empty()) << method.name;
     EXPECT_FALSE(methodParameters(method.name).empty()) << method.name;
     ASSERT_NE(method.family.describe, nullptr) << method.name;
@@ -37,22 +37,22 @@ TEST(MethodCatalog, EachMethodIsFoundByItsOwnName) {
 TEST(MethodCatalog, TheDefaultComesFirst) {
   EXPECT_EQ(defaultMethod(), "dewpoint");
   EXPECT_EQ(methods().front().name, defaultMethod());
-  EXPECT_EQ(methodPage("condensation"), methods().front().text.page);
-  EXPECT_EQ(methodFamily("condensation").targets, methods().front().family.targets);
+  EXPECT_EQ(methodPage("condensation"), methods().front().text.manualPage);
+  EXPECT_EQ(methodFamily("condensation").targetSource, methods().front().family.targetSource);
 }
 
 TEST(MethodCatalog, PagesOfSeveralMethodsAreListedOnce) {
   const auto pages = methodPages();
-  EXPECT_EQ(pages.front(), methods().front().text.page);
+  EXPECT_EQ(pages.front(), methods().front().text.manualPage);
   EXPECT_EQ(std::set(pages.begin(), pages.end()).size(), pages.size());
   EXPECT_LT(pages.size(), methods().size());
   for (const Method& method : methods()) {
-    EXPECT_NE(std::ranges::find(pages, method.text.page), pages.end()) << method.name;
+    EXPECT_NE(std::ranges::find(pages, method.text.manualPage), pages.end()) << method.name;
   }
 }
 
 TEST(MethodCatalog, MethodsByUseStandUnderOneHeadingEach) {
-  const auto all = methodsByUse();
+  const auto all = methodsInDisplayOrder();
   EXPECT_EQ(all.size(), methods().size());
   EXPECT_EQ(all.front(), &methods().front());
   std::vector<std::string_view> headings;
@@ -97,7 +97,7 @@ TEST(MethodCatalog, ATrackerIsMadeOfTheMethodsOwnParametersAlone) {
 
 TEST(MethodCatalog, MethodsThatFollowBoxesNeedNoCalibration) {
   for (const Method& method : methods()) {
-    EXPECT_EQ(method.family.needsCalibration, method.family.targets != TargetSource::Box)
+    EXPECT_EQ(method.family.needsCalibration, method.family.targetSource != TargetSource::Box)
         << method.name;
   }
 }

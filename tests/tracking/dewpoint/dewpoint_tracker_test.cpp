@@ -330,7 +330,7 @@ TEST(DewpointTracker, ParticlesAreThoseOfTheStartBoxAtFirst) {
   DrawnRun run(rigAround(2), {redBall()}, {{"particles", 2000}});
   Eigen::ArrayXXd positions;
   Eigen::ArrayXd weights;
-  run.tracker().particles(0, 100000, positions, weights);
+  run.tracker().copyParticles(0, 100000, positions, weights);
   ASSERT_EQ(positions.rows(), 2000);
   EXPECT_NEAR(weights.sum(), 1.0, 1e-9);
   // The default box: 0 to 1, 0 to 1, 0 to 0.5.
@@ -341,7 +341,7 @@ TEST(DewpointTracker, ParticlesAreThoseOfTheStartBoxAtFirst) {
   EXPECT_GT(positions.col(0).maxCoeff(), 0.95);
   // A new start acts at once while nothing was seen.
   run.tracker().configure(drawn::parametersOf("dewpoint", {{"start_x", 4.0}, {"particles", 2000}}));
-  run.tracker().particles(0, 100000, positions, weights);
+  run.tracker().copyParticles(0, 100000, positions, weights);
   EXPECT_GE(positions.col(0).minCoeff(), 3.5);
 }
 
@@ -350,12 +350,12 @@ TEST(DewpointTracker, ParticlesGatherAroundTheTarget) {
   followCircle(run, 10);
   Eigen::ArrayXXd positions;
   Eigen::ArrayXd weights;
-  run.tracker().particles(0, 100000, positions, weights);
+  run.tracker().copyParticles(0, 100000, positions, weights);
   ASSERT_EQ(positions.rows(), run.estimate().particleCount);
   EXPECT_NEAR(weights.sum(), 1.0, 1e-9);
   const Eigen::Vector3d mean = (positions.colwise() * weights).colwise().sum().transpose();
   EXPECT_LT((mean - run.estimate().mean).norm(), 1e-9);
-  run.tracker().particles(0, 10, positions, weights);
+  run.tracker().copyParticles(0, 10, positions, weights);
   EXPECT_EQ(positions.rows(), 10);
   EXPECT_LE(weights.sum(), 1.0 + 1e-9);
 }

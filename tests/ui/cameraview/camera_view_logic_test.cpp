@@ -38,7 +38,7 @@ TEST(CameraPicture, AHiddenTargetIsNotDrawn) {
   CameraRig rig(1);
   rig[0].intrinsics = {80, 60, 60.0, 60.0, 39.5, 29.5};
   bare.rig = std::make_shared<const CameraRig>(rig);
-  bare.tracked = true;
+  bare.isTracked = true;
   TrackSnapshot with = bare;
   TargetSnapshot& target = with.targets.emplace_back();
   auto& sphere = std::get<SphereEstimate>(target.estimate);
@@ -290,7 +290,7 @@ TEST_F(ShownCameraView, EstimateAndMaskHaveTheLearnedColor) {
   snapshot->targets[0].target.color = {200.0, 224.0, 0.4, 0.8, 0.3, 0.7}; // blue
   view_.setSnapshot(snapshot);
   ASSERT_TRUE(isDrawn(view_));
-  const QColor color = targetColors(displayColorSources(*snapshot), DisplayGround::Image)[0];
+  const QColor color = targetColors(displayColorSources(*snapshot), DisplayBackground::Image)[0];
   EXPECT_GT(color.blue(), color.red() + 60);
   const int cross = pixelsNear(view_.grab().toImage(), color);
   EXPECT_GT(cross, 10);

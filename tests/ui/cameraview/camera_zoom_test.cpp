@@ -81,7 +81,7 @@ private:
 void CameraZoomTest::init() {
   makeWindow({.size = {1500, 950}, .theme = Theme::Light, .play = false});
   open();
-  QVERIFY(waitFor([this] { return shown().history.head == 0; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == 0; }));
   QVERIFY(waitFor([this] { return !view()->imageSize().isEmpty(); }));
   QVERIFY(keepsItsSize(view()));
   QVERIFY(draws(*view()));
@@ -154,7 +154,7 @@ void CameraZoomTest::framesGoOnAnotherProjectIsFitted() {
   QVERIFY(draws(*view()));
   QCOMPARE(view()->placement().scale, scale);
   open();
-  QVERIFY(waitFor([this] { return shown().history.head == 0; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == 0; }));
   QVERIFY(draws(*view()));
   QVERIFY(!view()->isZoomed());
 }

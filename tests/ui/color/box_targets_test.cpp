@@ -75,7 +75,7 @@ void BoxTargetTest::anAddedTargetThatIsUndoneLeavesNothing() {
   clickAt(MovingPatch{}.box(12).center());
   QVERIFY(waitFor([this] { return targetCount() == 2; }));
   QVERIFY(waitFor([this] {
-    return !window_->shown()->rerun && window_->shown()->history.head == kFrames - 1;
+    return !window_->shown()->rerun && window_->shown()->history.newestTrackedFrame == kFrames - 1;
   }));
   window_->selection().requestFrame(5);
   QVERIFY(waitFor([this] { return window_->shown()->frame == 5; }));
@@ -98,7 +98,7 @@ void BoxTargetTest::theBoxIsThereAfterARestart() {
   QVERIFY(waitFor([this] { return window_->shown()->state == PlayState::Ended; }));
   action("actionRestart")->trigger();
   QVERIFY(waitFor([this] { return window_->shown()->frame == 0 && hasBox(); }));
-  QVERIFY(window_->shown()->history.head < 0); // nothing was tracked yet
+  QVERIFY(window_->shown()->history.newestTrackedFrame < 0); // nothing was tracked yet
   QVERIFY(find<QLabel>("targetBox")->text().contains(QStringLiteral("Similarity")));
   auto* choice = find<QComboBox>("methodChoice");
   const int row = choice->findData(QStringLiteral("sugandi"));

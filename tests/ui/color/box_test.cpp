@@ -102,7 +102,7 @@ void BoxTest::lookingBackShowsTheBoxAsItWas() {
   clickAt(MovingPatch{}.box(0).center());
   QVERIFY(isTrackedTo(20));
   window_->selection().requestFrame(0);
-  QVERIFY(waitFor([this] { return window_->shown()->frame == 0 && window_->shown()->past; }));
+  QVERIFY(waitFor([this] { return window_->shown()->frame == 0 && window_->shown()->isPast; }));
   QVERIFY(hasBox());
   QCOMPARE(first()->box()->box, window_->document().project().targets[0].box->box);
 }
@@ -167,10 +167,10 @@ void BoxTest::theMethodIsChosenInTheParameters() {
   QCOMPARE(window_->document().project().method, std::string("histogram"));
   QCOMPARE(messageText(),
            QStringLiteral("Click the object or drag a box around it in any camera view."));
-  QVERIFY(waitFor([this] { return window_->shown()->family.targets == TargetSource::Box; }));
+  QVERIFY(waitFor([this] { return window_->shown()->family.targetSource == TargetSource::Box; }));
   QVERIFY(find<QDockWidget>("birdsEyeDock")->isHidden());
   action("actionUndo")->trigger();
-  QVERIFY(waitFor([this] { return window_->shown()->family.targets != TargetSource::Box; }));
+  QVERIFY(waitFor([this] { return window_->shown()->family.targetSource != TargetSource::Box; }));
   QVERIFY(!find<QDockWidget>("birdsEyeDock")->isHidden());
 }
 

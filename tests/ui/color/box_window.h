@@ -57,7 +57,8 @@ protected:
     QTest::mouseRelease(layer, Qt::LeftButton, Qt::NoModifier, to);
   }
   bool isTrackedTo(std::int64_t frame) {
-    return waitFor([&] { return window_->shown() && window_->shown()->history.head >= frame; });
+    return waitFor(
+        [&] { return window_->shown() && window_->shown()->history.newestTrackedFrame >= frame; });
   }
   std::size_t targetCount() { return window_->document().project().targets.size(); }
   const TargetSnapshot* first() const {

@@ -136,11 +136,11 @@ void CorrectionTest::init() {
 
 void CorrectionTest::trackBeginOf(const std::filesystem::path& project) {
   open(project);
-  QVERIFY(waitFor([this] { return shown().history.head == 0; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == 0; }));
   for (std::int64_t frame = 1; frame < kTrackedFrames; ++frame) {
     action("actionNextFrame")->trigger();
   }
-  QVERIFY(waitFor([this] { return shown().history.head == kTrackedFrames - 1; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == kTrackedFrames - 1; }));
   for (const char* name : {"cameraView0", "cameraView1"}) {
     auto* view = find<CameraView>(name);
     QVERIFY(waitFor([&] { return !view->imageSize().isEmpty(); }));

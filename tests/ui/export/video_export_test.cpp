@@ -160,7 +160,7 @@ void VideoExportTest::writesWhatIsSeen() {
   auto* view = find<CameraView>("cameraView0");
   for (const std::int64_t frame : {0, 3, 6}) {
     session->showFrame(frame);
-    QVERIFY(waitFor([&] { return shown().frame == frame && !shown().preview; }));
+    QVERIFY(waitFor([&] { return shown().frame == frame && !shown().isPreview; }));
     const auto picture = (*reader)->read(frame);
     QVERIFY(picture);
     QImage expected =

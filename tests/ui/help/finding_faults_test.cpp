@@ -54,7 +54,7 @@ void FindingFaultsTest::aGoodProjectHasNoProblems() {
   auto* dialog = check();
   QVERIFY(dialog != nullptr);
   QVERIFY(!dialog->findings().empty());
-  QVERIFY(worstOf(dialog->findings()) != FindingLevel::Problem);
+  QVERIFY(worstLevelOf(dialog->findings()) != FindingLevel::Problem);
   QVERIFY(find<QLabel>("checkSummary")->text().startsWith(QStringLiteral("No problems")));
   click(find<QPushButton>("checkCopy"));
   QVERIFY(QApplication::clipboard()->text().startsWith(

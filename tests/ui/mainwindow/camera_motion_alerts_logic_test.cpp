@@ -26,7 +26,7 @@ protected:
     report.event.camera = 1;
     report.event.frame = 300;
     report.event.time = timeStamp(10.0);
-    report.isBack = back;
+    report.isBackInPose = back;
     if (solved) {
       report.newPose.emplace();
     }

@@ -206,7 +206,7 @@ void DesktopHabitsTest::keysChooseTheDirectionOfView() {
 
 void DesktopHabitsTest::theKeyThatRestartsAsks() {
   openDemo();
-  const auto frame = [this] { return shown().history.head; };
+  const auto frame = [this] { return shown().history.newestTrackedFrame; };
   const auto reach = [&](std::int64_t wanted) {
     while (frame() < wanted) {
       const auto before = frame();

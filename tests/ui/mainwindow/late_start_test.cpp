@@ -60,7 +60,7 @@ void LateStartTest::init() {
 
 void LateStartTest::learnAt(qint64 frame) {
   window_->selection().requestFrame(frame);
-  QVERIFY(waitFor([&] { return shown().frame == frame && !shown().preview; }));
+  QVERIFY(waitFor([&] { return shown().frame == frame && !shown().isPreview; }));
   auto* view = find<CameraView>("cameraView0");
   QVERIFY(draws(*view));
   // Where the ball of the demo begins; in eight frames it goes less than its radius.

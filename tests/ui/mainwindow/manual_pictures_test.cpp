@@ -151,15 +151,15 @@ void ManualPicturesTest::trackAgain() {
 }
 
 void ManualPicturesTest::showFrame(qint64 frame) {
-  if (shown().history.head < frame) {
+  if (shown().history.newestTrackedFrame < frame) {
     if (shown().state != PlayState::Playing) {
       action("actionPlay")->trigger();
     }
-    QVERIFY(waitFor([&] { return shown().history.head >= frame; }));
+    QVERIFY(waitFor([&] { return shown().history.newestTrackedFrame >= frame; }));
   }
   pause();
   window_->selection().requestFrame(frame);
-  QVERIFY(waitFor([&] { return shown().frame == frame && !shown().preview; }));
+  QVERIFY(waitFor([&] { return shown().frame == frame && !shown().isPreview; }));
 }
 
 void ManualPicturesTest::clickAt(int camera, const Eigen::Vector3d& world) {

@@ -112,23 +112,23 @@ void SpeedTest::theRateIsShownWhilePlaying() {
     action("actionPlay")->trigger();
   }
   QVERIFY(waitFor([&] { return rate->text().endsWith(QStringLiteral(" fps")); }));
-  QVERIFY(waitFor([this] { return shown().history.head > 10; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame > 10; }));
   action("actionPlay")->trigger();
   QVERIFY(waitFor([&] { return rate->text().isEmpty(); }));
   // Frames that are shown again are not tracked.
   window_->selection().requestFrame(0);
-  QVERIFY(waitFor([this] { return shown().past; }));
+  QVERIFY(waitFor([this] { return shown().isPast; }));
   bool isReplayed = false;
   bool isShown = false;
   connect(window_->findChild<SessionController*>(), &SessionController::snapshotChanged, this,
           [&](const TrackSnapshotPtr& snapshot) {
-            if (snapshot && snapshot->past && snapshot->state == PlayState::Playing) {
+            if (snapshot && snapshot->isPast && snapshot->state == PlayState::Playing) {
               isReplayed = true;
               isShown = isShown || !rate->text().isEmpty();
             }
           });
   action("actionPlay")->trigger();
-  QVERIFY(waitFor([&] { return isReplayed && !shown().past; }));
+  QVERIFY(waitFor([&] { return isReplayed && !shown().isPast; }));
   window_->findChild<SessionController*>()->disconnect(this);
   QVERIFY(!isShown);
 }

@@ -21,7 +21,7 @@ TrackSnapshot ofOneTarget() {
   snapshot.rig = std::make_shared<const CameraRig>(rig);
   snapshot.family = methodFamily("dewpoint");
   snapshot.frame = 0;
-  snapshot.tracked = true;
+  snapshot.isTracked = true;
   snapshot.targets.emplace_back().target.name = "ball";
   return snapshot;
 }
@@ -73,10 +73,10 @@ TEST_F(StatusBarPanelTest, TheRateIsThatOfNewFrames) {
   snapshot.framesPerSecond = 30.0;
   show(snapshot);
   EXPECT_EQ(rate(), QStringLiteral("30.0 fps"));
-  snapshot.past = true; // shown again
+  snapshot.isPast = true; // shown again
   show(snapshot);
   EXPECT_TRUE(rate().isEmpty());
-  snapshot.past = false;
+  snapshot.isPast = false;
   snapshot.framesPerSecond = 0.0; // not known yet
   show(snapshot);
   EXPECT_TRUE(rate().isEmpty());

@@ -66,7 +66,7 @@ private:
 void InspectorTest::init() {
   makeWindow({.size = {1500, 950}, .theme = Theme::Light, .play = false});
   open();
-  QVERIFY(waitFor([this] { return shown().history.head == 0; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == 0; }));
 }
 
 void InspectorTest::fewParametersAreInSightAndTheRestInSections() {
@@ -225,7 +225,7 @@ void InspectorTest::rowsOfTargetsSayStateAndSize() {
 
 void InspectorTest::theEyeOfARowHidesItsTarget() {
   action("actionNextFrame")->trigger();
-  QVERIFY(waitFor([this] { return shown().tracked; }));
+  QVERIFY(waitFor([this] { return shown().isTracked; }));
   find<QDockWidget>("targetDock")->raise();
   auto* list = find<QListView>("targetList");
   QVERIFY(waitFor([&] { return list->isVisible(); }));
@@ -268,7 +268,7 @@ void InspectorTest::samplesAreAddedAndExcludedByButtons() {
   QVERIFY(add->isEnabled() && !exclude->isEnabled()); // the demo's color was given, not learned
   QVERIFY(waitFor([this] { return !shown().targets.empty(); }));
   action("actionNextFrame")->trigger();
-  QVERIFY(waitFor([this] { return shown().frame == 1 && shown().tracked; }));
+  QVERIFY(waitFor([this] { return shown().frame == 1 && shown().isTracked; }));
   auto* layer = find<ImagePickOverlay>("cameraView0Pick");
   const QPoint place = placeInImage();
   const auto samples = [this] { return window_->document().project().targets[0].samples; };

@@ -48,7 +48,7 @@ private:
 void VolumeTest::init() {
   makeWindow({.size = {1500, 950}, .theme = Theme::Light, .play = false});
   open();
-  QVERIFY(waitFor([this] { return shown().history.head == 0; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == 0; }));
   QVERIFY(!volume());
 }
 

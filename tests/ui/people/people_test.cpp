@@ -127,10 +127,10 @@ void PeopleTest::theMethodIsChosenAndUndone() {
   };
   choose("mohedano-ms");
   QCOMPARE(window_->document().project().method, std::string("mohedano-ms"));
-  QVERIFY(waitFor([&] { return window_->shown()->family.targets == TargetSource::Images; }));
+  QVERIFY(waitFor([&] { return window_->shown()->family.targetSource == TargetSource::Images; }));
   QApplication::processEvents();
   choose("dewpoint");
-  QVERIFY(waitFor([&] { return window_->shown()->family.targets != TargetSource::Images; }));
+  QVERIFY(waitFor([&] { return window_->shown()->family.targetSource != TargetSource::Images; }));
   QVERIFY(find<QDockWidget>("targetDock")->isVisibleTo(window_.get()));
   QVERIFY(!find<QDockWidget>("peopleDock")->isVisibleTo(window_.get()));
   QVERIFY(!action("actionPlacePerson")->isEnabled());
@@ -138,7 +138,7 @@ void PeopleTest::theMethodIsChosenAndUndone() {
   QCOMPARE(window_->document().project().method, std::string("mohedano-ms"));
   action("actionUndo")->trigger();
   QCOMPARE(window_->document().project().method, std::string("people"));
-  QVERIFY(waitFor([&] { return window_->shown()->family.targets == TargetSource::Images; }));
+  QVERIFY(waitFor([&] { return window_->shown()->family.targetSource == TargetSource::Images; }));
   QVERIFY(find<QDockWidget>("peopleDock")->isVisibleTo(window_.get()));
   QVERIFY(action("actionPlacePerson")->isEnabled());
 }

@@ -212,7 +212,8 @@ void TakeWindowTest::aTakeBeginsBeforeItsStart() {
   }));
   QVERIFY(records(5));
   const TakeStatus take = takes().status();
-  QVERIFY2(take.preRoll > 0.1 && take.preRoll < 5.0, qPrintable(QString::number(take.preRoll)));
+  QVERIFY2(take.preRollSeconds > 0.1 && take.preRollSeconds < 5.0,
+           qPrintable(QString::number(take.preRollSeconds)));
   QVERIFY(waitFor([this] {
     const TakeStatus now = takes().status();
     return std::ranges::all_of(now.cameras, [](const auto& camera) {
@@ -229,7 +230,7 @@ void TakeWindowTest::aTakeBeginsBeforeItsStart() {
 void TakeWindowTest::aTakeIsComparedWithTheLiveRun() {
   openLive();
   action("actionPlay")->trigger();
-  QVERIFY(waitFor([this] { return shown().tracked; }));
+  QVERIFY(waitFor([this] { return shown().isTracked; }));
   QVERIFY(records(5));
   action("actionRestart")->trigger();
   QVERIFY(waitFor([this] {

@@ -69,7 +69,7 @@ void SettingsChangeTest::trackSome(Again again) {
   makeWindow({.theme = Theme::Light, .play = false});
   results().setQuickLimit(again == Again::Quick ? std::numeric_limits<double>::infinity() : 0.0);
   open();
-  QVERIFY(waitFor([this] { return shown().history.head == 0; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == 0; }));
   for (qint64 frame = 1; frame < kTrackedAtFirst; ++frame) {
     action("actionNextFrame")->trigger();
   }
@@ -87,7 +87,7 @@ void SettingsChangeTest::whatIsQuickIsTrackedAgainAtOnce() {
   QVERIFY(window_->document().setParameter(kSpread, 1.5));
   QVERIFY(areRenewed(kSpread, 1.5));
   QCOMPARE(shown().frame, 12); // it stays where the user looks
-  QCOMPARE(shown().history.head, kTrackedAtFirst - 1);
+  QCOMPARE(shown().history.newestTrackedFrame, kTrackedAtFirst - 1);
   QVERIFY(shown().state == PlayState::Paused);
   QVERIFY(mean() != then);
   QCOMPARE(messageText(), QString());
@@ -150,13 +150,13 @@ void SettingsChangeTest::anotherTargetIsTrackedOverAllFrames() {
 void SettingsChangeTest::aChangeWhilePlayingHoldsFromThereOn() {
   trackSome();
   action("actionPlay")->trigger();
-  QVERIFY(waitFor([this] { return shown().history.head > kTrackedAtFirst + 2; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame > kTrackedAtFirst + 2; }));
   const double before = window_->document().project().parameters.at("particles");
   QVERIFY(window_->document().setParameter("particles", before + 100.0));
   QVERIFY(waitFor([this] { return !results().oldResults().frames.empty(); }));
   const ResultRange old = results().oldResults().frames.front();
   QCOMPARE(old.first, 0);
-  QVERIFY(waitFor([&] { return shown().history.head > old.last + 2; })); // it goes on
+  QVERIFY(waitFor([&] { return shown().history.newestTrackedFrame > old.last + 2; })); // it goes on
   QCOMPARE(results().oldResults().frames, std::vector<ResultRange>{old});
   QCOMPARE(messageText(), QString());
   action("actionPlay")->trigger();

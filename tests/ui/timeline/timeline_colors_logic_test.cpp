@@ -16,7 +16,7 @@ constexpr QSize kTimelineSize(400, 120);
 TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
   TimelineModel model;
   model.targets = {QStringLiteral("green ball"), QStringLiteral("box")};
-  model.colors = {{.learned = ColorRange{108.0, 132.0, 0.4, 0.6, 0.4, 0.6}}, {}};
+  model.colors = {{.learnedColors = ColorRange{108.0, 132.0, 0.4, 0.6, 0.4, 0.6}}, {}};
   TimelineScale scale;
   scale.setExtent(0, 49);
   scale.setPixels(100.0, 300.0);
@@ -40,8 +40,11 @@ TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
 TEST(TimelineFooter, SaysOnlyWhatIsTrackedAgain) {
   TimelineModel model;
   model.targets = {QStringLiteral("ball")};
-  model.history = {
-      .first = 0, .last = 49, .head = 33, .bytes = 62U << 20U, .maxBytes = 512U << 20U};
+  model.history = {.firstFrame = 0,
+                   .lastFrame = 49,
+                   .newestTrackedFrame = 33,
+                   .memoryBytes = 62U << 20U,
+                   .maxMemoryBytes = 512U << 20U};
   TimelineScale scale;
   scale.setExtent(0, 49);
   scale.setPixels(100.0, 300.0);

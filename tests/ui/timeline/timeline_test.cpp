@@ -63,11 +63,11 @@ void TimelineTest::init() {
   open();
   timeline_ = window_->findChild<Timeline*>(QStringLiteral("timeline"));
   QVERIFY(timeline_ != nullptr);
-  QVERIFY(waitFor([this] { return shown().history.head == 0; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == 0; }));
   for (qint64 frame = 1; frame < kTracked; ++frame) {
     trigger("actionNextFrame");
   }
-  QVERIFY(waitFor([this] { return shown().history.head == kTracked - 1; }));
+  QVERIFY(waitFor([this] { return shown().history.newestTrackedFrame == kTracked - 1; }));
 }
 
 void TimelineTest::scrubbingShowsThatFrameInAllViews() {
@@ -78,8 +78,8 @@ void TimelineTest::scrubbingShowsThatFrameInAllViews() {
   QTest::mouseMove(timeline_, timeline_->positionOf(12));
   QVERIFY(showsFrame(12));
   QTest::mouseRelease(timeline_, Qt::LeftButton, {}, timeline_->positionOf(12));
-  QVERIFY(shown().past);
-  QVERIFY(shown().tracked);
+  QVERIFY(shown().isPast);
+  QVERIFY(shown().isTracked);
   QCOMPARE(shown().frames->index, 12);
   QVERIFY(shown().targets.front().particles.rows() > 0);
   const QImage then = picture("cameraView0");
@@ -90,7 +90,7 @@ void TimelineTest::scrubbingShowsThatFrameInAllViews() {
               .contains(QStringLiteral("13"))); // people count from 1
   trigger("actionNow");
   QVERIFY(showsFrame(kTracked - 1));
-  QVERIFY(!shown().past);
+  QVERIFY(!shown().isPast);
   QCOMPARE(picture("cameraView0"), now);
   // The same moment again is the same picture.
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(12));
@@ -126,7 +126,8 @@ void TimelineTest::playGoesOnFromTheFrameShown() {
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(35));
   QVERIFY(showsFrame(35));
   QTest::keyClick(window_.get(), Qt::Key_Space);
-  QVERIFY(waitFor([this] { return shown().history.head > kTracked; })); // and goes on tracking
+  QVERIFY(waitFor(
+      [this] { return shown().history.newestTrackedFrame > kTracked; })); // and goes on tracking
 }
 
 void TimelineTest::aNewNameIsShownAtOnceWhileLookingBack() {
@@ -139,7 +140,7 @@ void TimelineTest::aNewNameIsShownAtOnceWhileLookingBack() {
   QVERIFY(waitFor([&] { return timeline_->model().targets == QStringList{name}; }));
   QVERIFY(waitFor([&] { return find<QLabel>("plotTarget")->text() == name; }));
   QVERIFY(showsFrame(12));
-  QVERIFY(shown().past);
+  QVERIFY(shown().isPast);
 }
 
 void TimelineTest::trackingAgainReplacesWhatFollows() {
@@ -149,8 +150,8 @@ void TimelineTest::trackingAgainReplacesWhatFollows() {
   const Eigen::Vector3d then = std::get<SphereEstimate>(shown().targets.front().estimate).mean;
   QVERIFY(window_->document().setParameter("acceleration_sigma", 1.5));
   trigger("actionRerun");
-  QVERIFY(
-      waitFor([this] { return !shown().past && !shown().rerun && shown().frame == kTracked - 1; }));
+  QVERIFY(waitFor(
+      [this] { return !shown().isPast && !shown().rerun && shown().frame == kTracked - 1; }));
   QVERIFY(shown().state == PlayState::Paused);
   QVERIFY(std::get<SphereEstimate>(shown().targets.front().estimate).mean !=
           last); // other parameters
@@ -160,8 +161,8 @@ void TimelineTest::trackingAgainReplacesWhatFollows() {
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(19));
   QVERIFY(showsFrame(19));
   trigger("actionRerun");
-  QVERIFY(
-      waitFor([this] { return !shown().past && !shown().rerun && shown().frame == kTracked - 1; }));
+  QVERIFY(waitFor(
+      [this] { return !shown().isPast && !shown().rerun && shown().frame == kTracked - 1; }));
   QVERIFY(std::get<SphereEstimate>(shown().targets.front().estimate).mean == last);
   QTest::mouseClick(timeline_, Qt::LeftButton, {}, timeline_->positionOf(20));
   QVERIFY(showsFrame(20));

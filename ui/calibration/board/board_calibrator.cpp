@@ -62,9 +62,9 @@ void BoardCalibrator::setRequest(const BoardGuideRequest& request) {
 BoardPreferences BoardCalibrator::preferences() const {
   return {QString::fromStdString(boardText(request_.board.board)),
           static_cast<int>(request_.board.model),
-          request_.goal.lenses,
-          request_.goal.poses,
-          request_.lenses.requestedProjectionPx,
+          request_.goal.estimatesLenses,
+          request_.goal.estimatesPoses,
+          request_.lensGuidance.requestedProjectionPx,
           request_.requiredPositionSigma};
 }
 
@@ -77,9 +77,9 @@ void BoardCalibrator::loadPreferences() {
     request_.board.board = *board;
   }
   request_.board.model = static_cast<IntrinsicsModel>(std::clamp(kept.lensModel, 0, 2));
-  request_.goal.lenses = kept.lenses;
-  request_.goal.poses = kept.positions || !request_.goal.lenses;
-  request_.lenses.requestedProjectionPx = kept.lensAccuracy;
+  request_.goal.estimatesLenses = kept.lenses;
+  request_.goal.estimatesPoses = kept.positions || !request_.goal.estimatesLenses;
+  request_.lensGuidance.requestedProjectionPx = kept.lensAccuracy;
   request_.requiredPositionSigma = kept.positionAccuracy;
 }
 
@@ -88,9 +88,9 @@ void BoardCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
   const bool first = shownFrame_ < 0;
   shownFrame_ = snapshot ? snapshot->frame : -1;
   liveFrames_ = live ? snapshot->frames : nullptr;
-  if (live && watching_ && !snapshot->past && snapshot->frames != lastWatchedFrames_) {
+  if (live && watching_ && !snapshot->isPast && snapshot->frames != lastWatchedFrames_) {
     lastWatchedFrames_ = snapshot->frames;
-    watch_->show(snapshot->frames);
+    watch_->offer(snapshot->frames);
   }
   if (live != live_ || first != (shownFrame_ < 0)) {
     live_ = live;
@@ -126,7 +126,7 @@ void BoardCalibrator::applyResult(const std::shared_ptr<Computed>& computed, boo
   if (mirrored_.cause != MirroredVideos::Cause::None) {
     Q_EMIT mirroredVideosFound();
   } else if (proposal_) {
-    Q_EMIT boardProposed(!computed->searchedAll);
+    Q_EMIT boardProposed(!computed->hasSearchedAll);
   }
   if (!computed->outcome) {
     failure_ = errorText(computed->outcome.error());
@@ -160,7 +160,7 @@ void BoardCalibrator::calibrateRecording(bool suggestBoardFirst) {
           return findBoards(inputs.project, *inputs.source, request.board, progress)
               .and_then([&](const BoardDetections& seen) {
                 computed.otherBoard = seen.otherBoard;
-                computed.searchedAll = seen.searchedAll;
+                computed.hasSearchedAll = seen.hasSearchedAll;
                 computed.mirrored = mirroredVideos(seen);
                 return calibrateFromBoards(inputs.project, seen, request.board, request.goal,
                                            progress);
@@ -286,9 +286,9 @@ void BoardCalibrator::stop() {
 
 bool BoardCalibrator::hasViews() const {
   const auto state = guide();
-  return state->seen && std::ranges::any_of(state->seen->cameras, [](const auto& camera) {
-           return !camera.views.empty();
-         });
+  return state->detections &&
+         std::ranges::any_of(state->detections->cameras,
+                             [](const auto& camera) { return !camera.views.empty(); });
 }
 
 void BoardCalibrator::finish() {
@@ -298,8 +298,8 @@ void BoardCalibrator::finish() {
   setWatching(false);
   const auto state = guide();
   compute(
-      [project = project(), seen = state->seen, request = requestForCaptured(request_, *state),
-       goal = request_.goal](const CalibrationProgress& progress) {
+      [project = project(), seen = state->detections, goal = request_.goal,
+       request = requestForCapturedViews(request_, *state)](const CalibrationProgress& progress) {
         return Computed{calibrateFromBoards(project, *seen, request, goal, progress)};
       },
       false);

@@ -121,7 +121,7 @@ private:
   struct Computed {
     Result<BoardOutcome> outcome;
     std::optional<BoardGuess> otherBoard = std::nullopt;
-    bool searchedAll = true; ///< see BoardDetections
+    bool hasSearchedAll = true; ///< see BoardDetections
     MirroredVideos mirrored = {};
   };
   /// Boards that a search proposes, and the videos that it found mirrored.

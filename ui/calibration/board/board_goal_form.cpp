@@ -112,7 +112,9 @@ void BoardGoalForm::connectFields() {
     });
   });
   connect(lensAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double pixels) {
-    edit([pixels](BoardGuideRequest& request) { request.lenses.requestedProjectionPx = pixels; });
+    edit([pixels](BoardGuideRequest& request) {
+      request.lensGuidance.requestedProjectionPx = pixels;
+    });
   });
   connect(positionAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
     edit([=](BoardGuideRequest& request) {
@@ -169,12 +171,12 @@ void BoardGoalForm::refresh() {
     }
   }
   model_->setCurrentIndex(static_cast<int>(request.board.model));
-  modelLabel_->setVisible(request.goal.lenses);
-  model_->setVisible(request.goal.lenses);
+  modelLabel_->setVisible(request.goal.estimatesLenses);
+  model_->setVisible(request.goal.estimatesLenses);
   const bool live = calibrator_.isLive();
   const bool onFloor = request.board.floorFrame.has_value();
   floor_->setChecked(onFloor);
-  floor_->setVisible(!live && request.goal.poses);
+  floor_->setVisible(!live && request.goal.estimatesPoses);
   floorFrame_->setVisible(onFloor && floor_->isVisibleTo(this));
   floorHere_->setVisible(onFloor && floor_->isVisibleTo(this));
   floorHere_->setEnabled(calibrator_.shownFrame() >= 0);
@@ -183,9 +185,9 @@ void BoardGoalForm::refresh() {
     floorFrame_->setValue(static_cast<int>(request.board.floorFrame.value_or(0)) + 1);
   }
   accuracyLabel_->setVisible(live);
-  lensAccuracy_->setVisible(live && request.goal.lenses);
-  positionAccuracy_->setVisible(live && request.goal.poses);
-  showValue(*lensAccuracy_, request.lenses.requestedProjectionPx);
+  lensAccuracy_->setVisible(live && request.goal.estimatesLenses);
+  positionAccuracy_->setVisible(live && request.goal.estimatesPoses);
+  showValue(*lensAccuracy_, request.lensGuidance.requestedProjectionPx);
   showValue(*positionAccuracy_, inMillimeters(request.requiredPositionSigma));
 }
 

@@ -45,7 +45,7 @@ void BoardLayer::refresh() {
   }
   const auto state = calibrator_.guide();
   const std::size_t taken =
-      camera_ < state->cameras.size() ? state->cameras[camera_].taken.size() : 0;
+      camera_ < state->cameras.size() ? state->cameras[camera_].capturedOutlines.size() : 0;
   if (taken > taken_) {
     highlighted_ = true;
     QTimer::singleShot(kLitMs, this, [this] {

@@ -121,15 +121,16 @@ void BoardLive::makeRows(std::size_t count) {
 
 void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_t camera) {
   const auto& of = state.cameras[camera];
-  const bool lens = state.phase == BoardGuideState::Phase::Lenses ||
-                    (!calibrator_.request().goal.poses && calibrator_.request().goal.lenses);
+  const bool lens =
+      state.phase == BoardGuideState::Phase::Lenses ||
+      (!calibrator_.request().goal.estimatesPoses && calibrator_.request().goal.estimatesLenses);
   row.map->setCamera(of, lens);
   row.name->setText(calibrator_.nameOf(camera));
   row.advice->setText(lens ? adviceText(of) : visibilityText(of));
-  row.accuracy->setText(lens ? lensAccuracyText(of, calibrator_.request().lenses)
+  row.accuracy->setText(lens ? lensAccuracyText(of, calibrator_.request().lensGuidance)
                              : positionAccuracyText(of));
-  row.sharpness->setText(sharpnessText(of, calibrator_.request().lenses));
-  const double held = lens ? of.lens.holdProgress : of.seen ? state.rig.holdProgress : 0.0;
+  row.sharpness->setText(sharpnessText(of, calibrator_.request().lensGuidance));
+  const double held = lens ? of.lens.holdProgress : of.detection ? state.rig.holdProgress : 0.0;
   row.held->setValue(static_cast<int>(kHeldSteps * held));
   row.held->setAccessibleName(
       tr("Time for which the board was held still in front of %1").arg(calibrator_.nameOf(camera)));
@@ -164,9 +165,10 @@ void BoardLive::refresh() {
   start_->setToolTip(tr("Find the board in the live images and get guidance on what to show"));
   start_->setEnabled(!calibrator_.isComputing());
   capture_->setEnabled(watching);
-  floor_->setVisible(calibrator_.request().goal.poses);
+  floor_->setVisible(calibrator_.request().goal.estimatesPoses);
   floor_->setEnabled(watching && places);
-  next_->setVisible(calibrator_.request().goal.poses && calibrator_.request().goal.lenses);
+  next_->setVisible(calibrator_.request().goal.estimatesPoses &&
+                    calibrator_.request().goal.estimatesLenses);
   next_->setEnabled(watching && !places);
   finish_->setEnabled(calibrator_.hasViews() && !calibrator_.isComputing() &&
                       !calibrator_.outcome());

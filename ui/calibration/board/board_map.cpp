@@ -53,7 +53,7 @@ BoardMap::BoardMap(QWidget* parent) : QWidget(parent) {
 }
 
 void BoardMap::setCamera(const BoardGuideState::PerCamera& camera, bool lens) {
-  if (camera.taken.size() > camera_.taken.size()) {
+  if (camera.capturedOutlines.size() > camera_.capturedOutlines.size()) {
     sinceTaken_.start();
     dim_.start();
   }
@@ -110,7 +110,7 @@ void BoardMap::paintOutlines(QPainter& painter, const QRectF& image) const {
   taken.setAlpha(90);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(taken, 1.0));
-  for (const auto& outline : camera_.taken) {
+  for (const auto& outline : camera_.capturedOutlines) {
     painter.drawPolygon(placed(outline, image, camera_.width, camera_.height));
   }
   if (camera_.outline.empty()) {

@@ -94,14 +94,14 @@ void addLenses(const BoardCalibrator& calibrator, const BoardOutcome& outcome, Q
   for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
     if (lenses.cameras[k]) {
       lines << lensLine(calibrator.nameOf(k), *lenses.cameras[k]);
-      if (k < outcome.missed.size() && !outcome.missed[k].empty()) {
-        lines << missedLine(calibrator.nameOf(k), outcome.missed[k]);
+      if (k < outcome.missedRuns.size() && !outcome.missedRuns[k].empty()) {
+        lines << missedLine(calibrator.nameOf(k), outcome.missedRuns[k]);
       }
     } else {
       lines << QStringLiteral("⚠ ") +
                    BoardText::tr("The intrinsics of %1 are unchanged: %2")
                        .arg(calibrator.nameOf(k),
-                            QString::fromStdString(lenses.kept.at(kept++).detail));
+                            QString::fromStdString(lenses.keptIntrinsics.at(kept++).detail));
     }
   }
 }
@@ -186,11 +186,11 @@ QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& st
 }
 
 QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings) {
-  if (!camera.seen) {
+  if (!camera.detection) {
     return BoardText::tr("board not visible");
   }
-  const QString edges = pixelText(camera.seen->edgeWidthPx);
-  return camera.seen->edgeWidthPx > settings.softEdgeFraction * camera.width
+  const QString edges = pixelText(camera.detection->edgeWidthPx);
+  return camera.detection->edgeWidthPx > settings.softEdgeFraction * camera.width
              ? BoardText::tr("⚠ blurred: edges are %1 wide").arg(edges)
              : BoardText::tr("sharp: edges are %1 wide").arg(edges);
 }
@@ -207,13 +207,13 @@ QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
 }
 
 QString visibilityText(const BoardGuideState::PerCamera& camera) {
-  return camera.width == 0 ? BoardText::tr("No image yet")
-         : camera.seen     ? BoardText::tr("● board visible")
-                           : BoardText::tr("○ board not visible");
+  return camera.width == 0  ? BoardText::tr("No image yet")
+         : camera.detection ? BoardText::tr("● board visible")
+                            : BoardText::tr("○ board not visible");
 }
 
 QString positionAccuracyText(const BoardGuideState::PerCamera& camera) {
-  const QString views = QString::number(camera.pairViews);
+  const QString views = QString::number(camera.pairViewCount);
   return camera.positionSigma
              ? BoardText::tr("%1 views, position accuracy %2")
                    .arg(views, lengthText(*camera.positionSigma, LengthScale::Millimeters, 2))

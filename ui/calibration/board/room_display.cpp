@@ -26,7 +26,7 @@ constexpr QSize kSmallestWindow(640, 480);
 std::size_t viewsIn(const BoardGuideState& state) {
   std::size_t views = 0;
   for (const auto& camera : state.cameras) {
-    views += camera.taken.size();
+    views += camera.capturedOutlines.size();
   }
   return views;
 }
@@ -34,12 +34,12 @@ std::size_t viewsIn(const BoardGuideState& state) {
 /// The camera that the board is shown to: the one that sees it, else the first that lacks views.
 std::size_t shownCamera(const BoardGuideState& state) {
   const auto seeing = std::ranges::find_if(
-      state.cameras, [](const auto& camera) { return camera.seen.has_value(); });
+      state.cameras, [](const auto& camera) { return camera.detection.has_value(); });
   if (seeing != state.cameras.end()) {
     return static_cast<std::size_t>(seeing - state.cameras.begin());
   }
   const auto fewest = std::ranges::min_element(
-      state.cameras, {}, [](const auto& camera) { return camera.taken.size(); });
+      state.cameras, {}, [](const auto& camera) { return camera.capturedOutlines.size(); });
   return static_cast<std::size_t>(fewest - state.cameras.begin());
 }
 

@@ -249,10 +249,10 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   for (const std::string& decision : made->decisions) {
     lines << QString::fromStdString(decision);
   }
-  if (made->matchedByOrder) {
+  if (made->wasMatchedByOrder) {
     lines << tr("The calibration uses other camera names. The cameras were matched by order.");
   }
-  if (made->lensOnly) {
+  if (made->hasOnlyIntrinsics) {
     lines << tr("The file contains no pose. Only the intrinsics are imported; the camera keeps its "
                 "current pose.");
   }

@@ -190,10 +190,10 @@ void GuidePage::refreshTable() {
     lines << tr("○ Accuracy outside this volume: %1 (95 %, extrapolated)")
                  .arg(lengthText(*status.accuracyOutside, LengthForm::TwoDigits));
   }
-  if (status.check) {
+  if (status.lengthCheck) {
     lines << tr("✓ Length check: you measured %1, the calibration gives %2")
-                 .arg(lengthText(status.check->measured, LengthScale::Meters, 4),
-                      lengthText(status.check->found, LengthScale::Meters, 4));
+                 .arg(lengthText(status.lengthCheck->measured, LengthScale::Meters, 4),
+                      lengthText(status.lengthCheck->found, LengthScale::Meters, 4));
   }
   world_->setText(lines.join(QLatin1Char('\n')));
 }

@@ -223,12 +223,12 @@ QString floorText(const ItemStatus& floor, bool isUpright) {
 }
 
 QString knowledgeMark(const ItemStatus& part) {
-  switch (part.isPoor ? Knowledge::Missing : part.knowledge) {
-  case Knowledge::Measured:
+  switch (part.isPoor ? KnowledgeLevel::Missing : part.knowledge) {
+  case KnowledgeLevel::Measured:
     return QStringLiteral("✓");
-  case Knowledge::Given:
+  case KnowledgeLevel::Given:
     return QStringLiteral("○");
-  case Knowledge::Missing:
+  case KnowledgeLevel::Missing:
     break;
   }
   return QStringLiteral("⚠");

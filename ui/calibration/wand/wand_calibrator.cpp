@@ -29,7 +29,7 @@ double partOf(const WandCalibrationProgress& work) {
 /// Everything that was collected, also what still waits to be looked at.
 std::vector<std::vector<MarkerObservation>> allViews(const WandCollector& collector,
                                                      const BackgroundJob::Progress& progress) {
-  while (collector.state().waiting > 0 && progress(-1.0)) {
+  while (collector.state().waitingFrameSets > 0 && progress(-1.0)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return collector.views();
@@ -115,7 +115,7 @@ void WandCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {
 
 void WandCalibrator::startWaving() {
   Session* session = dependencies_.session();
-  const auto colors = wandColors(project(), toOptions(settings_, touchedInstants_, project()));
+  const auto colors = wandColors(project(), toWandOptions(settings_, touchedInstants_, project()));
   if (session == nullptr) {
     return;
   }
@@ -181,7 +181,7 @@ void WandCalibrator::refine() {
   const auto selected = selectedRange
                             ? std::optional(FrameSpan{selectedRange->first, selectedRange->last})
                             : std::nullopt;
-  const WandOptions options = toOptions(settings_, touchedInstants_, project(), selected);
+  const WandOptions options = toWandOptions(settings_, touchedInstants_, project(), selected);
   refinement_.reset();
   failure_.clear();
   applied_ = false;
@@ -219,12 +219,12 @@ void WandCalibrator::applyResult(Result<WandRefinement> outcome) {
 }
 
 void WandCalibrator::apply() {
-  if (!refinement_ || applied_ || refinement_->before.size() != project().cameras.size()) {
+  if (!refinement_ || applied_ || refinement_->camerasBefore.size() != project().cameras.size()) {
     return;
   }
   dependencies_.manual.storeEarlierCameras(EarlierCameras::WandRefinement);
   const auto edited = dependencies_.document.edit(
-      settings_.stick ? tr("Refine cameras with a wand") : tr("Refine cameras with a ball"),
+      settings_.usesStick ? tr("Refine cameras with a wand") : tr("Refine cameras with a ball"),
       [this](Project& project) { project = withRefinement(std::move(project), *refinement_); });
   applied_ = edited.has_value();
   failure_ = edited ? QString() : errorText(edited.error());

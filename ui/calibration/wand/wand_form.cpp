@@ -99,19 +99,25 @@ void WandForm::createWidgets() {
 void WandForm::connectFields() {
   connect(&calibrator_, &WandCalibrator::changed, this, &WandForm::refresh);
   connect(kind_, &QComboBox::activated, this, [this](int index) {
-    edit([=](WandSettings& settings) { settings.stick = index == 1; });
+    edit([=](WandSettings& settings) { settings.usesStick = index == 1; });
   });
   connect(ball_, &QComboBox::activated, this, [this] {
-    edit([this](WandSettings& settings) { settings.ball = ball_->currentText().toStdString(); });
+    edit([this](WandSettings& settings) {
+      settings.ballTarget = ball_->currentText().toStdString();
+    });
   });
   connect(other_, &QComboBox::activated, this, [this] {
-    edit([this](WandSettings& settings) { settings.other = other_->currentText().toStdString(); });
+    edit([this](WandSettings& settings) {
+      settings.secondBallTarget = other_->currentText().toStdString();
+    });
   });
   connect(length_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    edit([=](WandSettings& settings) { settings.length = fromCentimeters(value); });
+    edit([=](WandSettings& settings) { settings.stickLength = fromCentimeters(value); });
   });
   connect(size_, &QComboBox::activated, this, [this](int index) {
-    edit([=](WandSettings& settings) { settings.size = static_cast<WandScaleSource>(index); });
+    edit([=](WandSettings& settings) {
+      settings.scaleSource = static_cast<WandScaleSource>(index);
+    });
   });
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     edit([=](WandSettings& settings) { settings.distance = fromCentimeters(value); });
@@ -130,7 +136,7 @@ void WandForm::connectFields() {
   check(offsets_, &WandSettings::findOffsets);
   check(focal_, &WandSettings::findFocal);
   check(distortion_, &WandSettings::findDistortion);
-  check(onlyRange_, &WandSettings::onlySelectedFrames);
+  check(onlyRange_, &WandSettings::usesOnlySelectedFrames);
 }
 
 void WandForm::edit(const std::function<void(WandSettings&)>& change) {
@@ -141,7 +147,7 @@ void WandForm::edit(const std::function<void(WandSettings&)>& change) {
 
 void WandForm::chooseBalls() {
   WandSettings both = calibrator_.settings();
-  both.stick = true;
+  both.usesStick = true;
   const auto balls = selectedTargets(both, calibrator_.project());
   for (QComboBox* box : {ball_, other_}) {
     const std::size_t end = box == ball_ ? 0 : 1;
@@ -166,24 +172,24 @@ void WandForm::refresh() {
   const WandSettings& settings = calibrator_.settings();
   chooseBalls();
   fillSizes();
-  showChoice(*kind_, settings.stick ? 1 : 0);
-  showChoice(*size_, static_cast<int>(settings.size));
-  showValue(*length_, inCentimeters(settings.length));
+  showChoice(*kind_, settings.usesStick ? 1 : 0);
+  showChoice(*size_, static_cast<int>(settings.scaleSource));
+  showValue(*length_, inCentimeters(settings.stickLength));
   showValue(*distance_, inCentimeters(settings.distance));
   showValue(*initialPositionError_, inCentimeters(settings.initialPositionError));
   showValue(*initialRotationError_, inDegrees(settings.initialRotationError));
   offsets_->setChecked(settings.findOffsets);
   focal_->setChecked(settings.findFocal);
   distortion_->setChecked(settings.findDistortion);
-  onlyRange_->setChecked(settings.onlySelectedFrames && calibrator_.hasSelectedRange());
+  onlyRange_->setChecked(settings.usesOnlySelectedFrames && calibrator_.hasSelectedRange());
   onlyRange_->setEnabled(calibrator_.hasSelectedRange());
   for (QWidget* field :
        std::initializer_list<QWidget*>{otherLabel_, other_, lengthLabel_, length_}) {
-    field->setVisible(settings.stick);
+    field->setVisible(settings.usesStick);
   }
-  sizeLabel_->setVisible(!settings.stick);
-  size_->setVisible(!settings.stick);
-  const bool distance = !settings.stick && settings.size == WandScaleSource::Distance;
+  sizeLabel_->setVisible(!settings.usesStick);
+  size_->setVisible(!settings.usesStick);
+  const bool distance = !settings.usesStick && settings.scaleSource == WandScaleSource::Distance;
   distanceLabel_->setVisible(distance);
   distance_->setVisible(distance);
   onlyRange_->setVisible(!calibrator_.isLive());

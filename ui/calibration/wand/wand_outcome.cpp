@@ -173,13 +173,13 @@ void WandOutcome::showOutcome() {
       notes << tr("The cameras have changed since this refinement.");
     }
     for (const DetectedFault& fault : found->result.faults) {
-      notes << QStringLiteral("⚠ ") + faultText(fault, cameraNames(found->before));
+      notes << QStringLiteral("⚠ ") + faultText(fault, cameraNames(found->camerasBefore));
     }
     for (const FarOffCamera& camera : farOffCameras(*found)) {
       notes << QStringLiteral("⚠ ") +
                    tr("%1 was far off: the refinement rotates it by %2 and moves it by %3, much "
                       "more than the others. Was it moved after its calibration?")
-                       .arg(cameraName(found->before, camera.camera),
+                       .arg(cameraName(found->camerasBefore, camera.camera),
                             angleText(camera.poseChange.radians, 1),
                             lengthText(camera.poseChange.meters, LengthScale::Centimeters, 1));
     }
@@ -190,16 +190,16 @@ void WandOutcome::showOutcome() {
                        .arg(lengthText(found->options.initialPositionError,
                                        LengthScale::Centimeters, 1));
     }
-    if (isUnneeded(*found)) {
+    if (isUnnecessary(*found)) {
       notes << QStringLiteral("⚠ ") +
                    tr("The previous calibration fits the images as well as the new one. Keep the "
                       "previous one, or wave longer and through more of the volume.");
     }
-    if (isKnownBetter(*found) && !isUnneeded(*found)) {
+    if (isKnownBetter(*found) && !isUnnecessary(*found)) {
       notes << QStringLiteral("⚠ ") + knownBetterMessage(*found);
     }
     for (const MotionGap& gap : found->gaps) {
-      notes << QStringLiteral("⚠ ") + motionGapMessage(gap, cameraNames(found->before));
+      notes << QStringLiteral("⚠ ") + motionGapMessage(gap, cameraNames(found->camerasBefore));
     }
     if (!calibrator_.isApplied()) {
       notes << tr("The cameras are unchanged.");
@@ -244,8 +244,8 @@ void WandOutcome::fillTable() {
     table_->setItem(static_cast<int>(row), column, item);
   };
   for (std::size_t k = 0; k < result.cameras.size(); ++k) {
-    const PoseShift shift = poseShift(found.before[k], result.cameras[k]);
-    set(k, Name, cameraName(found.before, k));
+    const PoseShift shift = poseShift(found.camerasBefore[k], result.cameras[k]);
+    set(k, Name, cameraName(found.camerasBefore, k));
     set(k, Pixels, numberText(result.bundle.cameraRms[k], 2));
     set(k, Moved, lengthNumber(shift.meters, LengthScale::Centimeters, 1));
     set(k, Turned, angleNumber(shift.radians, 2));

@@ -108,9 +108,10 @@ void WandWaving::showCameras() {
                        "cameras.")
                   : tr("Keep waving: each camera should see the ball at least 150 times, spread "
                        "over at least half of its image."));
-  if (collected->dropped > 0) {
-    text += QLatin1Char(' ') +
-            tr("Frames skipped because they arrived too fast: %1.").arg(collected->dropped);
+  if (collected->droppedFrameSets > 0) {
+    text +=
+        QLatin1Char(' ') +
+        tr("Frames skipped because they arrived too fast: %1.").arg(collected->droppedFrameSets);
   }
   state_->setText(text);
 }

@@ -74,8 +74,8 @@ void BoardFloor::finish(const Project& searched, const Result<FloorFromBoard>& f
   resultText_ = edited
                     ? tr("The floor is set from the board, which %n camera(s) can see (error %1). "
                          "The world was rotated by %2.",
-                         nullptr, static_cast<int>(found->cameras))
-                          .arg(pixelText(found->rmsPx, 2), angleText(found->rotated, 1))
+                         nullptr, static_cast<int>(found->cameraCount))
+                          .arg(pixelText(found->rmsPx, 2), angleText(found->rotationAngle, 1))
                     : errorText(edited.error());
 }
 

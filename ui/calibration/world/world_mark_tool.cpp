@@ -102,7 +102,7 @@ void WorldMarkTool::showMarks(const Layer& layer) const {
   layer.overlay->setRegions(std::move(regions));
   std::vector<QPolygonF> rays;
   for (const PointClick& click : marks_.clicks(marks_.chosen())) {
-    for (const ImageLine& line : clickedRay(*snapshot_, click, layer.camera)) {
+    for (const ImageLine& line : clickedRayLines(*snapshot_, click, layer.camera)) {
       QPolygonF& drawn = rays.emplace_back();
       for (const Eigen::Vector2d& pixel : line) {
         drawn << QPointF(pixel.x(), pixel.y());

@@ -141,7 +141,7 @@ QString WorldMarks::resultOf(WorldStep step, const WorldStepResult& result) cons
   case WorldStep::Floor:
     return tr("The floor is set: A is the origin, and the x axis points to B. The world was "
               "rotated by %1.")
-        .arg(angleText(result.rotated, 1));
+        .arg(angleText(result.rotationAngle, 1));
   case WorldStep::Length:
     return tr("All lengths were multiplied by %1.").arg(numberText(result.scale, 4));
   case WorldStep::Origin:
@@ -151,7 +151,7 @@ QString WorldMarks::resultOf(WorldStep step, const WorldStepResult& result) cons
   case WorldStep::XAxis:
     break;
   }
-  return tr("The world was rotated by %1.").arg(angleText(result.rotated, 1));
+  return tr("The world was rotated by %1.").arg(angleText(result.rotationAngle, 1));
 }
 
 void WorldMarks::replaceProject(const QString& step, const Project& project) {

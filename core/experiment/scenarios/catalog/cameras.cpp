@@ -95,7 +95,7 @@ bool withMovedCamera(ScenarioDraft& draft) {
     if (staysVisibleSince(draft, frame, *view)) {
       // Half a frame early, so that the frame's whole exposure is after it.
       const double since = draft.timeOf(frame) - 0.5 / draft.framesPerSecond;
-      draft.stage.moves.push_back({camera, since, view});
+      draft.stage.movedCameras.push_back({camera, since, view});
       draft.events.push_back({ScenarioEvent::Kind::CameraMoved, frame, which});
       draft.exactWhenIdeal = false;
       return true;

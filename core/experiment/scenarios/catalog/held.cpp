@@ -62,8 +62,8 @@ simulation::Grip drawGrip(RandomDraws& draws) {
   grip.fingers =
       Eigen::AngleAxisd(draws.uniform(0.0, kFullTurn), grip.palm) * grip.palm.unitOrthogonal();
   // Radians and meters, around the usual grip, see Grip.
-  grip.reach = draws.uniform(1.4, 2.4);
-  grip.spread = draws.uniform(0.42, 0.52);
+  grip.reachAngle = draws.uniform(1.4, 2.4);
+  grip.spreadAngle = draws.uniform(0.42, 0.52);
   grip.fingerRadius = draws.uniform(0.008, 0.0095);
   return grip;
 }

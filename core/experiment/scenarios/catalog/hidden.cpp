@@ -39,7 +39,7 @@ Plate drawPlate(ScenarioDraft& draft, std::size_t camera, const Eigen::Vector3d&
 void addPlate(ScenarioDraft& draft, const Plate& plate, simulation::Path path) {
   simulation::StageBody& body = draft.stage.bodies.emplace_back();
   body.name = "plate";
-  body.box = true;
+  body.isBox = true;
   body.halfSize = {kPlateWide, kPlateTall, kPlateThick};
   body.axes.row(0) = plate.aside;
   body.axes.row(1) = plate.edge;
@@ -151,7 +151,7 @@ bool withBlackouts(ScenarioDraft& draft, bool all) {
     const std::int64_t frame = std::llround(time * frames);
     for (const Blackout& blackout : blackouts) {
       const bool here = blackout.camera < 0 || blackout.camera == static_cast<int>(camera);
-      light.dark = light.dark || (here && frame >= blackout.begin && frame < blackout.end);
+      light.isDark = light.isDark || (here && frame >= blackout.begin && frame < blackout.end);
     }
     return light;
   };

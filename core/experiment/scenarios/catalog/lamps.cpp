@@ -136,7 +136,7 @@ bool withMovingShadow(ScenarioDraft& draft) {
   shadow.direction = direction.cast<float>();
   shadow.speed = draws.uniform(0.1, 0.4);
   const Eigen::Vector3d ball = draft.stage.bodies[draft.targets.front()].path(when);
-  shadow.start = direction.dot(ball) - shadow.speed * when;
+  shadow.initialPosition = direction.dot(ball) - shadow.speed * when;
   shadow.halfWidth = static_cast<float>(draws.uniform(0.05, 0.2));
   shadow.depth = static_cast<float>(draws.uniform(0.8, 1.0));
   draft.adjustFaults = [shadow](SensingFaults& faults) { faults.illumination.shadow = shadow; };

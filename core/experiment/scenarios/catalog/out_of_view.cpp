@@ -215,7 +215,7 @@ simulation::StageBody drawScreen(RandomDraws& draws, const Eigen::Vector3d& eye,
   towards.normalize();
   simulation::StageBody box;
   box.name = fmt::format("box {}", number);
-  box.box = true;
+  box.isBox = true;
   box.halfSize = {0.03, draws.uniform(0.08, 0.1), halfHeight};
   box.axes.row(0) = towards;
   box.axes.row(1) = Eigen::Vector3d::UnitZ().cross(towards);

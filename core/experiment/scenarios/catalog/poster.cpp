@@ -34,7 +34,7 @@ StageBody drawPoster(ScenarioDraft& draft, std::size_t camera, const Eigen::Vect
   const Eigen::Vector3d position = center + behind * sight + aside * right + above * up;
   const Eigen::AngleAxisd tilt(draws.uniform(-kTilt, kTilt), draws.direction());
   StageBody poster;
-  poster.box = true;
+  poster.isBox = true;
   poster.halfSize = {draws.uniform(0.06, 0.14), draws.uniform(0.06, 0.14), 0.002};
   poster.axes.row(0) = tilt * right;
   poster.axes.row(1) = tilt * up;

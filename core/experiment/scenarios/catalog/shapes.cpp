@@ -95,7 +95,7 @@ bool handled(ScenarioDraft& draft, const ObjectAt& object, const Handling& handl
       const Eigen::Matrix3d rotation = spin.axesAt(time).transpose().cast<double>() * start;
       std::vector<MovingPart> parts = object(time);
       for (MovingPart& part : parts) {
-        part = moved(std::move(part), rotation, Eigen::Vector3d::Zero());
+        part = movedPart(std::move(part), rotation, Eigen::Vector3d::Zero());
       }
       return parts;
     };
@@ -117,10 +117,10 @@ bool walking(ScenarioDraft& draft) {
   walker.height = draws.uniform(1.6, 1.9);
   const double chest = kChest * walker.height / simulation::kReferenceHeight;
   for (int i = 0; i < kMaxDrawAttempts; ++i) {
-    walker.way.clear();
+    walker.waypoints.clear();
     for (const double time : {-1.0, 1.5, 4.0, 7.0}) {
       const Eigen::Vector3d position = draws.pointInBox({-1.2, -1.0, 0.0}, {1.2, 1.4, 0.0});
-      walker.way.push_back({time, position.head<2>()});
+      walker.waypoints.push_back({time, position.head<2>()});
     }
     const simulation::Path path = [walker, chest](double time) -> Eigen::Vector3d {
       const Eigen::Vector2d foot = walker.position(time);

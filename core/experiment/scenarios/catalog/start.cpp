@@ -94,7 +94,7 @@ simulation::StageBody drawDistractor(RandomDraws& draws, Distractor kind, double
     body.halfSize = {big, other, 0.02 * radius};
     break;
   }
-  body.box = true;
+  body.isBox = true;
   body.axes = yaw.toRotationMatrix().transpose();
   if (kind == Distractor::Patch && draws.coinFlip()) {
     // Upright like a poster instead of flat like a sheet.
@@ -141,7 +141,7 @@ bool addDistractors(ScenarioDraft& draft, const Volume& volume) {
       if (draft.draws.coinFlip()) {
         position.z() = 0.0; // on the ground: that high is half of what stands on it
       }
-      position.z() = std::max(position.z(), body.box ? body.halfSize.z() : body.radius);
+      position.z() = std::max(position.z(), body.isBox ? body.halfSize.z() : body.radius);
       placed = isPossible(draft, volume, body, position, cameras);
       if (placed) {
         body.path = [position](double) { return position; };

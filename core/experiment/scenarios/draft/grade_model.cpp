@@ -19,7 +19,7 @@ constexpr GradeModel kRoom{
     // From the sharpest lens that a mosaic lets one see to one that is plainly out of focus.
     .psfSigmaPx = {0.5, 2.0},
     // Small pixels hold 5000 to 10000 electrons; the gain that a room's light needs leaves a part.
-    .fullWell = {1000.0, 6000.0},
+    .fullWellElectrons = {1000.0, 6000.0},
     .readElectrons = {2.0, 6.0}, // data sheets of small CMOS sensors
     // A step of a webcam's "gamma" setting to both sides of BT.709.
     .contrast = {0.88, 1.12},
@@ -34,7 +34,7 @@ constexpr GradeModel kRoom{
     .initialErrorStops = {-0.3, 0.3},
     .whiteBalanceStops = {-0.12, 0.12}, // 8 % of blue or red against green
     .huntingStops = {0.0, 0.2},
-    .huntingPeriod = {2.0, 6.0},
+    .huntingPeriodSeconds = {2.0, 6.0},
     // Time constants of 0.13 to 0.7 s at 30 frames per second; all pairs are stable, see
     // ControlLoop.
     .loopSpeed = {0.05, 0.25},
@@ -66,7 +66,7 @@ constexpr GradeModel kRoom{
 constexpr GradeModel kWild{
     .name = "wild",
     .psfSigmaPx = {0.7, 3.0},
-    .fullWell = {300.0, 3000.0},
+    .fullWellElectrons = {300.0, 3000.0},
     .readElectrons = {3.0, 10.0},
     .contrast = {0.75, 1.3},
     .sharpening = {0.2, 2.0},
@@ -79,7 +79,7 @@ constexpr GradeModel kWild{
     .initialErrorStops = {-1.0, 1.0},
     .whiteBalanceStops = {-0.25, 0.25},
     .huntingStops = {0.0, 0.5},
-    .huntingPeriod = {1.0, 5.0},
+    .huntingPeriodSeconds = {1.0, 5.0},
     .loopSpeed = {0.05, 0.3},
     .loopLag = {1.0, 4.0},
     .sideLamp = {0.0, 1.2},
@@ -119,8 +119,8 @@ simulation::AutomaticGain drawAutomatic(const GradeModel& model, RandomDraws& dr
   automatic.exposureOffsetStops = draw(model.exposureOffsetStops, draws);
   automatic.initialErrorStops = draw(model.initialErrorStops, draws);
   automatic.huntingStops = draw(model.huntingStops, draws);
-  automatic.huntingPeriod = draw(model.huntingPeriod, draws);
-  automatic.huntingPhase = draws.uniform(0.0, kFullTurn);
+  automatic.huntingPeriodSeconds = draw(model.huntingPeriodSeconds, draws);
+  automatic.huntingPhaseRadians = draws.uniform(0.0, kFullTurn);
   automatic.whiteBalanceStops[0] = draw(model.whiteBalanceStops, draws);
   automatic.whiteBalanceStops[1] = draw(model.whiteBalanceStops, draws);
   return automatic;
@@ -171,7 +171,7 @@ simulation::Illumination drawIllumination(const GradeModel& model, const FaultCo
   shadow.direction = direction.cast<float>();
   shadow.speed = draw(model.shadowSpeed, draws);
   // It passes where the target begins at some time of the run.
-  shadow.start =
+  shadow.initialPosition =
       direction.dot(context.targetStart) - shadow.speed * draws.uniform(0.0, context.seconds);
   shadow.halfWidth = static_cast<float>(draw(model.shadowHalfWidth, draws));
   shadow.depth = static_cast<float>(draw(model.shadowDepth, draws));
@@ -200,7 +200,7 @@ simulation::SensorModel randomSensor(const GradeModel& model, const FaultContext
                                      RandomDraws& draws) {
   simulation::SensorModel sensor;
   sensor.psfSigmaPx = draw(model.psfSigmaPx, draws);
-  sensor.noise = {draw(model.fullWell, draws), draw(model.readElectrons, draws)};
+  sensor.noise = {draw(model.fullWellElectrons, draws), draw(model.readElectrons, draws)};
   sensor.contrast = draw(model.contrast, draws);
   sensor.sharpening = {draw(model.sharpening, draws), draw(model.sharpeningSigma, draws)};
   sensor.jpegQuality = static_cast<int>(std::lround(draw(model.jpegQuality, draws)));
@@ -217,7 +217,7 @@ SensingFaults randomFaults(const GradeModel& model, const FaultContext& context,
   SensingFaults faults;
   faults.illumination = drawIllumination(model, context, draws);
   simulation::Flicker flicker;
-  flicker.frequency = draws.coinFlip() ? 100.0 : 120.0; // twice that of the mains
+  flicker.frequencyHz = draws.coinFlip() ? 100.0 : 120.0; // twice that of the mains
   flicker.depth = draw(model.flickerDepth, draws);
   flicker.phase = draws.uniform(0.0, kFullTurn);
   for (std::size_t camera = 0; camera < context.cameras; ++camera) {

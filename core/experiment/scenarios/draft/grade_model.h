@@ -22,9 +22,10 @@ struct GradeModel {
 
   // Lens and sensor.
   Range psfSigmaPx; ///< standard deviation of the lens blur, pixels
-  /// Full well of the sensor (PixelNoise::fullWell) in electrons, at the gain that the light in the
-  /// room requires. CameraGain::exposure, which also changes the noise, is relative to this gain.
-  Range fullWell;
+  /// Full well of the sensor (PixelNoise::fullWellElectrons) in electrons, at the gain that the
+  /// light in the room requires. CameraGain::exposure, which also changes the noise, is relative to
+  /// this gain.
+  Range fullWellElectrons;
   Range readElectrons;      ///< standard deviation of the read noise, electrons
   Range contrast;           ///< SensorModel::contrast: exponent applied to the tone curve
   Range sharpening;         ///< Sharpening::amount: strength of the unsharp mask
@@ -40,7 +41,7 @@ struct GradeModel {
   Range initialErrorStops; ///< error of the exposure at frame 0, stops
   Range whiteBalanceStops; ///< constant error of blue and red, stops
   Range huntingStops;      ///< amplitude of a periodic error in the measured brightness, stops
-  Range huntingPeriod;     ///< period of this error, seconds
+  Range huntingPeriodSeconds; ///< period of this error, seconds
   Range loopSpeed; ///< ControlLoop::speed: fraction of the error that is corrected per frame
   Range loopLag;   ///< ControlLoop::lagFrames: number of frames from a measurement to its effect
 

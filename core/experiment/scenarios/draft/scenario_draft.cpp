@@ -38,7 +38,7 @@ Trajectory truthOf(const ScenarioDraft& draft, std::vector<TargetExtent>& extent
       sample.position = now.position;
       extents.push_back(now.extent);
       sample.cameras = static_cast<int>(draft.rig.size());
-      sample.valid = body.presentAt(sample.time);
+      sample.valid = body.isPresentAt(sample.time);
       truth.samples.push_back(std::move(sample));
     }
   }
@@ -142,7 +142,7 @@ ScenarioDraft wildDraft(const ScenarioRecipe& recipe, std::uint64_t seed, int at
 /// Makes the balls as small as the grade wants them: what was placed for larger ones stays clear.
 void shrinkBalls(ScenarioDraft& draft) {
   for (simulation::StageBody& body : draft.stage.bodies) {
-    if (!body.box) {
+    if (!body.isBox) {
       body.radius *= draft.radiusScale;
     }
   }

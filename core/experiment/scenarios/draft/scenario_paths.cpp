@@ -53,7 +53,7 @@ bool isFullyVisible(const simulation::RoomView& view, const Eigen::Vector3d& cen
                     double radius) {
   return isOutlineShown(view, center, radius, [&](int column, int row, double distance) {
     // What lies beside a ball on the desk may be a little nearer than its middle.
-    return view.distances[view.index(column, row)] >= distance - 0.5 * radius;
+    return view.distances[view.pixelIndex(column, row)] >= distance - 0.5 * radius;
   });
 }
 

@@ -30,15 +30,15 @@ bool isUneven(const CameraFaults& faults) {
 }
 
 void addUnevenLight(const SensingFaults& faults, simulation::Stage& stage) {
-  stage.unevenness.clear();
+  stage.illuminationGains.clear();
   if (std::ranges::none_of(faults.cameras, isUneven)) {
     return;
   }
   for (std::size_t camera = 0; camera < faults.cameras.size(); ++camera) {
     const simulation::RoomView& view = *stage.views[camera];
     const UnevenLight& light = faults.cameras[camera].unevenLight;
-    stage.unevenness.push_back(simulation::unevenLight({view.width, view.height}, light.vignette,
-                                                       light.right, light.down));
+    stage.illuminationGains.push_back(simulation::unevenLight(
+        {view.width, view.height}, light.vignette, light.right, light.down));
   }
 }
 

@@ -67,8 +67,8 @@ Vector2d drawReachable(const Vector2d& from, double angle, RandomDraws& draws) {
 }
 
 bool isWalkableWay(const Walker& walker) {
-  for (std::size_t k = 1; k < walker.way.size(); ++k) {
-    if (!isWalkableLine(walker.way[k - 1].position, walker.way[k].position)) {
+  for (std::size_t k = 1; k < walker.waypoints.size(); ++k) {
+    if (!isWalkableLine(walker.waypoints[k - 1].position, walker.waypoints[k].position)) {
       return false;
     }
   }
@@ -78,14 +78,15 @@ bool isWalkableWay(const Walker& walker) {
 /// Walks on to `position`; returns when that is reached.
 double walkTo(Walker& walker, const Vector2d& position, double pace) {
   const double time =
-      walker.way.back().time + (position - walker.way.back().position).norm() / pace;
-  walker.way.push_back({time, position});
+      walker.waypoints.back().time + (position - walker.waypoints.back().position).norm() / pace;
+  walker.waypoints.push_back({time, position});
   return time;
 }
 
 /// Stays for some time.
 void stay(Walker& walker, double seconds) {
-  walker.way.push_back({walker.way.back().time + seconds, walker.way.back().position});
+  walker.waypoints.push_back(
+      {walker.waypoints.back().time + seconds, walker.waypoints.back().position});
 }
 
 /// Whether nobody comes nearer to somebody else than `least`.
@@ -118,9 +119,9 @@ void addStrolls(PeopleScenario& scenario, int count, RandomDraws& draws) {
   for (int k = 0; k < count; ++k) {
     Walker walker = numberedWalker(k + 1);
     const double pace = draws.uniform(kLeastPace, kMostPace);
-    walker.way.push_back({kAppearTime, drawPoint(draws)});
+    walker.waypoints.push_back({kAppearTime, drawPoint(draws)});
     for (int leg = 0; leg < kLegs; ++leg) {
-      const Vector2d next = drawReachable(walker.way.back().position, draws);
+      const Vector2d next = drawReachable(walker.waypoints.back().position, draws);
       scenario.timeAfterMeeting = std::max(scenario.timeAfterMeeting, walkTo(walker, next, pace));
     }
     scenario.scene.people.push_back(std::move(walker));
@@ -134,12 +135,12 @@ Walker pausing(int number, Posture posture, const Vector2d& at, double rest, Ran
   Walker walker = numberedWalker(number);
   const double pace = draws.uniform(kLeastPace, kMostPace);
   const double angle = draws.uniform(0.0, kFullTurn); // that the person faces
-  walker.way.push_back({kAppearTime, drawReachable(at, angle + std::numbers::pi, draws)});
+  walker.waypoints.push_back({kAppearTime, drawReachable(at, angle + std::numbers::pi, draws)});
   // A moment to stand still before and after: ways have rounded corners.
   constexpr double kStand = 0.3;
   const double down = walkTo(walker, at, pace) + kStand;
   const double up = down + kPostureSeconds + rest;
-  stay(walker, up + kPostureSeconds + kStand - walker.way.back().time);
+  stay(walker, up + kPostureSeconds + kStand - walker.waypoints.back().time);
   walkTo(walker, drawReachable(at, angle, draws), pace);
   walker.postures = {{down, posture}, {up, Posture::Standing}};
   return walker;
@@ -154,7 +155,7 @@ void addMoved(PeopleScenario& scenario, MovableFurniture furniture, double since
   const double yaw = draws.uniform(0.0, kFullTurn);
   const double distance = draws.uniform(0.8, 1.5);
   const Vector2d to = from + distance * headingVector(draws.uniform(0.0, kFullTurn));
-  furniture.way = {{since, from, yaw}, {since + kGlide, to, yaw + draws.uniform(-0.8, 0.8)}};
+  furniture.waypoints = {{since, from, yaw}, {since + kGlide, to, yaw + draws.uniform(-0.8, 0.8)}};
   scenario.scene.furniture.push_back(std::move(furniture));
 }
 
@@ -188,13 +189,13 @@ void addSittingPeople(PeopleScenario& scenario, RandomDraws& draws) {
   people.push_back(
       pausing(2, Posture::Crouching, floor, draws.uniform(0.5 * kLeastRest, kLeastRest), draws));
   Walker passer = numberedWalker(3);
-  passer.way.push_back({kAppearTime, drawPoint(draws)});
+  passer.waypoints.push_back({kAppearTime, drawPoint(draws)});
   const double pace = draws.uniform(kLeastPace, kMostPace);
-  walkTo(passer, drawReachable(passer.way.back().position, draws), pace);
-  walkTo(passer, drawReachable(passer.way.back().position, draws), pace);
+  walkTo(passer, drawReachable(passer.waypoints.back().position, draws), pace);
+  walkTo(passer, drawReachable(passer.waypoints.back().position, draws), pace);
   people.push_back(std::move(passer));
   for (const Walker& walker : people) {
-    scenario.timeAfterMeeting = std::max(scenario.timeAfterMeeting, walker.way.back().time);
+    scenario.timeAfterMeeting = std::max(scenario.timeAfterMeeting, walker.waypoints.back().time);
   }
   scenario.timeBeforeMeeting = kAppearTime + 1.0; // all stand or walk until then
 }
@@ -202,7 +203,7 @@ void addSittingPeople(PeopleScenario& scenario, RandomDraws& draws) {
 bool isSittingPossible(const PeopleScenario& scenario) {
   constexpr double kLegroom = 0.8; // nobody walks over the feet of somebody who sits
   const auto& people = scenario.scene.people;
-  const Vector2d stool = people.front().way.at(1).position;
+  const Vector2d stool = people.front().waypoints.at(1).position;
   return std::ranges::all_of(people, isWalkableWay) && keepApart(scenario, kAside) &&
          keepsOff(people.at(1), stool, kLegroom, scenario.timeAfterMeeting) &&
          keepsOff(people.at(2), stool, kLegroom, scenario.timeAfterMeeting);
@@ -211,7 +212,7 @@ bool isSittingPossible(const PeopleScenario& scenario) {
 void addStool(PeopleScenario& scenario, PeopleClothes /*clothes*/, RandomDraws& /*draws*/) {
   const Walker& sitter = scenario.scene.people.front();
   MovableFurniture stool = simulation::makeStool(simulation::seatHeight(sitter.height));
-  stool.way = {{0.0, sitter.way.at(1).position, 0.0}};
+  stool.waypoints = {{0.0, sitter.waypoints.at(1).position, 0.0}};
   scenario.scene.furniture.push_back(std::move(stool));
 }
 
@@ -229,8 +230,8 @@ void addCarriedObjects(PeopleScenario& scenario, PeopleClothes /*clothes*/, Rand
   const float bagLength = half(0.3, 0.5);
   bag.halfSize = {bagLength, half(0.12, 0.2), half(0.25, 0.4)};
   bag.color = rgb(52, 50, 58);
-  scenario.scene.people.at(0).load = box;
-  scenario.scene.people.at(1).load = bag;
+  scenario.scene.people.at(0).carriedObject = box;
+  scenario.scene.people.at(1).carriedObject = bag;
 }
 
 void addCrowd(PeopleScenario& scenario, RandomDraws& draws) {
@@ -241,9 +242,9 @@ void addCrowd(PeopleScenario& scenario, RandomDraws& draws) {
   for (int k = 0; k < count; ++k) {
     Walker walker = numberedWalker(k + 1);
     const double pace = draws.uniform(kLeastPace, kMostPace);
-    walker.way.push_back({kAppearTime, drawPoint(draws)});
-    while (walker.way.back().time < kAppearTime + kMillSeconds) {
-      walkTo(walker, drawReachable(walker.way.back().position, draws), pace);
+    walker.waypoints.push_back({kAppearTime, drawPoint(draws)});
+    while (walker.waypoints.back().time < kAppearTime + kMillSeconds) {
+      walkTo(walker, drawReachable(walker.waypoints.back().position, draws), pace);
       stay(walker, draws.uniform(0.2, 1.0));
     }
     scenario.scene.people.push_back(std::move(walker));
@@ -256,7 +257,8 @@ bool isCrowdPossible(const PeopleScenario& scenario) {
   const auto& people = scenario.scene.people;
   for (std::size_t a = 0; a < people.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      if ((people[a].way.front().position - people[b].way.front().position).norm() < kAside) {
+      if ((people[a].waypoints.front().position - people[b].waypoints.front().position).norm() <
+          kAside) {
         return false;
       }
     }
@@ -293,13 +295,14 @@ bool isMovedFurniturePossible(const PeopleScenario& scenario) {
   const MovableFurniture& first = scenario.scene.furniture.front();
   const MovableFurniture& second = scenario.scene.furniture.back();
   for (double time = kAppearTime; time < scenario.timeAfterMeeting; time += kCheckStep) {
-    if ((first.at(time).position - second.at(time).position).norm() < first.reach + second.reach) {
+    if ((first.poseAt(time).position - second.poseAt(time).position).norm() <
+        first.enclosingRadius + second.enclosingRadius) {
       return false;
     }
   }
   for (const MovableFurniture& piece : scenario.scene.furniture) {
-    const Vector2d from = piece.way.front().position;
-    const Vector2d to = piece.way.back().position;
+    const Vector2d from = piece.waypoints.front().position;
+    const Vector2d to = piece.waypoints.back().position;
     if (!isWalkableLine(from, to)) {
       return false;
     }
@@ -307,7 +310,8 @@ bool isMovedFurniturePossible(const PeopleScenario& scenario) {
     for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const Vector2d point = from + share * (to - from);
       for (const Walker& walker : scenario.scene.people) {
-        if (!keepsOff(walker, point, piece.reach + kBodyRadius, scenario.timeAfterMeeting)) {
+        if (!keepsOff(walker, point, piece.enclosingRadius + kBodyRadius,
+                      scenario.timeAfterMeeting)) {
           return false;
         }
       }

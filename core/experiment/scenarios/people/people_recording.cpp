@@ -88,7 +88,7 @@ ScenarioDraft draftOf(const std::string& name, const PeopleRecording& recording)
   draft.stage.views = recording.views;
   draft.stage.people = scene.people;
   draft.stage.furniture = scene.furniture;
-  draft.stage.peopleExposed = true;
+  draft.stage.arePeopleExposed = true;
   return draft;
 }
 

@@ -96,8 +96,8 @@ void dressInPatterns(PeopleScenario& scenario, PeopleClothes clothes, RandomDraw
       cloth.pattern = kPatterns.at(static_cast<std::size_t>(draws.integer(0, 2)));
       const double hue = draws.uniform(0.0, 360.0);
       const double saturation = draws.uniform(0.0, 0.7);
-      cloth.second = colorOf(hue, saturation, draws.uniform(0.15, 0.95));
-      cloth.width = static_cast<float>(draws.uniform(0.04, 0.12)); // meters
+      cloth.secondColor = colorOf(hue, saturation, draws.uniform(0.15, 0.95));
+      cloth.patternWidth = static_cast<float>(draws.uniform(0.04, 0.12)); // meters
     }
     people[k].clothes.shirtCloth = cloth;
   }

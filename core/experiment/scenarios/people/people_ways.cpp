@@ -28,7 +28,7 @@ bool isWalkable(const Vector2d& position) {
 }
 
 bool isPathFree(const Walker& walker) {
-  return std::ranges::all_of(walker.way,
+  return std::ranges::all_of(walker.waypoints,
                              [](const Waypoint& point) { return isWalkable(point.position); });
 }
 
@@ -56,8 +56,8 @@ void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange,
     Walker walker = numberedWalker(k + 1);
     const Vector2d position = middle + (k == 0 ? -0.5 : 0.5) * gap;
     const Vector2d& pace = velocity.at(static_cast<std::size_t>(k));
-    walker.way = {{kAppearTime, position - kHalf * pace},
-                  {nearest + kHalf, position + kHalf * pace}};
+    walker.waypoints = {{kAppearTime, position - kHalf * pace},
+                        {nearest + kHalf, position + kHalf * pace}};
     scenario.scene.people.push_back(walker);
   }
   scenario.timeBeforeMeeting = nearest - 0.9;
@@ -77,10 +77,10 @@ void addMeetingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, R
     // Not quite the way they came.
     const double aside = draws.uniform(-0.4, 0.4);
     const Vector2d back = reach * (way + aside * Vector2d(-way.y(), way.x()));
-    walker.way = {{kAppearTime, middle + reach * way},
-                  {arrive, middle + 0.5 * gap * way},
-                  {arrive + stay, middle + 0.5 * gap * way},
-                  {arrive + stay + reach, middle + back}};
+    walker.waypoints = {{kAppearTime, middle + reach * way},
+                        {arrive, middle + 0.5 * gap * way},
+                        {arrive + stay, middle + 0.5 * gap * way},
+                        {arrive + stay + reach, middle + back}};
     scenario.scene.people.push_back(walker);
   }
   scenario.timeBeforeMeeting = arrive - 0.7;
@@ -101,10 +101,10 @@ void addAccompanyingPeople(PeopleScenario& scenario, RandomDraws& draws) {
     const double side = k == 0 ? -1.0 : 1.0;
     const Vector2d near = 0.5 * side * gap * aside;
     const Vector2d far = draws.uniform(0.9, 1.2) * side * aside;
-    walker.way = {{kAppearTime, middle - (together + 0.5) * along + far},
-                  {join, middle - together * along + near},
-                  {part, middle + together * along + near},
-                  {part + 1.3, middle + (together + 0.5) * along + far}};
+    walker.waypoints = {{kAppearTime, middle - (together + 0.5) * along + far},
+                        {join, middle - together * along + near},
+                        {part, middle + together * along + near},
+                        {part + 1.3, middle + (together + 0.5) * along + far}};
     scenario.scene.people.push_back(walker);
   }
   scenario.timeBeforeMeeting = join - 0.6;
@@ -115,8 +115,9 @@ void addDistantPeople(PeopleScenario& scenario, RandomDraws& draws) {
   for (int k = 0; k < 2; ++k) {
     Walker walker = numberedWalker(k + 1);
     const double side = k == 0 ? -1.0 : 1.0;
-    walker.way = {{kAppearTime, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}},
-                  {kAppearTime + 4.0, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}}};
+    walker.waypoints = {
+        {kAppearTime, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}},
+        {kAppearTime + 4.0, {draws.uniform(-1.2, 1.2), side * draws.uniform(1.2, 1.6)}}};
     scenario.scene.people.push_back(walker);
   }
   scenario.timeBeforeMeeting = kAppearTime + 1.0;
@@ -140,10 +141,10 @@ void addVisitors(PeopleScenario& scenario, RandomDraws& draws) {
     const double pace = draws.uniform(0.9, 1.2);
     const Vector2d inside(draws.uniform(-0.9, 0.9), draws.uniform(-0.9, 0.9));
     double time = start;
-    walker.way.push_back({time, in[0]});
+    walker.waypoints.push_back({time, in[0]});
     for (const Vector2d& position : {in[1], inside, out[1], out[0]}) {
-      time += (position - walker.way.back().position).norm() / pace;
-      walker.way.push_back({time, position});
+      time += (position - walker.waypoints.back().position).norm() / pace;
+      walker.waypoints.push_back({time, position});
     }
     scenario.timeAfterMeeting = std::max(scenario.timeAfterMeeting, time + 1.5);
     scenario.scene.people.push_back(walker);

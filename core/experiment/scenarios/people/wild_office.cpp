@@ -89,7 +89,7 @@ WildOffice wildOffice(const OfficeScene& scene, RandomDraws& draws) {
   hangPosters(scene, draws, office.design.additionalFurniture);
   const Eigen::Vector3d paint = draws.pointInBox(Eigen::Vector3d::Constant(kDarkestPaint),
                                                  Eigen::Vector3d::Constant(kLightest));
-  office.design.walls = Material{Pattern::Plaster, paint.cast<float>()};
+  office.design.wallMaterial = Material{Pattern::Plaster, paint.cast<float>()};
   // Above the heads, below the ceiling, over the part of the floor that people walk on.
   const Eigen::Vector3d lamp = draws.pointInBox({-1.5, -1.5, 2.3}, {1.5, 1.5, 2.6});
   office.design.lamp = lamp.cast<float>();

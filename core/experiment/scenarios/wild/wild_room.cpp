@@ -146,7 +146,8 @@ simulation::RoomDesign randomRoom(simulation::Furnishing furnishing, const Camer
                                                  Eigen::Vector3d::Constant(kLightestChannel));
   const Vector3f likeTarget = drawColor(1.0, targetColor, draws);
   const bool pink = chance(kTargetColored, draws);
-  design.walls = Material{Pattern::Plaster, pink ? likeTarget : Vector3f(paint.cast<float>())};
+  design.wallMaterial =
+      Material{Pattern::Plaster, pink ? likeTarget : Vector3f(paint.cast<float>())};
   // From the middle of the ground, meters: below the ceilings, above what stands there.
   const Eigen::Vector3d lamp = draws.pointInBox({-0.8, -0.8, 1.3}, {0.8, 0.8, 1.9});
   const Vector3f middle{static_cast<float>(ground.middle.x()),
@@ -176,7 +177,7 @@ std::vector<simulation::Walker> randomPeople(simulation::Furnishing furnishing, 
     const auto at = [&](double along) -> Eigen::Vector2d {
       return alongX ? Eigen::Vector2d(along, kPeopleAway) : Eigen::Vector2d(kPeopleAway, along);
     };
-    walker.way = {{0.0, at(from)}, {std::max(1.0, seconds), at(to)}};
+    walker.waypoints = {{0.0, at(from)}, {std::max(1.0, seconds), at(to)}};
     people.push_back(walker);
   }
   return people;

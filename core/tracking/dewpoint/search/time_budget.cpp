@@ -23,14 +23,14 @@ constexpr double kFewestParticles = 10.0; ///< per target
 
 } // namespace
 
-void TimeBudget::set(double milliseconds) {
+void TimeBudget::setLimit(double milliseconds) {
   if (milliseconds != limit_) {
     *this = TimeBudget();
     limit_ = milliseconds;
   }
 }
 
-void TimeBudget::begin() {
+void TimeBudget::beginIteration() {
   if (isLimited()) {
     begin_ = std::chrono::steady_clock::now();
     optional_ = 0.0;

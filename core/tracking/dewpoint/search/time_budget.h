@@ -28,10 +28,10 @@ public:
 
   /// Sets the budget in milliseconds per iteration; 0 means no limit. A change discards all
   /// measured durations.
-  void set(double milliseconds);
+  void setLimit(double milliseconds);
   bool isLimited() const { return limit_ > 0.0; }
   /// Starts the clock of an iteration.
-  void begin();
+  void beginIteration();
 
   /// Does the work if the remaining time is sufficient, and returns whether the work was done. Work
   /// that was never done before is assumed to fit. `urgent` work is never deferred.
@@ -62,7 +62,7 @@ private:
 
   bool canAfford(Stage stage);
   void record(Stage stage, double milliseconds);
-  /// Returns the milliseconds since begin(); 0 without a limit.
+  /// Returns the milliseconds since beginIteration(); 0 without a limit.
   double elapsed() const;
 
   double limit_ = 0.0;

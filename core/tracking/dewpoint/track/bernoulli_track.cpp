@@ -58,7 +58,7 @@ void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
 }
 
 void BernoulliTrack::predict(double interval, const RandomKey& key) {
-  confidentBefore_ = confidentHypothesis() != nullptr ? confidentHypothesis()->stream : 0;
+  confidentBefore_ = confidentHypothesis() != nullptr ? confidentHypothesis()->streamNumber : 0;
   const ConstantVelocity motion{interval, settings_.accelerationSigma};
   const double survival = std::exp(-interval / settings_.survivalTime);
   for (TrackHypothesis& hypothesis : hypotheses_) {
@@ -99,7 +99,7 @@ void BernoulliTrack::update(SphereObservation& observation, const CandidateSourc
   removeImpossible(logMasses);
   if (createsHypotheses_ && mustSearch(hypotheses_, logMasses)) {
     if (confidentHypothesis() == nullptr) {
-      searchParticles_.update(searchPrior_, settings_.maxParticles, radiusPrior_.expected(),
+      searchParticles_.update(searchPrior_, settings_.maxParticles, radiusPrior_.expectedRadius(),
                               bounds_, observation, key, team);
     }
     addNewHypotheses(observation, search, occupied, key, team, logMasses);
@@ -119,7 +119,7 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
     double factor =
         measurementUpdate(hypothesis, observation, particleCount(hypothesis), key, team);
     factor -= evidenceBeyondSaturation(hypothesis);
-    hypothesis.oneCameraOnly =
+    hypothesis.onlyOneCameraSees =
         observation.cameraCount() > 1 &&
         observation.countCamerasInView(hypothesis.position(), hypothesis.velocity()) == 1;
     logMasses.push_back(std::log(std::max(priorProbability(hypothesis, observation), 1e-300)) +
@@ -131,13 +131,14 @@ double BernoulliTrack::priorProbability(TrackHypothesis& hypothesis,
                                         SphereObservation& observation) const {
   observation.setRadius(hypothesis.radius);
   if (observation.showsRim(hypothesis.position(), hypothesis.velocity())) {
-    hypothesis.rimSeen = true;
+    hypothesis.wasRimSeen = true;
     hypothesis.secondsSinceRim = 0.0;
   }
   // A part of something that stands still looks the same in every frame, and counts once.
-  return hypothesis.rimSeen ? hypothesis.probability
-                            : std::min(hypothesis.probability,
-                                       birthProbability(hypothesis.position(), hypothesis.radius));
+  return hypothesis.wasRimSeen
+             ? hypothesis.probability
+             : std::min(hypothesis.probability,
+                        birthProbability(hypothesis.position(), hypothesis.radius));
 }
 
 double BernoulliTrack::birthProbability(const Eigen::Vector3d& position, double radius) const {
@@ -150,7 +151,7 @@ void BernoulliTrack::removeImpossible(std::vector<double>& logMasses) {
   for (std::size_t k = before; k-- > 0;) {
     const TrackHypothesis& one = hypotheses_[k];
     if ((bounds_ && !bounds_->contains(one.position(), one.radius)) ||
-        !radiusPrior_.allows(one.radius)) {
+        !radiusPrior_.allowsRadius(one.radius)) {
       const auto at = static_cast<std::ptrdiff_t>(k);
       hypotheses_.erase(hypotheses_.begin() + at);
       logMasses.erase(logMasses.begin() + at);
@@ -185,7 +186,8 @@ void BernoulliTrack::addNewHypotheses(SphereObservation& observation, const Cand
       return (other.position() - fit.center).norm() < fit.radius;
     });
     const double birth = birthProbability(fit.center, fit.radius);
-    if (known || !radiusPrior_.allows(fit.radius) || isOccupied(fit.center, fit.radius, occupied) ||
+    if (known || !radiusPrior_.allowsRadius(fit.radius) ||
+        isOccupied(fit.center, fit.radius, occupied) ||
         logLikelihoodRatio < kMinLogLikelihoodRatio || birth <= 0.0) {
       continue;
     }
@@ -216,7 +218,7 @@ void BernoulliTrack::scoreInitialHypotheses(SphereObservation& observation,
 TrackHypothesis BernoulliTrack::newHypothesis(const Gaussian3& position, double radius,
                                               double logRadiusVariance) {
   TrackHypothesis hypothesis;
-  hypothesis.stream = numbers_.next();
+  hypothesis.streamNumber = numbers_.next();
   hypothesis.radius = radius;
   hypothesis.logRadiusVariance = logRadiusVariance;
   hypothesis.gaussian.mean << position.mean, Eigen::Vector3d::Zero();
@@ -236,8 +238,8 @@ TrackHypothesis BernoulliTrack::createHypothesis(const OutlineFit& fit,
       observation.logLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
   hypothesis.fullyVisibleLogLikelihoodRatio =
       observation.fullyVisibleLogLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
-  hypothesis.outlineFound = true;
-  hypothesis.rimSeen = observation.showsRim(fit.center, Eigen::Vector3d::Zero());
+  hypothesis.wasOutlineFound = true;
+  hypothesis.wasRimSeen = observation.showsRim(fit.center, Eigen::Vector3d::Zero());
   hypothesis.sizeMisfit = radiusPrior_.isTrusted() ? fit.sizeMisfit : 0.0;
   hypothesis.measurement = {fit.center, fit.covariance};
   drawParticles(hypothesis, observation, settings_.minParticles, key, team);
@@ -256,16 +258,17 @@ void BernoulliTrack::initializeAt(const Eigen::Vector3d& position, double radius
   hypotheses_.assign(1, createHypothesis(fit, observation, key, team));
   hypotheses_.front().probability = kInitialProbability;
   hypotheses_.front().provenProbability = kInitialProbability;
-  hypotheses_.front().rimSeen = true;
+  hypotheses_.front().wasRimSeen = true;
 }
 
 void BernoulliTrack::correct(const Gaussian3& position, SphereObservation& observation,
                              const RandomKey& key, ThreadTeam& team) {
-  const double radius = best() != nullptr ? best()->radius : radiusPrior_.expected();
+  const double radius = mostLikelyHypothesis() != nullptr ? mostLikelyHypothesis()->radius
+                                                          : radiusPrior_.expectedRadius();
   TrackHypothesis hypothesis = newHypothesis(position, radius, radiusPrior_.logVariance());
   hypothesis.probability = kInitialProbability;
   hypothesis.provenProbability = kInitialProbability;
-  hypothesis.rimSeen = true;
+  hypothesis.wasRimSeen = true;
   hypothesis.givenCovariance = position.covariance;
   drawPrior(hypothesis, settings_.maxParticles, key, team);
   predicted_.assign(1, hypothesis);
@@ -304,53 +307,55 @@ void BernoulliTrack::resolveIdentity(bool identicalTargets) {
     identityAmbiguity_ = std::max(identityAmbiguity_, *ambiguity);
   }
   const auto dropped = [&](const TrackHypothesis& other) {
-    return std::none_of(hypotheses_.begin(), hypotheses_.end(),
-                        [&](const TrackHypothesis& left) { return left.stream == other.stream; });
+    return std::none_of(hypotheses_.begin(), hypotheses_.end(), [&](const TrackHypothesis& left) {
+      return left.streamNumber == other.streamNumber;
+    });
   };
   std::erase_if(predicted_, dropped);
 }
 
-void BernoulliTrack::suppressBest() {
+void BernoulliTrack::suppressBestHypothesis() {
   if (!hypotheses_.empty()) {
     hypotheses_.front().probability *= 1e-3;
     mergeAndPrune(hypotheses_);
   }
 }
 
-const TrackHypothesis* BernoulliTrack::best() const {
+const TrackHypothesis* BernoulliTrack::mostLikelyHypothesis() const {
   return hypotheses_.empty() ? nullptr : &hypotheses_.front();
 }
 
 const TrackHypothesis* BernoulliTrack::confidentHypothesis() const {
-  const TrackHypothesis* likeliest = best();
+  const TrackHypothesis* likeliest = mostLikelyHypothesis();
   return likeliest != nullptr && likeliest->probability > 0.5 ? likeliest : nullptr;
 }
 
 std::optional<OccupiedSphere> BernoulliTrack::expectedSphere() const {
-  if (const TrackHypothesis* likeliest = best()) {
+  if (const TrackHypothesis* likeliest = mostLikelyHypothesis()) {
     return OccupiedSphere{likeliest->position(), likeliest->radius};
   }
   const auto last = searchPrior_.lastPosition();
-  return last ? std::optional(OccupiedSphere{*last, radiusPrior_.expected()}) : std::nullopt;
+  return last ? std::optional(OccupiedSphere{*last, radiusPrior_.expectedRadius()}) : std::nullopt;
 }
 
 bool BernoulliTrack::hasJumped() const {
   if (confidentBefore_ == 0 || hypotheses_.empty() ||
-      hypotheses_.front().stream == confidentBefore_) {
+      hypotheses_.front().streamNumber == confidentBefore_) {
     return false;
   }
-  const auto before = std::ranges::find(predicted_, confidentBefore_, &TrackHypothesis::stream);
+  const auto before =
+      std::ranges::find(predicted_, confidentBefore_, &TrackHypothesis::streamNumber);
   return before != predicted_.end() &&
          (before->position() - hypotheses_.front().position()).norm() > before->radius;
 }
 
 SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
-  const TrackHypothesis* likeliest = best();
+  const TrackHypothesis* likeliest = mostLikelyHypothesis();
   if (likeliest == nullptr || likeliest->states.rows() == 0) {
     return sphereEstimateFrom(searchParticles_);
   }
   SphereEstimate result =
-      sphereEstimateFrom(*likeliest, identityAmbiguity_, settings_.errors, observation);
+      sphereEstimateFrom(*likeliest, identityAmbiguity_, settings_.systematicErrors, observation);
   const bool undecided = isUndecided(hypotheses_);
   result.ambiguous = undecided || identityAmbiguity_ >= kAmbiguousIdentity || hasJumped();
   if (undecided) {
@@ -360,8 +365,8 @@ SphereEstimate BernoulliTrack::estimate(SphereObservation& observation) const {
   return result;
 }
 
-void BernoulliTrack::particles(int limit, Eigen::ArrayXXd& positions,
-                               Eigen::ArrayXd& weights) const {
+void BernoulliTrack::copyParticles(int limit, Eigen::ArrayXXd& positions,
+                                   Eigen::ArrayXd& weights) const {
   const TrackHypothesis* confirmed = confidentHypothesis();
   const Eigen::ArrayXXd& states =
       confirmed != nullptr ? confirmed->states : searchParticles_.states();

@@ -28,9 +28,9 @@ struct BernoulliTrackSettings {
   double kldError = 0.1; ///< maximum Kullback-Leibler distance; 0: always maxParticles
   /// Standard deviation of the acceleration, m/s². The caller must set this value.
   double accelerationSigma = 0.0;
-  double survivalTime = 5.0; ///< seconds
-  double searchSize = 4.0;   ///< meters
-  SystematicErrors errors;   ///< systematic errors included in estimates
+  double survivalTime = 5.0;         ///< seconds
+  double searchSize = 4.0;           ///< meters
+  SystematicErrors systematicErrors; ///< systematic errors included in estimates
 };
 
 /// Finds candidate positions of the target in the images of an observation; see
@@ -88,12 +88,12 @@ public:
   void resolveIdentity(bool identicalTargets);
   /// Multiplies the probability of the most likely hypothesis by 0.001, because another object was
   /// found at its position.
-  void suppressBest();
+  void suppressBestHypothesis();
 
   const Target& target() const { return target_; }
   const std::optional<WorldBox>& bounds() const { return bounds_; }
   /// Returns the most likely hypothesis, or null if there is no hypothesis.
-  const TrackHypothesis* best() const;
+  const TrackHypothesis* mostLikelyHypothesis() const;
   /// Returns the most likely hypothesis if its probability is above one half, otherwise null.
   const TrackHypothesis* confidentHypothesis() const;
   /// Returns all hypotheses, the most likely first.
@@ -103,8 +103,8 @@ public:
   /// last confirmed position is too old.
   std::optional<OccupiedSphere> expectedSphere() const;
   SphereEstimate estimate(SphereObservation& observation) const;
-  /// Returns an even selection of at most `limit` particles; see ParticleCloud::particles().
-  void particles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
+  /// Copies an even selection of at most `limit` particles; see ParticleCloud::copyParticles().
+  void copyParticles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
   /// Returns the size of all particles in bytes.
   std::size_t memoryBytes() const;
 
@@ -112,7 +112,7 @@ private:
   void updateHypotheses(SphereObservation& observation, const RandomKey& key, ThreadTeam& team,
                         std::vector<double>& logMasses);
   /// Returns the prior probability of a hypothesis, before the images of this frame are used.
-  /// Stores in the hypothesis whether the images show its rim (TrackHypothesis::rimSeen). A
+  /// Stores in the hypothesis whether the images show its rim (TrackHypothesis::wasRimSeen). A
   /// hypothesis that may be part of a larger object gets at most the probability of a birth.
   double priorProbability(TrackHypothesis& hypothesis, SphereObservation& observation) const;
   /// Returns the probability that an absent target appears at this position, or so close to it that

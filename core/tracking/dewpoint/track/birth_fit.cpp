@@ -16,7 +16,7 @@ OutlineFit fitBirth(const Candidate& candidate, const RadiusPrior& radius, doubl
                     SphereObservation& observation) {
   OutlinePrior prior;
   prior.center = candidate.center;
-  prior.radius = radius.isGiven() ? radius.expected() : candidate.radius;
+  prior.radius = radius.isGiven() ? radius.expectedRadius() : candidate.radius;
   prior.logRadiusVariance = radius.logVariance();
   prior.information = Eigen::Matrix3d::Identity() / (searchSize * searchSize);
   const OutlineFit fit = observation.fit(prior, Eigen::Vector3d::Zero());

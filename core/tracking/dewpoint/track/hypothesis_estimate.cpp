@@ -66,17 +66,17 @@ SphereEstimate estimateFrom(const TrackHypothesis& hypothesis, double identityAm
                             const SystematicErrors& errors, const Eigen::Matrix3d& ofShape) {
   SphereEstimate result = momentsOf(hypothesis.states, hypothesis.weights);
   result.covariance = hypothesis.gaussian.covariance.topLeftCorner<3, 3>();
-  if (hypothesis.outlineFound) {
+  if (hypothesis.wasOutlineFound) {
     result.measurement = hypothesis.measurement;
   }
   const double near = probabilityNearby(hypothesis);
   result.existenceProbability =
       std::min(1.0, hypothesis.probability) * (1.0 - identityAmbiguity) * near;
   result.radius = hypothesis.radius;
-  const Eigen::Vector3d shift = errors.time * hypothesis.velocity();
+  const Eigen::Vector3d shift = errors.timeSigma * hypothesis.velocity();
   Eigen::Matrix3d systematic = ofShape + shift * shift.transpose();
-  if (errors.direction > 0.0) {
-    systematic += covarianceFromDirectionErrors(result.mean, seeingCenters, errors.direction);
+  if (errors.directionSigma > 0.0) {
+    systematic += covarianceFromDirectionErrors(result.mean, seeingCenters, errors.directionSigma);
   }
   result.covariance =
       withSystematicErrors(result.covariance, systematic, hypothesis.givenCovariance);

@@ -38,14 +38,14 @@ double absenceProbability(const std::vector<TrackHypothesis>& hypotheses) {
 double absenceProbabilityInSharedViews(const std::vector<TrackHypothesis>& hypotheses) {
   double present = 0.0;
   for (const TrackHypothesis& hypothesis : hypotheses) {
-    present += hypothesis.oneCameraOnly ? 0.0 : hypothesis.probability;
+    present += hypothesis.onlyOneCameraSees ? 0.0 : hypothesis.probability;
   }
   return std::max(kMinAbsence, 1.0 - present);
 }
 
 void limitOneCameraHypotheses(std::vector<TrackHypothesis>& hypotheses) {
   for (TrackHypothesis& hypothesis : hypotheses) {
-    if (hypothesis.oneCameraOnly) {
+    if (hypothesis.onlyOneCameraSees) {
       hypothesis.probability = std::min(hypothesis.probability, hypothesis.provenProbability);
     } else {
       hypothesis.provenProbability = hypothesis.probability;
@@ -92,7 +92,7 @@ double evidenceBeyondSaturation(const TrackHypothesis& hypothesis) {
                                                       hypothesis.fullyVisibleLogLikelihoodRatio);
 }
 
-double shareOfLargest(std::span<const double> logMasses, double absence) {
+double probabilityOfLargest(std::span<const double> logMasses, double absence) {
   const auto top = std::max_element(logMasses.begin(), logMasses.end());
   double others = absence;
   for (auto mass = logMasses.begin(); mass != logMasses.end(); ++mass) {
@@ -108,8 +108,8 @@ bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
     return true;
   }
   const TrackHypothesis& hypothesis = hypotheses[static_cast<std::size_t>(top - logMasses.begin())];
-  return hypothesis.oneCameraOnly ||
-         shareOfLargest(logMasses, absenceProbability(hypotheses)) < kNoSearchProbability ||
+  return hypothesis.onlyOneCameraSees ||
+         probabilityOfLargest(logMasses, absenceProbability(hypotheses)) < kNoSearchProbability ||
          hypothesis.logLikelihoodRatio <
              TrackHypothesis::kMostlyVisibleShare * hypothesis.fullyVisibleLogLikelihoodRatio ||
          hypothesis.fullyVisibleLogLikelihoodRatio <= 0.0;

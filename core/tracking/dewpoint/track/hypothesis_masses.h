@@ -49,7 +49,7 @@ double evidenceBeyondSaturation(const TrackHypothesis& hypothesis);
 /// and with absence. The result is exp(largest m) / (absence + the sum of exp(m) over all m in
 /// `logMasses`). `logMasses` must have at least one element. `absence` is the mass of absence
 /// itself, not its logarithm.
-double shareOfLargest(std::span<const double> logMasses, double absence);
+double probabilityOfLargest(std::span<const double> logMasses, double absence);
 
 /// Returns whether the images must be searched for the target, because there is no hypothesis or
 /// the most likely hypothesis is doubtful. A hypothesis is doubtful if only one of several cameras

@@ -5,7 +5,7 @@
 
 namespace dewpoint::tracking {
 
-/// Assigns numbers from 1 to 4095 to the hypotheses of one track (TrackHypothesis::stream). A
+/// Assigns numbers from 1 to 4095 to the hypotheses of one track (TrackHypothesis::streamNumber). A
 /// target may have two tracks that pass hypotheses to each other. Each track takes its numbers from
 /// a separate half of the range, so that no two hypotheses of a target share random numbers or are
 /// confused with each other. After the last number of its half, a track continues with the first

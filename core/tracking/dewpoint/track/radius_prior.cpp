@@ -28,7 +28,7 @@ void RadiusPrior::learn(double radius, double logVariance) {
   }
 }
 
-double RadiusPrior::expected() const {
+double RadiusPrior::expectedRadius() const {
   return measured_ > 0.0 ? measured_ : isGiven() ? given_ : kAssumedRadius;
 }
 
@@ -44,12 +44,13 @@ double RadiusPrior::penalty(double radius) const {
   if (measured_ <= 0.0 && !isGiven()) {
     return 0.0;
   }
-  const double off = std::log(radius / expected()) / kGivenSigma;
+  const double off = std::log(radius / expectedRadius()) / kGivenSigma;
   return std::min(0.5 * off * off, kMostPenalty);
 }
 
-bool RadiusPrior::allows(double radius) const {
-  return (measured_ <= 0.0 && !isGiven()) || std::abs(std::log(radius / expected())) <= kMostOff;
+bool RadiusPrior::allowsRadius(double radius) const {
+  return (measured_ <= 0.0 && !isGiven()) ||
+         std::abs(std::log(radius / expectedRadius())) <= kMostOff;
 }
 
 } // namespace dewpoint::tracking

@@ -28,7 +28,7 @@ public:
   bool contradicts(double radius) const;
   /// Returns the expected radius in meters: the measured radius if there is one, otherwise the
   /// given radius, otherwise a typical radius.
-  double expected() const;
+  double expectedRadius() const;
   /// Returns the variance of the radius' logarithm at the start of a fit; 0 for a trusted radius.
   double logVariance() const { return isTrusted() ? 0.0 : unknownLogVariance(); }
   /// Returns the variance of the logarithm of an unknown radius.
@@ -39,7 +39,7 @@ public:
   /// radius is unknown.
   double penalty(double radius) const;
   /// Returns whether an object of this radius (m) may be the target.
-  bool allows(double radius) const;
+  bool allowsRadius(double radius) const;
 
 private:
   double given_;

@@ -92,7 +92,7 @@ void RegionTrack::predict(double interval, const RandomKey& key) {
 RegionTrack::State RegionTrack::newState(const Gaussian3& position, const Eigen::Matrix3d& extent) {
   State state;
   TrackHypothesis& hypothesis = state.hypothesis;
-  hypothesis.stream = numbers_.next();
+  hypothesis.streamNumber = numbers_.next();
   hypothesis.gaussian.mean << position.mean, Eigen::Vector3d::Zero();
   hypothesis.gaussian.covariance.setZero();
   hypothesis.gaussian.covariance.topLeftCorner<3, 3>() = position.covariance;
@@ -146,28 +146,31 @@ double RegionTrack::measure(State& state, RegionObservation& observation) const 
   TrackHypothesis& hypothesis = state.hypothesis;
   const EllipsoidFit fit = fitAt(state, observation);
   ++hypothesis.updateCount;
-  state.views = fit.views;
+  state.measurements = fit.views;
   const Gaussian6::Matrix wide =
       hypothesis.gaussian.covariance + hypothesis.processNoise.gatingCovariance();
   const PreparedGaussian3 gate({hypothesis.position(), wide.topLeftCorner<3, 3>()});
-  hypothesis.outlineFound =
+  hypothesis.wasOutlineFound =
       fit.found && gate.squaredDistance(fit.ellipsoid.center) <= kGate * kGate;
-  const double fill = state.fill > 0.0 ? state.fill : kPriorFill;
-  hypothesis.logLikelihoodRatio = logLikelihoodRatio(state.views, fill);
-  hypothesis.fullyVisibleLogLikelihoodRatio = fullyVisible(state.views);
-  hypothesis.oneCameraOnly = observation.cameraCount() > 1 && viewsInView(state.views) == 1;
-  if (hypothesis.outlineFound) {
+  const double fill = state.coloredFraction > 0.0 ? state.coloredFraction : kPriorFill;
+  hypothesis.logLikelihoodRatio = logLikelihoodRatio(state.measurements, fill);
+  hypothesis.fullyVisibleLogLikelihoodRatio = fullyVisible(state.measurements);
+  hypothesis.onlyOneCameraSees =
+      observation.cameraCount() > 1 && viewsInView(state.measurements) == 1;
+  if (hypothesis.wasOutlineFound) {
     accept(state, fit);
-    for (const RegionMeasurement& view : state.views) {
+    for (const RegionMeasurement& view : state.measurements) {
       if (view.region && view.visible > 0.5) {
-        state.fill =
-            state.fill > 0.0 ? state.fill + kFillRate * (view.matched - state.fill) : view.matched;
+        state.coloredFraction =
+            state.coloredFraction > 0.0
+                ? state.coloredFraction + kFillRate * (view.matched - state.coloredFraction)
+                : view.matched;
       }
     }
   }
   if (hypothesis.logLikelihoodRatio >
           TrackHypothesis::kPartlyVisibleShare * hypothesis.fullyVisibleLogLikelihoodRatio &&
-      hypothesis.outlineFound) {
+      hypothesis.wasOutlineFound) {
     hypothesis.processNoise.recordSeen();
   } else {
     hypothesis.processNoise.recordUnseen();
@@ -204,7 +207,7 @@ void RegionTrack::update(RegionObservation& observation,
     const double before = std::clamp(hypothesis.probability, kMinAbsence, 1.0 - kMinAbsence);
     const double odds = std::log(before / (1.0 - before)) + measure(*state_, observation);
     hypothesis.probability = probabilityFromLogOdds(odds);
-    if (hypothesis.oneCameraOnly) {
+    if (hypothesis.onlyOneCameraSees) {
       hypothesis.probability = std::min(hypothesis.probability, hypothesis.provenProbability);
     } else {
       hypothesis.provenProbability = hypothesis.probability;
@@ -238,7 +241,7 @@ void RegionTrack::search(RegionObservation& observation,
     const TrackHypothesis& found = state.hypothesis;
     const double density =
         searchPrior_.birthDensity(found.position(), settings_.searchSize, bounds_);
-    if (!found.outlineFound || found.oneCameraOnly || density <= 0.0 ||
+    if (!found.wasOutlineFound || found.onlyOneCameraSees || density <= 0.0 ||
         found.logLikelihoodRatio < kMinLogLikelihoodRatio) {
       continue;
     }
@@ -271,9 +274,9 @@ SphereEstimate RegionTrack::estimate(const RegionObservation& observation) const
   const State& state = *state_;
   std::vector<CameraEvidence> cameras(observation.cameraCount());
   std::vector<Eigen::Vector3d> seeing;
-  const double fill = state.fill > 0.0 ? state.fill : kPriorFill;
-  for (std::size_t k = 0; k < std::min(cameras.size(), state.views.size()); ++k) {
-    const RegionMeasurement& view = state.views[k];
+  const double fill = state.coloredFraction > 0.0 ? state.coloredFraction : kPriorFill;
+  for (std::size_t k = 0; k < std::min(cameras.size(), state.measurements.size()); ++k) {
+    const RegionMeasurement& view = state.measurements[k];
     CameraEvidence& camera = cameras[k];
     camera.inView = view.inView;
     camera.logLikelihood = view.inView ? regionEvidence(view, fill) : 0.0;
@@ -288,7 +291,7 @@ SphereEstimate RegionTrack::estimate(const RegionObservation& observation) const
   const Eigen::Matrix3d ofShape =
       kShapeShare * kShapeShare * std::max(1.0, state.disagreement) * 0.25 * state.extent;
   SphereEstimate result =
-      estimateFrom(state.hypothesis, state.ambiguity, seeing, settings_.errors, ofShape);
+      estimateFrom(state.hypothesis, state.ambiguity, seeing, settings_.systematicErrors, ofShape);
   result.camerasSeeing = SphereObservation::camerasSeeing(cameras);
   result.cameras = std::move(cameras);
   result.extent = state.extent;

@@ -51,8 +51,8 @@ public:
   double longestAxis() const;
   /// Returns the measurement of each camera at the last update, or an empty list if there is no
   /// hypothesis.
-  std::vector<RegionMeasurement> views() const {
-    return state_ ? state_->views : std::vector<RegionMeasurement>();
+  std::vector<RegionMeasurement> measurements() const {
+    return state_ ? state_->measurements : std::vector<RegionMeasurement>();
   }
   /// Returns the estimate of the target from the hypothesis. The hypothesis must exist.
   SphereEstimate estimate(const RegionObservation& observation) const;
@@ -65,8 +65,9 @@ private:
     double ambiguity = 0.0; ///< probability that the hypothesis is another object
     /// Running mean of EllipsoidFit::disagreement per degree of freedom.
     double disagreement = 1.0;
-    double fill = 0.0; ///< fraction of its outlines that has the target's color; 0: unknown
-    std::vector<RegionMeasurement> views;
+    double coloredFraction =
+        0.0; ///< fraction of its outlines that has the target's color; 0: unknown
+    std::vector<RegionMeasurement> measurements;
   };
 
   EllipsoidFit fitAt(const State& state, RegionObservation& observation) const;

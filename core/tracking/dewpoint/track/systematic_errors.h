@@ -14,9 +14,9 @@ namespace dewpoint::tracking {
 struct SystematicErrors {
   /// Standard deviation in radians, along each axis, of the direction in which a camera sees a
   /// point: the error of its calibration.
-  double direction = 0.0;
+  double directionSigma = 0.0;
   /// Standard deviation of the time of an image, in seconds.
-  double time = 0.0;
+  double timeSigma = 0.0;
 };
 
 /// Returns the covariance (m²) of a position that results from errors of the directions in which

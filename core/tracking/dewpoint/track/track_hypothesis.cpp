@@ -54,7 +54,7 @@ constexpr double kHeldRadius = 0.05;
 
 /// Index of its first particle in the random streams, which all hypotheses of a target share.
 std::uint32_t firstIndex(const TrackHypothesis& hypothesis) {
-  return hypothesis.stream << 20U;
+  return hypothesis.streamNumber << 20U;
 }
 
 double logSumOfTwo(double a, double b) {
@@ -111,8 +111,8 @@ double weightPrediction(TrackHypothesis& hypothesis, SphereObservation& observat
     if (effective < 0.5 * static_cast<double>(count)) {
       Ancestors ancestors;
       SystematicResampling().ancestors(
-          hypothesis.weights, count, key.streamOfPart(RandomPurpose::Resampling, hypothesis.stream),
-          ancestors);
+          hypothesis.weights, count,
+          key.streamOfPart(RandomPurpose::Resampling, hypothesis.streamNumber), ancestors);
       hypothesis.states = Eigen::ArrayXXd(hypothesis.states(ancestors, Eigen::all));
       hypothesis.weights.setConstant(1.0 / static_cast<double>(count));
     }
@@ -246,7 +246,7 @@ void conditionOnOutline(TrackHypothesis& hypothesis, const Prediction& predictio
   conditionOnPosition(hypothesis.gaussian,
                       evidence.posterior({hypothesis.position(),
                                           hypothesis.gaussian.covariance.topLeftCorner<3, 3>()}));
-  hypothesis.pulls = found.fit.pulls;
+  hypothesis.cameraInformation = found.fit.pulls;
   hypothesis.processNoise.learn(off, hypothesis.velocity());
   hypothesis.processNoise.recordSeen();
 }
@@ -278,7 +278,7 @@ void predict(TrackHypothesis& hypothesis, const ConstantVelocity& allowed, const
   motion.predict(hypothesis.gaussian);
   hypothesis.givenCovariance.reset();
   // One camera alone does not tell a larger target from a nearer one.
-  if (hypothesis.logRadiusVariance > 0.0 && !hypothesis.oneCameraOnly &&
+  if (hypothesis.logRadiusVariance > 0.0 && !hypothesis.onlyOneCameraSees &&
       hypothesis.logRadiusVariance < kWidestRadius * kWidestRadius) {
     hypothesis.logRadiusVariance += kRadiusDrift * kRadiusDrift;
   }
@@ -361,9 +361,9 @@ double measurementUpdate(TrackHypothesis& hypothesis, SphereObservation& observa
   const Prediction prediction(hypothesis);
   const OutlineMeasurement found = findOutline(hypothesis, observation, prediction, team);
   const OutlineFit& fit = found.fit;
-  hypothesis.outlineFound = found.accepted;
+  hypothesis.wasOutlineFound = found.accepted;
   hypothesis.logLikelihoodRatio = found.logLikelihoodRatio;
-  if (!hypothesis.outlineFound) {
+  if (!hypothesis.wasOutlineFound) {
     const double factor = weightPrediction(hypothesis, observation, key, team);
     hypothesis.fullyVisibleLogLikelihoodRatio =
         observation.fullyVisibleLogLikelihoodRatio(hypothesis.position(), hypothesis.velocity());

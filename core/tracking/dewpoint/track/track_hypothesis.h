@@ -29,13 +29,13 @@ struct TrackHypothesis {
   double logRadiusVariance = 0; ///< variance of log(radius); 0: the radius is fixed
   double probability = 0.0;     ///< probability that the target exists and is here
   /// True if there are several cameras, but only one of them can see the target now.
-  bool oneCameraOnly = false;
+  bool onlyOneCameraSees = false;
   /// `probability` at the time when more than one camera could last see the hypothesis.
   double provenProbability = 0.0;
   /// True if a camera has shown the rim of the target (where its color ends) since the birth of the
   /// hypothesis, or the user has confirmed its position. Until then, the hypothesis may be part of
   /// a larger object.
-  bool rimSeen = false;
+  bool wasRimSeen = false;
   /// Time in seconds since the rim was last shown or the position was last confirmed.
   double secondsSinceRim = 0.0;
   double logLikelihoodRatio = 0.0; ///< at the last measurement update, sum over all cameras
@@ -44,10 +44,10 @@ struct TrackHypothesis {
   double fullyVisibleLogLikelihoodRatio = 0.0;
   /// OutlineFit::sizeMisfit at the birth if the radius is known; otherwise 0.
   double sizeMisfit = 0.0;
-  int updateCount = 0;       ///< frames with a measurement update since the birth
-  bool outlineFound = false; ///< at the last measurement update
+  int updateCount = 0;          ///< frames with a measurement update since the birth
+  bool wasOutlineFound = false; ///< at the last measurement update
   /// Position (m, m²) from the last measurement update alone, without the prediction. Valid if
-  /// `outlineFound` is true.
+  /// `wasOutlineFound` is true.
   Gaussian3 measurement;
   /// Covariance (m²) of a position given by the user in this frame.
   std::optional<Eigen::Matrix3d> givenCovariance;
@@ -58,11 +58,11 @@ struct TrackHypothesis {
   /// OutlineFit::disagreement per degree of freedom, and OutlineFit::pulls, of the last measurement
   /// update with an outline.
   double lastDisagreement = 1.0;
-  std::vector<CameraInformation> pulls;
+  std::vector<CameraInformation> cameraInformation;
   /// Predictions not yet applied to the particles. While the outline is found, new particles are
   /// drawn, and these predictions are never needed.
   std::vector<std::pair<ConstantVelocity, RandomStream>> pendingPredictions;
-  std::uint32_t stream = 0; ///< number that gives each hypothesis different random numbers
+  std::uint32_t streamNumber = 0; ///< number that gives each hypothesis different random numbers
 
   // Fractions of the fully visible log likelihood ratio. The values were chosen by judgment and not
   // measured (docs/method-dewpoint.md, sections 5 to 7).
@@ -80,19 +80,19 @@ struct TrackHypothesis {
 
   /// Time in seconds for which a rim is remembered: about as long as a passing object covers a
   /// target.
-  static constexpr double kRimMemory = 0.5;
+  static constexpr double kRimMemorySeconds = 0.5;
 
   /// Returns whether the outline was found and the log likelihood ratio is at least
   /// kSaturationShare of its fully visible value. Between two such hypotheses, the likelihoods are
   /// not compared.
   bool isSaturated() const {
-    return outlineFound && fullyVisibleLogLikelihoodRatio > 0.0 &&
+    return wasOutlineFound && fullyVisibleLogLikelihoodRatio > 0.0 &&
            logLikelihoodRatio >= kSaturationShare * fullyVisibleLogLikelihoodRatio;
   }
 
   /// Returns whether a camera showed the rim of the target recently, so that the hypothesis is not
   /// part of a larger object.
-  bool hasRim() const { return rimSeen && secondsSinceRim <= kRimMemory; }
+  bool hasRim() const { return wasRimSeen && secondsSinceRim <= kRimMemorySeconds; }
 
   Eigen::Vector3d position() const { return gaussian.mean.head<3>(); }
   Eigen::Vector3d velocity() const { return gaussian.mean.tail<3>(); }

@@ -116,7 +116,7 @@ TEST(Reasons, ATargetTakenAwayIsNotHeldAndEveryCameraSaysSo) {
     EXPECT_NE(report.status, CameraStatus::Dark);
     EXPECT_NE(report.status, CameraStatus::NoImage);
   }
-  EXPECT_FALSE(describeReasons(late.cameraReports, {"left", "right"}).empty());
+  EXPECT_FALSE(describeUnconfirmedCameras(late.cameraReports, {"left", "right"}).empty());
 }
 
 TEST(Reasons, APlateInFrontOfOneCameraHidesAPart) {

@@ -57,7 +57,7 @@ TEST(ScenarioCameraModel, HasTheLensesAndSensorsOfRoom) {
       EXPECT_TRUE(faults.illumination.isDefault());
       for (const CameraFaults& camera : faults.cameras) {
         expectWithin(camera.sensor.psfSigmaPx, 0.5, 2.0, name);
-        expectWithin(camera.sensor.noise.fullWell, 1000.0, 6000.0, name);
+        expectWithin(camera.sensor.noise.fullWellElectrons, 1000.0, 6000.0, name);
         expectWithin(camera.sensor.noise.readElectrons, 2.0, 6.0, name);
         expectWithin(camera.sensor.sharpening.amount, 0.2, 1.0, name);
         expectWithin(camera.sensor.jpegQuality, 40, 90, name);

@@ -156,7 +156,7 @@ TEST(ScenarioIllumination, AShadowPassesOverTheBall) {
     EXPECT_LE(shadow->speed, 0.4);
     // How far the middle of the shadow is from the ball's center, meters.
     const auto aside = [&](std::int64_t frame) {
-      const double middle = shadow->start + shadow->speed * draft.timeOf(frame);
+      const double middle = shadow->initialPosition + shadow->speed * draft.timeOf(frame);
       return std::abs(shadow->direction.cast<double>().dot(centerAt(draft, frame)) - middle);
     };
     std::int64_t darkest = 0;

@@ -153,7 +153,7 @@ bool isHidden(const ScenarioDraft& draft, std::size_t camera,
   EXPECT_TRUE(pixel);
   const auto column = static_cast<int>(std::lround(pixel->x()));
   const auto row = static_cast<int>(std::lround(pixel->y()));
-  return view.distances[view.index(column, row)] < (point - eye).norm() ||
+  return view.distances[view.pixelIndex(column, row)] < (point - eye).norm() ||
          std::ranges::any_of(balls, [&](const Eigen::Vector3d& other) {
            return (other - eye).norm() < (point - eye).norm() - 1e-9 &&
                   !areSeparated(view, other, 0.035, point, 1e-6);

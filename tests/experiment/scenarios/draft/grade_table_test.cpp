@@ -31,7 +31,10 @@ const std::vector<TableRow<CameraFaults>>& cameraRows() {
   using Of = CameraFaults;
   static const std::vector<TableRow<Of>> kRows{
       {"blur, px", {0.5, 2.0}, {0.7, 3.0}, [](const Of& c) { return c.sensor.psfSigmaPx; }},
-      {"electrons", {1e3, 6e3}, {300, 3e3}, [](const Of& c) { return c.sensor.noise.fullWell; }},
+      {"electrons",
+       {1e3, 6e3},
+       {300, 3e3},
+       [](const Of& c) { return c.sensor.noise.fullWellElectrons; }},
       {"read noise", {2, 6}, {3, 10}, [](const Of& c) { return c.sensor.noise.readElectrons; }},
       {"tone curve", {0.88, 1.12}, {0.75, 1.3}, [](const Of& c) { return c.sensor.contrast; }},
       {"sharpening", {0.2, 1}, {0.2, 2}, [](const Of& c) { return c.sensor.sharpening.amount; }},
@@ -68,7 +71,10 @@ const std::vector<TableRow<CameraFaults>>& cameraRows() {
        {-0.25, 0.25},
        [](const Of& c) { return c.automatic->whiteBalanceStops[1]; }},
       {"hunting, stops", {0, 0.2}, {0, 0.5}, [](const Of& c) { return c.automatic->huntingStops; }},
-      {"its period, s", {2, 6}, {1, 5}, [](const Of& c) { return c.automatic->huntingPeriod; }},
+      {"its period, s",
+       {2, 6},
+       {1, 5},
+       [](const Of& c) { return c.automatic->huntingPeriodSeconds; }},
       {"speed of the control",
        {0.05, 0.25},
        {0.05, 0.3},
@@ -185,7 +191,7 @@ TEST(GradeTable, RunsAreDrawnFromAllOfIt) {
       const double red = colored.color[2] / colored.color[0];
       EXPECT_LT(red, 1.001 * redness(grade == Grade::Room ? 2700.0 : 2200.0));
       EXPECT_GT(red, 0.999 * redness(grade == Grade::Room ? 9000.0 : 12000.0));
-      const double frequency = run.cameras.front().sensor.flicker.frequency;
+      const double frequency = run.cameras.front().sensor.flicker.frequencyHz;
       EXPECT_TRUE(frequency == 100.0 || frequency == 120.0);
     }
   }

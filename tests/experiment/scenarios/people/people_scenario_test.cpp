@@ -46,10 +46,10 @@ TEST(PeopleScenario, ThePapersScenesAreAsEver) {
   ASSERT_TRUE(apart);
   const auto& people = apart->scene.people;
   ASSERT_EQ(people.size(), 2U);
-  EXPECT_NEAR(people[0].way[0].position.x(), 0.8000123690332497, 1e-12);
-  EXPECT_NEAR(people[0].way[0].position.y(), -1.5881642334265043, 1e-12);
-  EXPECT_NEAR(people[1].way[1].position.x(), 0.34854626320060755, 1e-12);
-  EXPECT_NEAR(people[1].way[1].position.y(), 1.4546847246550443, 1e-12);
+  EXPECT_NEAR(people[0].waypoints[0].position.x(), 0.8000123690332497, 1e-12);
+  EXPECT_NEAR(people[0].waypoints[0].position.y(), -1.5881642334265043, 1e-12);
+  EXPECT_NEAR(people[1].waypoints[1].position.x(), 0.34854626320060755, 1e-12);
+  EXPECT_NEAR(people[1].waypoints[1].position.y(), 1.4546847246550443, 1e-12);
   EXPECT_NEAR(people[0].height, 1.8222616628213126, 1e-12);
   EXPECT_NEAR(people[1].height, 1.7017518737033526, 1e-12);
   const auto crossing = makePeopleScenario("crossing", PeopleClothes::Different, 2);
@@ -65,7 +65,7 @@ TEST(PeopleScenario, ThePapersScenesAreAsEver) {
       EXPECT_TRUE(scenario.scene.furniture.empty());
       for (const Walker& walker : scenario.scene.people) {
         EXPECT_TRUE(walker.postures.empty());
-        EXPECT_FALSE(walker.load);
+        EXPECT_FALSE(walker.carriedObject);
         EXPECT_EQ(walker.clothes.shirtCloth.pattern, simulation::ClothPattern::Plain);
       }
     }
@@ -116,13 +116,13 @@ TEST(PeopleScenario, WhoSitsHasAStoolAndRises) {
       EXPECT_GT(up, down);
       // Stays where it is as long as it is not upright.
       EXPECT_LT((walker.position(down) - walker.position(up)).norm(), 1e-9);
-      EXPECT_LT(walker.top(down), 0.8 * walker.height); // sitting: 0.77 of the height
-      EXPECT_EQ(walker.top(scenario.timeAfterMeeting), walker.height);
+      EXPECT_LT(walker.topHeight(down), 0.8 * walker.height); // sitting: 0.77 of the height
+      EXPECT_EQ(walker.topHeight(scenario.timeAfterMeeting), walker.height);
       EXPECT_GT(walker.postures[0].time, scenario.timeBeforeMeeting);
     }
     ASSERT_EQ(scenario.scene.furniture.size(), 1U);
     const auto& stool = scenario.scene.furniture[0];
-    EXPECT_LT((stool.at(0.0).position - people[0].position(people[0].postures[1].time)).norm(),
+    EXPECT_LT((stool.poseAt(0.0).position - people[0].position(people[0].postures[1].time)).norm(),
               1e-9);
   }
 }
@@ -130,9 +130,9 @@ TEST(PeopleScenario, WhoSitsHasAStoolAndRises) {
 TEST(PeopleScenario, CarryingIsABoxAndABag) {
   for (const PeopleScenario& scenario : drawn("carrying")) {
     const auto& people = scenario.scene.people;
-    ASSERT_TRUE(people.at(0).load && people.at(1).load);
-    EXPECT_EQ(people[0].load->kind, simulation::CarriedObject::Kind::Box);
-    EXPECT_EQ(people[1].load->kind, simulation::CarriedObject::Kind::Bag);
+    ASSERT_TRUE(people.at(0).carriedObject && people.at(1).carriedObject);
+    EXPECT_EQ(people[0].carriedObject->kind, simulation::CarriedObject::Kind::Box);
+    EXPECT_EQ(people[1].carriedObject->kind, simulation::CarriedObject::Kind::Bag);
   }
 }
 
@@ -169,11 +169,11 @@ TEST(PeopleScenario, FurnitureIsMovedAfterPeopleHaveAppeared) {
   for (const PeopleScenario& scenario : drawn("furniture-moved")) {
     ASSERT_EQ(scenario.scene.furniture.size(), 2U);
     for (const auto& piece : scenario.scene.furniture) {
-      EXPECT_EQ(piece.at(0.0).position, piece.at(kAppearTime).position);
+      EXPECT_EQ(piece.poseAt(0.0).position, piece.poseAt(kAppearTime).position);
       const Eigen::Vector2d way =
-          piece.at(scenario.timeAfterMeeting).position - piece.at(0.0).position;
+          piece.poseAt(scenario.timeAfterMeeting).position - piece.poseAt(0.0).position;
       EXPECT_GT(way.norm(), 0.79); // 0.8 to 1.5 m
-      EXPECT_LT(piece.way.back().time, scenario.timeAfterMeeting);
+      EXPECT_LT(piece.waypoints.back().time, scenario.timeAfterMeeting);
     }
   }
 }

@@ -74,7 +74,7 @@ TEST(WildRoom, LeavesTheMiddleAndTheCamerasFree) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     RandomDraws draws(seed, "wild room test");
     const simulation::RoomDesign design = randomRoom(Furnishing::ClutteredDesk, rig, draws);
-    ASSERT_TRUE(design.walls);
+    ASSERT_TRUE(design.wallMaterial);
     ASSERT_TRUE(design.lamp);
     EXPECT_GT(design.lamp->z(), 1.2F);
     EXPECT_LT(design.lamp->z(), 2.0F) << "below the ceiling, z = 2.05";
@@ -112,7 +112,7 @@ TEST(WildRoom, SomeOfItHasTheTargetsColor) {
     for (const simulation::Solid& solid : design.additionalFurniture.solids()) {
       objects += isToneOf(solid.material.color, blue) ? 1 : 0;
     }
-    walls += isToneOf(design.walls->color, blue) ? 1 : 0;
+    walls += isToneOf(design.wallMaterial->color, blue) ? 1 : 0;
     for (const simulation::Walker& walker : randomPeople(Furnishing::Desk, 6.0, draws, blue)) {
       shirts += isToneOf(walker.clothes.shirt, blue) ? 1 : 0;
     }

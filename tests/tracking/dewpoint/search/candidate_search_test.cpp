@@ -193,9 +193,9 @@ TEST(SlicedSearch, FindsTheSameInPieces) {
   scene.show({Ball{drawn::kMiddle, kRadius}});
   SlicedSearch sliced = scene.inPieces();
   TimeBudget budget;
-  budget.set(1e-12);
+  budget.setLimit(1e-12);
   for (int piece = 1; piece <= 11; ++piece) {
-    budget.begin();
+    budget.beginIteration();
     EXPECT_EQ(sliced.advance(scene.search(), budget, 10, true), piece == 11) << piece;
   }
   expectSamePlaces(sliced.candidates(), scene.find());
@@ -207,8 +207,8 @@ TEST(SlicedSearch, WaitsForTime) {
   scene.show({Ball{drawn::kMiddle, kRadius}});
   SlicedSearch sliced = scene.inPieces();
   TimeBudget budget;
-  budget.set(1e-12);
-  budget.begin();
+  budget.setLimit(1e-12);
+  budget.beginIteration();
   EXPECT_FALSE(sliced.advance(scene.search(), budget, 10, false));
   EXPECT_TRUE(sliced.observation().labels(0).labeledArea().empty());
 }

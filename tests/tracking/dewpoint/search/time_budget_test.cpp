@@ -12,8 +12,8 @@ constexpr double kDay = 86.4e6;        ///< milliseconds
 
 TimeBudget begun(double milliseconds) {
   TimeBudget budget;
-  budget.set(milliseconds);
-  budget.begin();
+  budget.setLimit(milliseconds);
+  budget.beginIteration();
   return budget;
 }
 
@@ -82,9 +82,9 @@ TEST(TimeBudget, ParticlesRiseSlowlyToTheMost) {
 TEST(TimeBudget, AnotherLimitForgetsTheOld) {
   TimeBudget budget = begun(kFemtosecond);
   budget.adaptParticleCount(2000.0);
-  budget.set(kFemtosecond);
+  budget.setLimit(kFemtosecond);
   EXPECT_TRUE(budget.affordableParticles()); // the same again changes nothing
-  budget.set(kDay);
+  budget.setLimit(kDay);
   EXPECT_FALSE(budget.affordableParticles());
 }
 

@@ -58,7 +58,7 @@ protected:
     };
     track_.update(observation_, search, occupied, key_, team_);
   }
-  double probability() const { return track_.best()->probability; }
+  double probability() const { return track_.mostLikelyHypothesis()->probability; }
 
   CameraRig rig_;
   ColorClassifier classifier_{drawn::kRed};
@@ -118,24 +118,24 @@ TEST_F(BernoulliTrackTest, AnOccupiedPositionIsRemovedUnlessItIsLikelierThanNot)
   initializeAt();
   predict(1.0);
   track_.removeOccupied(besideBy(0.0));
-  EXPECT_NE(track_.best(), nullptr);
+  EXPECT_NE(track_.mostLikelyHypothesis(), nullptr);
   initializeAt();
   predict(4.0);
   track_.removeOccupied(besideBy(0.050));
-  ASSERT_NE(track_.best(), nullptr);
+  ASSERT_NE(track_.mostLikelyHypothesis(), nullptr);
   track_.removeOccupied(besideBy(0.048));
-  EXPECT_EQ(track_.best(), nullptr);
+  EXPECT_EQ(track_.mostLikelyHypothesis(), nullptr);
   update(); // what was predicted for this frame is removed too
-  EXPECT_EQ(track_.best(), nullptr);
+  EXPECT_EQ(track_.mostLikelyHypothesis(), nullptr);
 }
 
 TEST_F(BernoulliTrackTest, WhatIsSuppressedHasAThousandthLeft) {
   initializeAt();
-  track_.suppressBest();
+  track_.suppressBestHypothesis();
   EXPECT_NEAR(probability(), 0.98e-3, 1e-15);
   track_.restart({}, 2);
-  track_.suppressBest(); // nothing to suppress
-  EXPECT_EQ(track_.best(), nullptr);
+  track_.suppressBestHypothesis(); // nothing to suppress
+  EXPECT_EQ(track_.mostLikelyHypothesis(), nullptr);
 }
 
 // No hypothesis is left, the target appears with 0.2 within a frame, and a fully seen ball has by
@@ -145,7 +145,7 @@ TEST_F(BernoulliTrackTest, ATrackIsCreatedWhereTheSearchFindsIt) {
   predict(kFrame);
   update({{kThere + Eigen::Vector3d(0.004, 0.0, 0.0), kRadius, 0.0}});
   ASSERT_NE(track_.confidentHypothesis(), nullptr);
-  EXPECT_LT((track_.best()->position() - kThere).norm(), 1e-3);
+  EXPECT_LT((track_.mostLikelyHypothesis()->position() - kThere).norm(), 1e-3);
   EXPECT_TRUE(track_.expectedSphere());
 }
 
@@ -154,7 +154,7 @@ TEST_F(BernoulliTrackTest, NoTrackIsCreatedAtAnOccupiedPositionNorTwiceAtOne) {
   const Candidate here{kThere, kRadius, 0.0};
   predict(kFrame);
   update({here}, {{kThere, kRadius}});
-  EXPECT_EQ(track_.best(), nullptr);
+  EXPECT_EQ(track_.mostLikelyHypothesis(), nullptr);
   update({here, here});
   EXPECT_EQ(track_.hypotheses().size(), 1U);
 }
@@ -169,7 +169,7 @@ TEST_F(BernoulliTrackTest, NoTrackIsCreatedOutsideTheBounds) {
   track_.setBounds(boundsFrom(0.05));
   predict(kFrame);
   update({{kThere, kRadius, 0.0}});
-  EXPECT_EQ(track_.best(), nullptr);
+  EXPECT_EQ(track_.mostLikelyHypothesis(), nullptr);
   const SphereEstimate searched = track_.estimate(observation_);
   EXPECT_FALSE(searched.valid);
   EXPECT_TRUE(boundsFrom(0.05).contains(searched.mean, 1e-9)) << searched.mean.transpose();
@@ -183,10 +183,10 @@ TEST_F(BernoulliTrackTest, ATrackEndsMoreThanARadiusOutsideTheBounds) {
   predict(kFrame);
   track_.setBounds(boundsFrom(0.9 * kRadius));
   update();
-  EXPECT_NE(track_.best(), nullptr);
+  EXPECT_NE(track_.mostLikelyHypothesis(), nullptr);
   track_.setBounds(boundsFrom(1.1 * kRadius));
   update();
-  EXPECT_EQ(track_.best(), nullptr);
+  EXPECT_EQ(track_.mostLikelyHypothesis(), nullptr);
 }
 
 TEST_F(BernoulliTrackTest, StartsWithinTheBounds) {
@@ -194,7 +194,7 @@ TEST_F(BernoulliTrackTest, StartsWithinTheBounds) {
   track_.restart(StartVolume{kThere, Eigen::Vector3d::Constant(0.5)}, 1);
   Eigen::ArrayXXd positions;
   Eigen::ArrayXd weights;
-  track_.particles(1000, positions, weights);
+  track_.copyParticles(1000, positions, weights);
   ASSERT_GT(positions.rows(), 0);
   EXPECT_GE(positions.col(0).minCoeff(), kThere.x() + 0.2);
   EXPECT_LE(positions.col(0).maxCoeff(), kThere.x() + 0.5 + 1e-12);
@@ -209,7 +209,7 @@ TEST_F(BernoulliTrackTest, RemembersTheRadiusThatItMeasured) {
   predict(kFrame);
   update({{elsewhere, half, 0.0}});
   ASSERT_NE(track_.confidentHypothesis(), nullptr); // nothing is known yet
-  EXPECT_NEAR(track_.best()->radius, half, 0.1 * half);
+  EXPECT_NEAR(track_.mostLikelyHypothesis()->radius, half, 0.1 * half);
 
   track_.restart(StartVolume{kThere, Eigen::Vector3d::Constant(0.5)}, 1);
   show({Ball{kThere}});
@@ -218,7 +218,7 @@ TEST_F(BernoulliTrackTest, RemembersTheRadiusThatItMeasured) {
     update({{kThere, kRadius, 0.0}});
   }
   ASSERT_NE(track_.confidentHypothesis(), nullptr);
-  EXPECT_NEAR(track_.best()->radius, kRadius, 0.03 * kRadius);
+  EXPECT_NEAR(track_.mostLikelyHypothesis()->radius, kRadius, 0.03 * kRadius);
   show({Ball{elsewhere, half}});
   for (int frame = 0; frame < 10; ++frame) {
     predict(kFrame);
@@ -248,9 +248,9 @@ TEST_F(BernoulliTrackTest, AHypothesisFromElsewhereSharesItsNumberWithNone) {
   update({{left, kRadius, 0.0}, {right, kRadius, 0.0}});
   std::set<std::uint32_t> numbers;
   for (const TrackHypothesis& hypothesis : track_.hypotheses()) {
-    numbers.insert(hypothesis.stream);
+    numbers.insert(hypothesis.streamNumber);
   }
-  EXPECT_TRUE(numbers.contains(region.hypothesis()->stream));
+  EXPECT_TRUE(numbers.contains(region.hypothesis()->streamNumber));
   EXPECT_EQ(track_.hypotheses().size(), 3U);
   EXPECT_EQ(numbers.size(), 3U);
 }

@@ -16,7 +16,7 @@ TrackHypothesis at(double x, double probability, int updateCount = 5) {
   hypothesis.gaussian.mean << x, 0.0, 0.0, 0.0, 0.0, 0.0;
   hypothesis.radius = kHypothesisRadius;
   hypothesis.probability = probability;
-  hypothesis.outlineFound = true;
+  hypothesis.wasOutlineFound = true;
   hypothesis.logLikelihoodRatio = 100.0;
   hypothesis.fullyVisibleLogLikelihoodRatio = 100.0;
   hypothesis.updateCount = updateCount;
@@ -40,7 +40,7 @@ TEST(HypothesisMasses, AbsenceIsWhatTheHypothesesLeave) {
 
 TEST(HypothesisMasses, WhatOneCameraShowsLeavesAbsenceToTheOthers) {
   std::vector<TrackHypothesis> all{at(0, 0.5), at(1, 0.3)};
-  all[1].oneCameraOnly = true;
+  all[1].onlyOneCameraSees = true;
   EXPECT_NEAR(absenceProbabilityInSharedViews(all), 0.5, 1e-15);
   EXPECT_NEAR(absenceProbability(all), 0.2, 1e-15);
 }
@@ -48,7 +48,7 @@ TEST(HypothesisMasses, WhatOneCameraShowsLeavesAbsenceToTheOthers) {
 TEST(HypothesisMasses, OneCameraGivesBackWhatWasProvenAndNoMore) {
   std::vector<TrackHypothesis> all{at(0, 0.6)};
   limitOneCameraHypotheses(all); // two cameras see it: 0.6 is proven
-  all[0].oneCameraOnly = true;
+  all[0].onlyOneCameraSees = true;
   all[0].probability = 0.3; // time has passed
   limitOneCameraHypotheses(all);
   EXPECT_EQ(all[0].probability, 0.3);
@@ -59,9 +59,9 @@ TEST(HypothesisMasses, OneCameraGivesBackWhatWasProvenAndNoMore) {
 
 TEST(HypothesisMasses, WhatMayBeAPartOfSomethingLargerIsNeverSure) {
   std::vector<TrackHypothesis> all{at(0, 0.99), at(1, 0.99), at(2, 0.99), at(3, 0.5)};
-  all[0].rimSeen = true;
-  all[1].rimSeen = true;
-  all[1].secondsSinceRim = TrackHypothesis::kRimMemory + 0.01; // for too long
+  all[0].wasRimSeen = true;
+  all[1].wasRimSeen = true;
+  all[1].secondsSinceRim = TrackHypothesis::kRimMemorySeconds + 0.01; // for too long
   capMassWithoutRim(all);
   EXPECT_EQ(probabilitiesOf(all), (std::vector<double>{0.99, 0.9, 0.9, 0.5}));
 }
@@ -132,18 +132,18 @@ TEST(HypothesisMasses, EvidenceCountsUpToThreeQuartersOfTheBest) {
 // 8 against 1 + 1 and nothing there 2: 8 / 12.
 TEST(ShareOfLargest, ByHand) {
   const std::vector<double> masses{std::log(1.0), std::log(8.0), std::log(1.0)};
-  EXPECT_NEAR(shareOfLargest(masses, 2.0), 8.0 / 12.0, 1e-15);
+  EXPECT_NEAR(probabilityOfLargest(masses, 2.0), 8.0 / 12.0, 1e-15);
 }
 
 // Two that are equal to the last bit are each other's rivals: neither is more than an even chance.
 TEST(ShareOfLargest, ExactTiesAreRivals) {
   const std::vector<double> masses{-3.25, -3.25};
-  EXPECT_NEAR(shareOfLargest(masses, 0.0), 0.5, 1e-15);
-  EXPECT_LT(shareOfLargest(masses, 1e-9), 0.5);
+  EXPECT_NEAR(probabilityOfLargest(masses, 0.0), 0.5, 1e-15);
+  EXPECT_LT(probabilityOfLargest(masses, 1e-9), 0.5);
 }
 
 TEST(ShareOfLargest, OneAloneCompetesWithAbsence) {
-  EXPECT_NEAR(shareOfLargest(std::vector{std::log(3.0)}, 1.0), 0.75, 1e-15);
+  EXPECT_NEAR(probabilityOfLargest(std::vector{std::log(3.0)}, 1.0), 0.75, 1e-15);
 }
 
 TEST(HypothesisMasses, NothingBelievedMustBeSearchedFor) {
@@ -246,12 +246,12 @@ TEST(HypothesisMasses, NothingIsChosenTooEarlyOrWithoutARival) {
   std::vector<TrackHypothesis> early{at(0, 0.6, 4), at(1, 0.3)};
   EXPECT_FALSE(resolveAmbiguity(early));
   std::vector<TrackHypothesis> hidden{at(0, 0.6), at(1, 0.3)};
-  hidden[0].outlineFound = false;
+  hidden[0].wasOutlineFound = false;
   EXPECT_FALSE(resolveAmbiguity(hidden));
   EXPECT_EQ(probabilitiesOf(hidden), (std::vector<double>{0.6, 0.3}));
   // Others that are hidden are no rivals: sure, and nothing is dropped.
   std::vector<TrackHypothesis> clear{at(0, 0.6), at(1, 0.3)};
-  clear[1].outlineFound = false;
+  clear[1].wasOutlineFound = false;
   EXPECT_EQ(resolveAmbiguity(clear), 0.0);
   EXPECT_EQ(clear.size(), 2U);
 }

@@ -11,8 +11,8 @@ TEST(RadiusPrior, WithoutAnyKnowledgeEveryRadiusIsAsGood) {
   EXPECT_FALSE(unknown.isGiven());
   EXPECT_EQ(unknown.penalty(0.01), 0.0);
   EXPECT_EQ(unknown.penalty(10.0), 0.0);
-  EXPECT_TRUE(unknown.allows(10.0));
-  EXPECT_GT(unknown.expected(), 0.0);
+  EXPECT_TRUE(unknown.allowsRadius(10.0));
+  EXPECT_GT(unknown.expectedRadius(), 0.0);
 }
 
 // ln(1.1) = 0.0953 is 1.906 standard deviations of 0.05: half its square is 1.817. A quarter too
@@ -20,7 +20,7 @@ TEST(RadiusPrior, WithoutAnyKnowledgeEveryRadiusIsAsGood) {
 TEST(RadiusPrior, AGivenRadiusIsAGuess) {
   const RadiusPrior given(0.035);
   EXPECT_TRUE(given.isGiven());
-  EXPECT_EQ(given.expected(), 0.035);
+  EXPECT_EQ(given.expectedRadius(), 0.035);
   EXPECT_EQ(given.penalty(0.035), 0.0);
   EXPECT_NEAR(given.penalty(1.1 * 0.035), 1.817, 1e-3);
   EXPECT_NEAR(given.penalty(0.035 / 1.1), 1.817, 1e-3);
@@ -39,10 +39,10 @@ TEST(RadiusPrior, AGivenRadiusIsAGuess) {
 TEST(RadiusPrior, WhatIsFarTooLargeOrSmallIsAnotherObject) {
   const RadiusPrior given(0.035);
   for (const double factor : {0.68, 0.75, 1.25, 1.48}) {
-    EXPECT_TRUE(given.allows(factor * 0.035)) << factor;
+    EXPECT_TRUE(given.allowsRadius(factor * 0.035)) << factor;
   }
   for (const double factor : {0.5, 0.66, 1.5, 2.0}) {
-    EXPECT_FALSE(given.allows(factor * 0.035)) << factor;
+    EXPECT_FALSE(given.allowsRadius(factor * 0.035)) << factor;
   }
 }
 
@@ -50,17 +50,17 @@ TEST(RadiusPrior, WhatWasMeasuredIsRememberedUntilARestart) {
   for (const double given : {0.0, 0.028}) {
     RadiusPrior prior(given);
     prior.learn(0.070, 0.04); // known to a fifth: too little
-    EXPECT_NE(prior.expected(), 0.070) << given;
+    EXPECT_NE(prior.expectedRadius(), 0.070) << given;
     prior.learn(0.070, 0.0); // not measured
-    EXPECT_NE(prior.expected(), 0.070) << given;
+    EXPECT_NE(prior.expectedRadius(), 0.070) << given;
     prior.learn(0.035, 0.0004); // to a fiftieth
-    EXPECT_EQ(prior.expected(), 0.035) << given;
+    EXPECT_EQ(prior.expectedRadius(), 0.035) << given;
     EXPECT_GT(prior.logVariance(), 0.0) << given;
     EXPECT_EQ(prior.penalty(0.035), 0.0) << given;
-    EXPECT_FALSE(prior.allows(0.0175)) << given;
+    EXPECT_FALSE(prior.allowsRadius(0.0175)) << given;
     prior.restart();
-    EXPECT_EQ(prior.expected(), RadiusPrior(given).expected());
-    EXPECT_EQ(prior.allows(0.0175), RadiusPrior(given).allows(0.0175));
+    EXPECT_EQ(prior.expectedRadius(), RadiusPrior(given).expectedRadius());
+    EXPECT_EQ(prior.allowsRadius(0.0175), RadiusPrior(given).allowsRadius(0.0175));
   }
 }
 

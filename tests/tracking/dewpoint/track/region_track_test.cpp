@@ -17,7 +17,7 @@ using drawn::RegionScene;
 BernoulliTrackSettings settings(double direction = 0.0) {
   BernoulliTrackSettings settings;
   settings.accelerationSigma = 8.0;
-  settings.errors.direction = direction;
+  settings.systematicErrors.directionSigma = direction;
   return settings;
 }
 

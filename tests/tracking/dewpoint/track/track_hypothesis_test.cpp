@@ -26,7 +26,7 @@ protected:
       }
     }
     hypothesis_.radius = 0.035;
-    hypothesis_.stream = 3;
+    hypothesis_.streamNumber = 3;
     hypothesis_.probability = 0.5;
     hypothesis_.gaussian.mean << drawn::kMiddle, 0.2, -0.1, 0.05;
     hypothesis_.gaussian.covariance.setZero();
@@ -86,7 +86,7 @@ TEST_F(TrackHypothesisTest, ParticlesDoNotDependOnThreadsButOnTheStream) {
   drawParticles(other, observation_, 1000, key_, three);
   EXPECT_TRUE((other.states == hypothesis_.states).all());
   EXPECT_TRUE((other.weights == hypothesis_.weights).all());
-  other.stream = 4;
+  other.streamNumber = 4;
   drawParticles(other, observation_, 1000, key_, team_);
   EXPECT_FALSE((other.states == hypothesis_.states).all());
 }
@@ -96,7 +96,7 @@ TEST_F(TrackHypothesisTest, AnUpdateFindsTheBallAndConditionsTheGaussian) {
   show({Ball{truth}});
   const Gaussian6 before = hypothesis_.gaussian;
   const double factor = measurementUpdate(hypothesis_, observation_, 500, key_, team_);
-  EXPECT_TRUE(hypothesis_.outlineFound);
+  EXPECT_TRUE(hypothesis_.wasOutlineFound);
   EXPECT_GT(factor, 3.0); // 20 times likelier at least
   EXPECT_LT((hypothesis_.position() - truth).norm(), 1e-3);
   EXPECT_EQ(hypothesis_.states.rows(), 500);
@@ -116,7 +116,7 @@ TEST_F(TrackHypothesisTest, AnUpdateWithoutTheBallSpeaksAgainst) {
   drawParticles(hypothesis_, observation_, 500, key_, team_);
   show({});
   const double factor = measurementUpdate(hypothesis_, observation_, 500, key_, team_);
-  EXPECT_FALSE(hypothesis_.outlineFound);
+  EXPECT_FALSE(hypothesis_.wasOutlineFound);
   EXPECT_LT(factor, -3.0);
   EXPECT_NEAR(hypothesis_.weights.sum(), 1.0, 1e-9);
 }
@@ -125,7 +125,7 @@ TEST_F(TrackHypothesisTest, WithoutImagesAnUpdateChangesNothing) {
   drawParticles(hypothesis_, observation_, 500, key_, team_);
   const TrackHypothesis before = hypothesis_;
   EXPECT_NEAR(measurementUpdate(hypothesis_, observation_, 500, key_, team_), 0.0, 1e-9);
-  EXPECT_FALSE(hypothesis_.outlineFound);
+  EXPECT_FALSE(hypothesis_.wasOutlineFound);
   EXPECT_EQ(hypothesis_.gaussian.mean, before.gaussian.mean);
   EXPECT_EQ(hypothesis_.gaussian.covariance, before.gaussian.covariance);
   EXPECT_TRUE((hypothesis_.states == before.states).all());
@@ -136,7 +136,7 @@ TEST_F(TrackHypothesisTest, AnOutlineFarAwayIsAnotherThings) {
   drawParticles(hypothesis_, observation_, 500, key_, team_);
   show({Ball{drawn::kMiddle + Eigen::Vector3d(0.1, 0.0, 0.0)}});
   EXPECT_LT(measurementUpdate(hypothesis_, observation_, 500, key_, team_), 0.0);
-  EXPECT_FALSE(hypothesis_.outlineFound);
+  EXPECT_FALSE(hypothesis_.wasOutlineFound);
   EXPECT_LT((hypothesis_.position() - drawn::kMiddle).norm(), 0.05); // nearer to where it was
 }
 
@@ -157,7 +157,7 @@ TEST_F(TrackHypothesisTest, AFewSamplesLessDoNotRefuseAnOutline) {
   ASSERT_GT(observation_.logLikelihoodRatio(hypothesis_.position(), rest),
             observation_.logLikelihoodRatio(drawn::kMiddle, rest) + 4.0);
   measurementUpdate(hypothesis_, observation_, 500, key_, team_);
-  EXPECT_TRUE(hypothesis_.outlineFound);
+  EXPECT_TRUE(hypothesis_.wasOutlineFound);
   EXPECT_LT((hypothesis_.position() - drawn::kMiddle).norm(), 4e-3);
 }
 
@@ -181,7 +181,7 @@ TEST_F(TrackHypothesisTest, ARadiusThatIsKnownStaysWhereOneCameraAloneSeesTheOut
   hypothesis_.radius = 0.033;
   hypothesis_.logRadiusVariance = 0.0004; // a fiftieth
   measurementUpdate(hypothesis_, observation_, 500, key_, team_);
-  ASSERT_TRUE(hypothesis_.outlineFound);
+  ASSERT_TRUE(hypothesis_.wasOutlineFound);
   EXPECT_EQ(hypothesis_.radius, 0.033);
   EXPECT_EQ(hypothesis_.logRadiusVariance, 0.0004);
 }
@@ -189,10 +189,10 @@ TEST_F(TrackHypothesisTest, ARadiusThatIsKnownStaysWhereOneCameraAloneSeesTheOut
 TEST_F(TrackHypothesisTest, AMeasuredRadiusBecomesLessCertainUnlessOneCameraAloneCanSeeIt) {
   const ConstantVelocity motion{1.0 / 30.0, 8.0};
   hypothesis_.logRadiusVariance = 0.0004;
-  hypothesis_.oneCameraOnly = true;
+  hypothesis_.onlyOneCameraSees = true;
   predict(hypothesis_, motion, key_);
   EXPECT_EQ(hypothesis_.logRadiusVariance, 0.0004);
-  hypothesis_.oneCameraOnly = false;
+  hypothesis_.onlyOneCameraSees = false;
   predict(hypothesis_, motion, key_);
   EXPECT_GT(hypothesis_.logRadiusVariance, 0.0004);
   hypothesis_.logRadiusVariance = 0.0; // known

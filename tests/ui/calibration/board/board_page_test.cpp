@@ -103,7 +103,7 @@ void BoardPageTest::framesWithoutTheBoardAreNamed() {
   BoardMiss small;
   small.reason = BoardMiss::Reason::TooSmall;
   small.squarePx = 6.2;
-  outcome.missed = {{{"", 0, 4, 5, {}}, {"", 9, 9, 1, small}}, {}};
+  outcome.missedRuns = {{{"", 0, 4, 5, {}}, {"", 9, 9, 1, small}}, {}};
   // Counted from 1, as in the timeline.
   const QString text = outcomeText(calibrator(), outcome);
   QVERIFY2(text.contains(QStringLiteral("left: no board was found in frames 1–5, 10 (too small: ")),
@@ -207,9 +207,9 @@ void BoardPageTest::theBoardIsRemembered() {
 void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   openLive({true, true});
   BoardGuideRequest request = calibrator().request();
-  request.lenses.requestedProjectionPx = 20.0; // coarse: it ends after the fewest views
+  request.lensGuidance.requestedProjectionPx = 20.0; // coarse: it ends after the fewest views
   request.requiredPositionSigma = 0.05;
-  request.rig.instantsPerPair = 4;
+  request.rigGuidance.instantsPerPair = 4;
   calibrator().setRequest(request);
   const auto before = project().cameras;
   QSignalSpy over(&calibrator(), &BoardCalibrator::calibrated);
@@ -226,7 +226,7 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
     const auto state = calibrator().guide();
     std::size_t now = 0;
     for (const auto& camera : state->cameras) {
-      now += camera.taken.size();
+      now += camera.capturedOutlines.size();
     }
     if (now != taken || ++images > 12) {
       taken = now;
@@ -257,9 +257,9 @@ void BoardPageTest::liveViewsCanBeTakenByHand() {
   auto* capture = find<QPushButton>(QStringLiteral("boardCapture"));
   for (int k = 0; k < 9; ++k) {
     *place_ = k;
-    const auto views = [&] { return calibrator().guide()->seen->cameras[0].views.size(); };
+    const auto views = [&] { return calibrator().guide()->detections->cameras[0].views.size(); };
     const std::size_t before = views();
-    QVERIFY(waitFor([&] { return calibrator().guide()->cameras[0].seen.has_value(); }));
+    QVERIFY(waitFor([&] { return calibrator().guide()->cameras[0].detection.has_value(); }));
     QTest::mouseClick(capture, Qt::LeftButton);
     QVERIFY(waitFor([&] { return views() > before; }));
   }
@@ -271,7 +271,7 @@ void BoardPageTest::liveViewsCanBeTakenByHand() {
   const QImage full = map->grab().toImage();
   QSignalSpy guide(&calibrator(), &BoardCalibrator::guideChanged);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton); // over
-  QVERIFY(calibrator().guide()->cameras[0].taken.empty());
+  QVERIFY(calibrator().guide()->cameras[0].capturedOutlines.empty());
   QVERIFY(map->grab().toImage() != full);
   QTest::mouseClick(capture, Qt::LeftButton);
 }
@@ -285,7 +285,7 @@ void BoardPageTest::theNextViewIsShownAcrossTheRoom() {
   QVERIFY(!text("roomAdvice").isEmpty()); // how to begin
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton);
   QVERIFY(waitFor([&] { return calibrator().guide()->cameras.size() == 2; }));
-  QVERIFY(waitFor([&] { return calibrator().guide()->cameras[0].seen.has_value(); }));
+  QVERIFY(waitFor([&] { return calibrator().guide()->cameras[0].detection.has_value(); }));
   QVERIFY(waitFor([&] { return !text("roomCamera").isEmpty(); }));
   const QString none = text("roomCount");
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCapture")), Qt::LeftButton);

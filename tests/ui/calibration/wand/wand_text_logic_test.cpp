@@ -23,13 +23,13 @@ TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
   project.targets[0].name = "ball";
   EXPECT_TRUE(validationMessage(settings, {}, project).isEmpty());
   note({{10, 0.4, WandEvent::FallBegins}});
-  settings.size = WandScaleSource::Distance;
+  settings.scaleSource = WandScaleSource::Distance;
   note();
-  settings.stick = true;
+  settings.usesStick = true;
   note(); // one ball
   project.targets.resize(2);
   project.targets[1].name = "second";
-  settings.other = "ball";
+  settings.secondBallTarget = "ball";
   note(); // twice the same
   EXPECT_EQ(sentences.size(), 6U);
   EXPECT_FALSE(sentences.contains(QString()));
