@@ -110,11 +110,11 @@ void bindEvaluation(py::module_& module) {
       .def_readonly("median", &Evaluation::median, "Median error.")
       .def_readonly("p95", &Evaluation::p95, "95 % of the errors are smaller.")
       .def_readonly("max", &Evaluation::max, "The largest error.")
-      .def_readonly("rmse_all", &Evaluation::rmseAll, "Root mean square error of all frames.")
+      .def_readonly("rmse_all", &Evaluation::rmseOfAllFrames, "Root mean square error of all frames.")
       .def_property_readonly(
           "bias", [](const Evaluation& evaluation) { return arrayOf(evaluation.bias); },
           "Mean of estimate minus truth.")
-      .def_readonly("frames_compared", &Evaluation::framesCompared, "Frames with both.")
+      .def_readonly("frames_compared", &Evaluation::comparedFrameCount, "Frames with both.")
       .def_readonly("frames_to_converge", &Evaluation::framesToConverge,
                     "Frames before the estimate stays near the truth, or None.")
       .def_readonly("lost_frames", &Evaluation::lostFrames,

@@ -62,7 +62,7 @@ void putInGroup(ParameterGroup group, std::initializer_list<std::string_view> ke
   }
 }
 
-bool exceedsBound(const ParameterValues& values, const ParameterDeclaration& declaration) {
+bool exceedsUpperLimit(const ParameterValues& values, const ParameterDeclaration& declaration) {
   return !declaration.bound.empty() && values.at(declaration.key) > values.at(declaration.bound);
 }
 
@@ -125,12 +125,12 @@ void ParameterValues::markAllGiven() {
   }
 }
 
-void ParameterValues::resetDerivable() {
+void ParameterValues::resetDerivableValues() {
   given_.clear();
-  setDerived({});
+  setDerivedValues({});
 }
 
-void ParameterValues::setDerived(const ByKey& values) {
+void ParameterValues::setDerivedValues(const ValuesByKey& values) {
   for (const auto& declaration : declarations_) {
     if (!isGiven(declaration.key)) {
       const auto found = values.find(declaration.key);

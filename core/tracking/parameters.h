@@ -62,7 +62,7 @@ void putInGroup(ParameterGroup group, std::initializer_list<std::string_view> ke
 /// (ParameterDeclaration::derivedFromCameras).
 class ParameterValues {
 public:
-  using ByKey = std::map<std::string, double, std::less<>>;
+  using ValuesByKey = std::map<std::string, double, std::less<>>;
 
   ParameterValues() = default;
   explicit ParameterValues(std::span<const ParameterDeclaration> declarations);
@@ -83,11 +83,11 @@ public:
   /// Marks the current values of all keys as given (isGiven()).
   void markAllGiven();
   /// Resets all values that can be derived from the cameras to their defaults, and marks them as
-  /// not given. setDerived() then replaces them.
-  void resetDerivable();
+  /// not given. setDerivedValues() then replaces them.
+  void resetDerivableValues();
   /// Replaces the values that are not given (isGiven()). The new values come from `values`, limited
   /// to their ranges. Keys that are not in `values` get their defaults.
-  void setDerived(const ByKey& values);
+  void setDerivedValues(const ValuesByKey& values);
   /// Returns whether both objects have the same values, and the same values are given (isGiven()).
   bool operator==(const ParameterValues& other) const {
     return values_ == other.values_ && given_ == other.given_;
@@ -95,13 +95,13 @@ public:
 
 private:
   std::span<const ParameterDeclaration> declarations_;
-  ByKey values_;
+  ValuesByKey values_;
   /// Given keys whose values can be derived from the cameras.
   std::set<std::string, std::less<>> given_;
 };
 
 /// Returns whether the value of a declared parameter exceeds the limit set by another parameter
 /// (ParameterDeclaration::bound). The limit is then used instead.
-bool exceedsBound(const ParameterValues& values, const ParameterDeclaration& declaration);
+bool exceedsUpperLimit(const ParameterValues& values, const ParameterDeclaration& declaration);
 
 } // namespace dewpoint::tracking

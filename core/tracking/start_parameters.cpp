@@ -70,10 +70,10 @@ std::optional<StartVolume> startFromCameras(const CameraRig& rig,
 
 /// The values of a start volume under their keys, and the search size that goes with it. Halves and
 /// the size are rounded up, so that they take in the volume.
-ParameterValues::ByKey valuesOf(const StartVolume& start) {
+ParameterValues::ValuesByKey valuesOf(const StartVolume& start) {
   // In steps of the declarations: a centimeter, and a decimeter of the search size.
   const auto centimeters = [](double value) { return std::round(inCentimeters(value)) / 100.0; };
-  ParameterValues::ByKey values;
+  ParameterValues::ValuesByKey values;
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
     const auto at = static_cast<Eigen::Index>(axis);
     values["start_" + kAxes[axis]] = centimeters(start.center[at]);
@@ -122,7 +122,7 @@ ParameterValues effectiveParameters(ParameterValues parameters, const CameraRig&
   const auto start = isOpen && !isAnyStartGiven(parameters)
                          ? startFromCameras(rig, volumeOfInterest)
                          : std::nullopt;
-  parameters.setDerived(start ? valuesOf(*start) : ParameterValues::ByKey{});
+  parameters.setDerivedValues(start ? valuesOf(*start) : ParameterValues::ValuesByKey{});
   return parameters;
 }
 

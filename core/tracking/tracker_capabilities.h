@@ -153,7 +153,7 @@ public:
   /// Returns one map per camera: log D of the last frame, where D is the motion likelihood of
   /// Mohedano et al. 2009, equation 8. Each map covers the whole image, which may be smaller than
   /// the camera image. The area of a map is empty if its camera has no mask.
-  virtual std::vector<LikelihoodMap> motionLikelihoods() const = 0;
+  virtual std::vector<LikelihoodMap> motionLikelihoodMaps() const = 0;
 };
 
 /// Centers of some particles of a box in the image: rows of x and y, pixels from the upper left

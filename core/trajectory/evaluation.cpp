@@ -172,11 +172,11 @@ Result<Evaluation> evaluateTarget(const std::string& target, const Samples& esti
   }
   if (all.empty())
     return failure(ErrorCode::Mismatch, "", target, "no frame of the trajectory is in the truth");
-  evaluation.framesCompared = static_cast<std::int64_t>(all.size());
-  evaluation.rmseAll = rootMeanSquare(all);
+  evaluation.comparedFrameCount = static_cast<std::int64_t>(all.size());
+  evaluation.rmseOfAllFrames = rootMeanSquare(all);
   if (start)
     evaluation.framesToConverge = static_cast<std::int64_t>(*start);
-  evaluation.inside95 = static_cast<double>(inside) / static_cast<double>(settled.size());
+  evaluation.fractionInside95 = static_cast<double>(inside) / static_cast<double>(settled.size());
   fillStatistics(evaluation, settled, cameras);
   return evaluation;
 }

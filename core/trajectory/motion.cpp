@@ -85,11 +85,11 @@ MotionLog::Change MotionLog::replaceFrom(std::size_t first,
   Change change{0, rows_.size()};
   for (; skipped < samples.size(); ++skipped) {
     append(samples[skipped]);
-    updateSpeeds(tracks_[samples[skipped].target], change.firstChanged);
+    updateSpeeds(tracks_[samples[skipped].target], change.firstChangedRow);
   }
   if (rows_.size() > kMaxRows) {
-    change.droppedRows = dropOldRows();
-    change.firstChanged -= std::min(change.firstChanged, change.droppedRows);
+    change.droppedRowCount = dropOldRows();
+    change.firstChangedRow -= std::min(change.firstChangedRow, change.droppedRowCount);
   }
   return change;
 }
@@ -120,7 +120,7 @@ void MotionLog::extendGaps(Track& track, const TrajectorySample* before,
 }
 
 /// A new sample changes the speeds of those before it that it is a neighbor of.
-void MotionLog::updateSpeeds(const Track& track, std::size_t& firstChanged) {
+void MotionLog::updateSpeeds(const Track& track, std::size_t& firstChangedRow) {
   const std::size_t wanted = std::min(track.rows.size(), 2 * kReach + 1);
   std::vector<TrajectorySample> end;
   std::vector<std::size_t> rowIndices;
@@ -136,7 +136,7 @@ void MotionLog::updateSpeeds(const Track& track, std::size_t& firstChanged) {
     Row& row = rows_[rowIndices[i]];
     if (speed != row.speed && !(speed != speed && row.speed != row.speed)) {
       row.speed = speed;
-      firstChanged = std::min(firstChanged, rowIndices[i]);
+      firstChangedRow = std::min(firstChangedRow, rowIndices[i]);
     }
   }
 }

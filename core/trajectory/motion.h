@@ -65,9 +65,9 @@ public:
   };
   /// Change to rows() made by a call to replaceFrom().
   struct Change {
-    std::size_t droppedRows = 0; ///< number of rows removed at the front
+    std::size_t droppedRowCount = 0; ///< number of rows removed at the front
     /// Index of the first new or changed row, counted after the removal.
-    std::size_t firstChanged = 0;
+    std::size_t firstChangedRow = 0;
   };
 
   /// Removes all rows, gaps and targets.
@@ -88,7 +88,7 @@ private:
   void append(const TrajectorySample& sample);
   void truncate(std::size_t size);
   void extendGaps(Track& track, const TrajectorySample* before, const TrajectorySample& sample);
-  void updateSpeeds(const Track& track, std::size_t& firstChanged);
+  void updateSpeeds(const Track& track, std::size_t& firstChangedRow);
   /// Removes the older half of the rows. Returns the number of rows removed.
   std::size_t dropOldRows();
 

@@ -98,12 +98,12 @@ bool isUsable(const PositionMeasurement& seen) {
 }
 
 /// What one sample says of its frame alone.
-std::optional<PositionMeasurement> measurementOf(const TrajectorySample& sample, bool hasSeen) {
+std::optional<PositionMeasurement> measurementOf(const TrajectorySample& sample, bool hasMeasurements) {
   if (!sample.valid) {
     return std::nullopt;
   }
   std::optional<PositionMeasurement> measurement = sample.seen;
-  if (!hasSeen) {
+  if (!hasMeasurements) {
     measurement = PositionMeasurement{sample.position, sample.covariance};
     measurement->covariance.diagonal().array() += kLeastSigma * kLeastSigma;
   }
@@ -120,10 +120,10 @@ public:
         shouldContinue_(std::move(shouldContinue)), wanted_(std::move(wanted)) {
     std::erase_if(samples_, [](const auto* sample) { return !std::isfinite(sample->time); });
     std::ranges::stable_sort(samples_, {}, [](const auto* sample) { return sample->time; });
-    const bool hasSeen =
+    const bool hasMeasurements =
         std::ranges::any_of(samples_, [](const auto* sample) { return sample->seen.has_value(); });
     for (const auto* sample : samples_) {
-      points_.push_back({sample->time, measurementOf(*sample, hasSeen)});
+      points_.push_back({sample->time, measurementOf(*sample, hasMeasurements)});
     }
   }
 
@@ -367,7 +367,7 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 
 Trajectory smoothed(const Trajectory& live, const SmootherOptions& options) {
   Trajectory result = live;
-  result.header.hasBest = false; // particles are of the run; what is known after it has none
+  result.header.hasBestParticles = false; // particles are of the run; what is known after it has none
   std::map<std::string, std::vector<TrajectorySample*>> targets;
   for (TrajectorySample& sample : result.samples) {
     sample.best.reset();

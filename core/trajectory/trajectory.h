@@ -56,8 +56,8 @@ struct TrajectoryHeader {
   /// Names and values of the header entries: method, seed, parameters, version.
   std::vector<std::pair<std::string, std::string>> entries;
   std::vector<TrajectoryCamera> cameras;
-  bool hasSeen = false;      ///< the file has columns for `seen`
-  bool hasBest = false;      ///< the file has columns for `best`
+  bool hasMeasurements = false;      ///< the file has columns for `seen`
+  bool hasBestParticles = false;      ///< the file has columns for `best`
   bool hasCorrected = false; ///< the file has a column for `corrected`
   bool hasAmbiguous = false; ///< the file has a column for `ambiguous`
   bool hasExtent = false;    ///< the file has columns for `extent`

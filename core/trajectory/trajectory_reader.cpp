@@ -156,8 +156,8 @@ private:
 
   Status readColumns(Cells cells) {
     columns_ = std::move(cells);
-    trajectory_.header.hasSeen = column("seen_x_m").has_value();
-    trajectory_.header.hasBest = column("best_x_m").has_value();
+    trajectory_.header.hasMeasurements = column("seen_x_m").has_value();
+    trajectory_.header.hasBestParticles = column("best_x_m").has_value();
     trajectory_.header.hasCorrected = column("corrected").has_value();
     trajectory_.header.hasAmbiguous = column("ambiguous").has_value();
     trajectory_.header.hasExtent = column("extent_xx_m2").has_value();

@@ -34,8 +34,8 @@ std::string headerText(const TrajectoryHeader& header) {
     text += fmt::format("# camera: {} center {} {} {} axis {} {} {}\n", quotedCsv(camera.name),
                         c.x(), c.y(), c.z(), a.x(), a.y(), a.z());
   }
-  text.append(kColumns).append(header.hasSeen ? kSeenColumns : "");
-  text.append(header.hasBest ? kBestColumns : "");
+  text.append(kColumns).append(header.hasMeasurements ? kSeenColumns : "");
+  text.append(header.hasBestParticles ? kBestColumns : "");
   text.append(header.hasCorrected ? kCorrectedColumn : "");
   text.append(header.hasAmbiguous ? kAmbiguousColumn : "");
   text.append(header.hasExtent ? kExtentColumns : "");
@@ -55,11 +55,11 @@ std::string rowText(const TrajectorySample& sample, const TrajectoryHeader& head
       fmt::format("{},{},{},{},{},{},{}", sample.time, sample.frame, csvCell(sample.target),
                   numbersText(sample.position, sample.covariance), sample.effectiveSampleSize,
                   sample.cameras, sample.valid ? 1 : 0);
-  if (header.hasSeen) {
+  if (header.hasMeasurements) {
     text += sample.seen ? ',' + numbersText(sample.seen->position, sample.seen->covariance)
                         : std::string(9, ',');
   }
-  if (header.hasBest) {
+  if (header.hasBestParticles) {
     text += sample.best
                 ? fmt::format(",{},{},{}", sample.best->x(), sample.best->y(), sample.best->z())
                 : std::string(3, ',');

@@ -68,19 +68,19 @@ TEST(Parameters, AValueAboveItsBoundIsNoticed) {
       std::ranges::find(declarations, "fewest_particles", &ParameterDeclaration::key);
   ASSERT_NE(fewest, declarations.end());
   ParameterValues values(declarations);
-  EXPECT_FALSE(exceedsBound(values, *fewest));
+  EXPECT_FALSE(exceedsUpperLimit(values, *fewest));
   ASSERT_TRUE(values.set("particles", 100.0));
-  EXPECT_FALSE(exceedsBound(values, *fewest)); // as many
+  EXPECT_FALSE(exceedsUpperLimit(values, *fewest)); // as many
   ASSERT_TRUE(values.set("particles", 50.0));
-  EXPECT_TRUE(exceedsBound(values, *fewest));
-  EXPECT_FALSE(exceedsBound(values, declarations.front())); // has no bound
+  EXPECT_TRUE(exceedsUpperLimit(values, *fewest));
+  EXPECT_FALSE(exceedsUpperLimit(values, declarations.front())); // has no bound
 }
 
 TEST(Parameters, WhatWasGivenCanBeLeftToTheCamerasAgain) {
   ParameterValues values = barreraValues();
   ASSERT_TRUE(values.set("start_x", 3.0));
   ASSERT_TRUE(values.set("particles", 300.0));
-  values.resetDerivable();
+  values.resetDerivableValues();
   EXPECT_FALSE(values.isGiven("start_x"));
   EXPECT_EQ(values.at("start_x"), barreraValues().at("start_x"));
   EXPECT_EQ(values.at("particles"), 300.0);

@@ -122,10 +122,10 @@ TEST(MotionLog, aFrameThatComesAgainTakesThePlaceOfTheOld) {
   auto track = straightLine(6, {1.0, 0.0, 0.0});
   log.replaceFrom(0, track);
   // The same once more changes nothing.
-  EXPECT_EQ(log.replaceFrom(5, {track[5]}).firstChanged, 6U);
+  EXPECT_EQ(log.replaceFrom(5, {track[5]}).firstChangedRow, 6U);
   track[5].valid = false;
   const auto change = log.replaceFrom(5, {track[5], sampleAt(6, {0.2, 0.0, 0.0})});
-  EXPECT_LE(change.firstChanged, 5U);
+  EXPECT_LE(change.firstChangedRow, 5U);
   ASSERT_EQ(log.rows().size(), 7U);
   EXPECT_TRUE(std::isnan(log.rows()[5].speed));
   EXPECT_NEAR(log.rows()[4].speed, 1.0, 1e-9);
@@ -143,7 +143,7 @@ TEST(MotionLog, isBounded) {
     for (std::size_t i = 0; i < kPiece; ++i) {
       piece.push_back(sampleAt(static_cast<std::int64_t>(first + i), Eigen::Vector3d::Zero()));
     }
-    dropped += log.replaceFrom(first, piece).droppedRows;
+    dropped += log.replaceFrom(first, piece).droppedRowCount;
     ASSERT_LE(log.rows().size(), MotionLog::kMaxRows + kPiece);
   }
   EXPECT_EQ(dropped + log.rows().size(), kSamples);

@@ -193,7 +193,7 @@ TEST(FitPathModel, EndsWhereALikelihoodCannotBeComputed) {
 
 Trajectory liveRun(const Drawn& drawn) {
   Trajectory live;
-  live.header.hasSeen = true;
+  live.header.hasMeasurements = true;
   for (std::size_t k = 0; k < drawn.path.size(); ++k) {
     TrajectorySample& sample = live.samples.emplace_back();
     sample.time = drawn.path[k].time;

@@ -131,21 +131,21 @@ TEST(TrajectoryFile, AnOldFileStaysWholeWhenTheNewOneCannotBeWritten) {
 TEST(TrajectoryFile, HoldsTheParticleOfHighestWeight) {
   const auto path = temporary("best.csv");
   Trajectory written{{}, {sample(), sample()}};
-  written.header.hasBest = true;
+  written.header.hasBestParticles = true;
   written.samples[0].best = Eigen::Vector3d(0.1, 1.0 / 3.0, -2.5e-7);
   ASSERT_TRUE(writeTrajectory(written, path));
   EXPECT_NE(contents(path).find(",ess,cameras,valid,best_x_m,best_y_m,best_z_m\n"),
             std::string::npos);
   const auto read = readTrajectory(path);
   ASSERT_TRUE(read) << sentence(read.error());
-  EXPECT_TRUE(read->header.hasBest);
+  EXPECT_TRUE(read->header.hasBestParticles);
   ASSERT_EQ(read->samples.size(), 2U);
   EXPECT_EQ(read->samples[0].best, written.samples[0].best); // to the last bit
   EXPECT_FALSE(read->samples[1].best);                       // its cells are empty
   std::filesystem::remove(path);
   const auto old = readText("frame,x_m,y_m,z_m\n0,1,2,3\n"); // of a version without the columns
   ASSERT_TRUE(old);
-  EXPECT_FALSE(old->header.hasBest);
+  EXPECT_FALSE(old->header.hasBestParticles);
   EXPECT_FALSE(old->samples[0].best);
   EXPECT_EQ(
       readText("x_m,y_m,z_m,frame,best_x_m,best_y_m,best_z_m\n1,2,3,0,1,2o,3\n").error().field,

@@ -186,7 +186,7 @@ void ActionRegistry::resetShortcuts() {
   Q_EMIT shortcutsChanged();
 }
 
-void ActionRegistry::addAlternative(ActionId id, const QKeySequence& shortcut) {
+void ActionRegistry::addAlternativeShortcut(ActionId id, const QKeySequence& shortcut) {
   alternatives_.emplace_back(id, shortcut);
   applyAlternatives();
 }

@@ -71,7 +71,7 @@ public:
   /// Adds a second shortcut to an action. The second shortcut works only while the action has its
   /// default shortcut and no other action uses the second one. It is neither listed nor saved in
   /// the preferences.
-  void addAlternative(ActionId id, const QKeySequence& shortcut);
+  void addAlternativeShortcut(ActionId id, const QKeySequence& shortcut);
 
   /// Redraws the icons of all actions in the colors of `palette`.
   void drawIcons(const QPalette& palette);

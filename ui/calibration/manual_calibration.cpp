@@ -128,7 +128,7 @@ void ManualCalibration::setEdgesShown(bool shown) {
   Q_EMIT changed();
 }
 
-void ManualCalibration::showEarlier(std::optional<EarlierCameras> earlier) {
+void ManualCalibration::showEarlierCameras(std::optional<EarlierCameras> earlier) {
   earlier_ = earlier;
   Q_EMIT changed();
 }
@@ -243,7 +243,7 @@ void ManualCalibration::beginDrag(int camera, const Eigen::Vector2d& pixel, doub
     }
   }
   drag_ = drag;
-  document_.endMerging();
+  document_.endStepMerging();
 }
 
 void ManualCalibration::dragTo(const Eigen::Vector2d& pixel) {
@@ -285,7 +285,7 @@ void ManualCalibration::reportLimit(const Drag& result) {
 void ManualCalibration::endDrag() {
   if (drag_) {
     drag_.reset();
-    document_.endMerging();
+    document_.endStepMerging();
     Q_EMIT changed();
   }
 }
@@ -319,7 +319,7 @@ void ManualCalibration::setNudgeFrame(NudgeFrame frame) {
 
 double ManualCalibration::runningSum(const std::string& key, double amount, bool repeated) {
   if (!repeated || running_.key != key) {
-    document_.endMerging();
+    document_.endStepMerging();
     running_ = {key, 0.0};
   }
   running_.sum += amount;
@@ -346,7 +346,7 @@ void ManualCalibration::nudge(int axis, double factor, bool repeated) {
                moves ? moved(now, amount * way, frame_) : rotated(now, amount * way, frame_), key);
 }
 
-void ManualCalibration::nudgeFocal(double percent, bool repeated) {
+void ManualCalibration::nudgeFocalLength(double percent, bool repeated) {
   const std::string key = fmt::format("nudge {} focal {}", camera(), percent > 0.0);
   const double sum = runningSum(key, percent, repeated);
   changeCamera(
@@ -368,8 +368,8 @@ void ManualCalibration::changeCamera(int camera, const QString& step, const Came
       mergeKey.empty() ? mergeKey : fmt::format("{} {}", mergeKey, camera));
 }
 
-void ManualCalibration::endMerging() {
-  document_.endMerging();
+void ManualCalibration::endStepMerging() {
+  document_.endStepMerging();
 }
 
 } // namespace dewpoint::ui

@@ -68,8 +68,8 @@ public:
   void setEdgesShown(bool shown);
   /// Shows the grid as earlier cameras see it, or, if `earlier` is empty, as the current cameras
   /// see it.
-  void showEarlier(std::optional<EarlierCameras> earlier);
-  bool isEarlierShown() const { return earlier_.has_value(); }
+  void showEarlierCameras(std::optional<EarlierCameras> earlier);
+  bool areEarlierCamerasShown() const { return earlier_.has_value(); }
   /// Returns which cameras the button and the key of the page "By hand" compare with.
   EarlierCameras comparison() const { return comparison_; }
   void setComparison(EarlierCameras comparison);
@@ -108,13 +108,13 @@ public:
   /// frame. If `repeated` is true, the key is held down and the step grows.
   void nudge(int axis, double factor, bool repeated);
   /// Changes the focal length by `percent` percent.
-  void nudgeFocal(double percent, bool repeated);
+  void nudgeFocalLength(double percent, bool repeated);
 
   /// Replaces a camera of the project in an undoable step named `step`. Successive steps with the
   /// same nonempty `mergeKey` are merged.
   void changeCamera(int camera, const QString& step, const Camera& changed,
                     const std::string& mergeKey = {});
-  void endMerging();
+  void endStepMerging();
 
   Document& document() { return document_; }
 

@@ -178,7 +178,7 @@ void ProjectPane::connectParts() {
   connect(controls_, &ControlForm::changed, this, [this](const std::string& name, qint64 value) {
     parts_.edits.setControl(camera(), name, value);
   });
-  connect(controls_, &ControlForm::dragEnded, &bench_.document, &Document::endMerging);
+  connect(controls_, &ControlForm::dragEnded, &bench_.document, &Document::endStepMerging);
   connect(lock_, &QPushButton::clicked, this, [this] { parts_.locker.lock(camera()); });
   connect(lockAll_, &QPushButton::clicked, this, [this] { parts_.locker.lock(-1); });
 }

@@ -197,7 +197,7 @@ void SourcePane::refreshRow(int row) {
   } else if (preview != nullptr && !preview->problem.isEmpty()) {
     lines << tr("✗ %1").arg(preview->problem);
   } else if (preview != nullptr && !preview->image.isNull()) {
-    lines << imageText(preview->size, preview->framesPerSecond);
+    lines << imageFormatText(preview->size, preview->framesPerSecond);
   }
   lines << formatSummary(device);
   lines.removeAll(QString());

@@ -53,7 +53,7 @@ CameraDocks::CameraDocks(const Workbench& bench)
 
 void CameraDocks::connectActions() {
   bench_.requireRun({"actionShowMask", "actionShowEvidence"},
-                    [document = &bench_.document] { return document->presentation().hasOverlays; });
+                    [document = &bench_.document] { return document->methodPresentation().hasOverlays; });
   bench_.onToggled("actionShowMask", this, [this](bool shown) {
     if (Session* session = bench_.session.session()) {
       session->setMasksShown(shown);
@@ -66,11 +66,11 @@ void CameraDocks::connectActions() {
     return document->methodFamily().hasBestParticle;
   });
   bench_.requireRun({"actionShowVolumeOfInterest"}, [document = &bench_.document] {
-    return document->presentation().searchesVolume;
+    return document->methodPresentation().searchesVolume;
   });
   bench_.onToggled("actionShowBest", this, [this](bool shown) {
     for (CameraView* view : views_) {
-      view->setBestShown(shown);
+      view->setBestParticleShown(shown);
     }
   });
   bench_.onToggled("actionShowEvidence", this, [this](bool shown) {
@@ -86,7 +86,7 @@ void CameraDocks::connectActions() {
 void CameraDocks::connectZoom() {
   bench_.requireRun({"actionZoomIn", "actionZoomOut", "actionFitImage"});
   bench_.requireRun({"actionShowMagnifier"}, [document = &bench_.document] {
-    return document->presentation().searchesVolume;
+    return document->methodPresentation().searchesVolume;
   });
   bench_.onToggled("actionShowMagnifier", this, [this](bool shown) {
     for (CameraView* view : views_) {
@@ -157,7 +157,7 @@ void CameraDocks::make() {
     });
     view->setMaskShown(mask);
     view->setLikelihoodShown(evidence);
-    view->setBestShown(best);
+    view->setBestParticleShown(best);
     view->setMagnifierShown(magnifier);
     view->setVolume(volume_);
     view->setChosenTarget(bench_.selection.target());
@@ -165,7 +165,7 @@ void CameraDocks::make() {
     connect(view, &CameraView::menuRequested, menu_,
             [this, camera, view](const QPointF& position) { menu_->open(camera, view, position); });
     pick_->attach(camera, view);
-    Q_EMIT viewMade(camera, view);
+    Q_EMIT viewCreated(camera, view);
     docks_.push_back(dock);
     views_.push_back(view);
   }

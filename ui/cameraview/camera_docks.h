@@ -34,7 +34,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when a camera view was created, so that overlays can be added to it.
-  void viewMade(int camera, CameraView* view);
+  void viewCreated(int camera, CameraView* view);
 
 private:
   void connectActions();

@@ -35,7 +35,7 @@ cv::Mat drawn(const CameraImageSource& source) {
   const cv::Rect part(source.part.x(), source.part.y(), source.part.width(), source.part.height());
   const cv::Size size(source.size.width(), source.size.height());
   const bool isMasked = !source.mask.empty() && source.mask.size() == source.frame->image.size();
-  const cv::Mat tints = colorsOfTargets(source.isOfMotion ? std::vector<QColor>() : source.tints);
+  const cv::Mat tints = colorsOfTargets(source.isMotionMask ? std::vector<QColor>() : source.tints);
   const cv::Mat image = source.frame->image(part);
   const cv::Mat tinted = isMasked ? tintedImage(image, source.mask(part), tints) : image;
   const bool squares = source.isZoomed && size.width >= kSquareFrom * part.width;
@@ -63,7 +63,7 @@ QImage mapImage(const std::vector<LikelihoodMap>& maps, int camera) {
 
 bool CameraImageSource::operator==(const CameraImageSource& other) const {
   return camera == other.camera && frame == other.frame && mask.data == other.mask.data &&
-         isOfMotion == other.isOfMotion && tints == other.tints && part == other.part &&
+         isMotionMask == other.isMotionMask && tints == other.tints && part == other.part &&
          size == other.size && isZoomed == other.isZoomed && maps == other.maps;
 }
 

@@ -57,7 +57,7 @@ ParticleRamp rampOf(const TrackSnapshot& snapshot, const QColor& color) {
 CameraOverlay shownOverlay(const TrackSnapshot& snapshot, int camera, std::size_t target,
                            const CameraViewOptions& look) {
   CameraOverlay overlay = cameraOverlay(snapshot, camera, snapshot.targets[target]);
-  if (!look.bestShown) {
+  if (!look.bestParticleShown) {
     overlay.best.reset();
   }
   return overlay;
@@ -107,7 +107,7 @@ CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera,
   return {.camera = camera,
           .frame = frame,
           .mask = mask,
-          .isOfMotion = snapshot->masksShowMotion,
+          .isMotionMask = snapshot->masksShowMotion,
           .tints = mask.empty() ? std::vector<QColor>() : overlayColors(*snapshot),
           .part = QRect(0, 0, frame->image.cols, frame->image.rows),
           .size = size,
@@ -128,7 +128,7 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
                 place.placement);
   }
   paintPeople(painter, *snapshot, camera, place.placement, place.seen, look.chosenTarget);
-  paintPeopleObstacle(painter, *snapshot, camera, place.seen);
+  paintPeopleProblem(painter, *snapshot, camera, place.seen);
   const std::vector<QColor> colors = overlayColors(*snapshot);
   for (std::size_t i = 0; i < snapshot->targets.size(); ++i) {
     const TargetSnapshot& target = snapshot->targets[i];
@@ -163,7 +163,7 @@ QString missingImageText(const TrackSnapshotPtr& snapshot, int camera) {
                    "CameraView", "No images yet. Press play (Space), or open a project (Ctrl+O).");
 }
 
-QColor imageGround(const QPalette& palette) {
+QColor imageBackgroundColor(const QPalette& palette) {
   return palette.color(QPalette::Base).lightness() < 128
              ? palette.color(QPalette::Base)
              : palette.color(QPalette::Window).darker(108);
@@ -172,7 +172,7 @@ QColor imageGround(const QPalette& palette) {
 QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraViewOptions& look,
                      const QSize& size) {
   QImage picture(size, QImage::Format_RGB32);
-  picture.fill(imageGround(look.palette));
+  picture.fill(imageBackgroundColor(look.palette));
   QPainter painter(&picture);
   const FramePtr frame = frameOf(snapshot, camera);
   if (!frame || frame->image.empty()) {
@@ -186,7 +186,7 @@ QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraV
   const ZoomSizes sizes{pixels, size, 1.0};
   const ImageZoom fitted;
   const CameraImage image =
-      drawCameraImage(imageSource(snapshot, camera, look, fitted.partSize(sizes)));
+      drawCameraImage(imageSource(snapshot, camera, look, fitted.visiblePartSize(sizes)));
   CameraImageArea place;
   place.placement = fitted.placement(sizes);
   place.seen = place.placement.areaOf(pixels) & QRectF(picture.rect());

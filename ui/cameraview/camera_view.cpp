@@ -44,8 +44,8 @@ void CameraView::setLikelihoodShown(bool shown) {
   refresh();
 }
 
-void CameraView::setBestShown(bool shown) {
-  look_.bestShown = shown;
+void CameraView::setBestParticleShown(bool shown) {
+  look_.bestParticleShown = shown;
   update();
 }
 
@@ -79,7 +79,7 @@ CameraImageSource CameraView::source() const {
   if (wanted.frame) {
     const ZoomSizes room = zoomSizesFor(*wanted.frame);
     wanted.part = zoom_.part(room);
-    wanted.size = zoom_.partSize(room);
+    wanted.size = zoom_.visiblePartSize(room);
     wanted.isZoomed = !zoom_.isFitted(room);
   }
   return wanted;
@@ -226,7 +226,7 @@ QString CameraView::problemText() const {
 void CameraView::paintEvent(QPaintEvent*) {
   showNewest(); // the size may be another one
   QPainter painter(this);
-  painter.fillRect(rect(), imageGround(palette()));
+  painter.fillRect(rect(), imageBackgroundColor(palette()));
   const FramePtr frame = frameOf(snapshot_, camera_);
   if (!frame || frame->image.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));

@@ -32,7 +32,7 @@ public:
   /// Shows or hides the likelihood maps and the candidate positions.
   void setLikelihoodShown(bool shown);
   /// Shows or hides each target's highest-weight particle.
-  void setBestShown(bool shown);
+  void setBestParticleShown(bool shown);
   /// Shows or hides the inset that enlarges a particle cloud that is too small to see.
   void setMagnifierShown(bool shown);
   /// Shows the outline of the volume of interest. If `volume` is empty, no outline is shown.

@@ -30,7 +30,7 @@ public:
   void setMagnifying(bool magnifying) { magnifying_ = magnifying; }
   /// Sets whether a drag moves a point instead of drawing a box. Such a drag emits `grabbed()` at
   /// the start, `pointMoved()` during the drag, and `picked()` at the end.
-  void setPointing(bool pointing) { pointing_ = pointing; }
+  void setPointDragging(bool pointing) { pointing_ = pointing; }
   /// Sets the pixel where the keyboard cross starts; the image center by default.
   void setCrossStart(std::optional<QPointF> start) { crossStart_ = start; }
   /// Draws thin lines and a cross over the image, in image pixels.

@@ -119,7 +119,7 @@ QRect ImageZoom::part(const ZoomSizes& sizes) const {
   return {left, top, right - left, bottom - top};
 }
 
-QSize ImageZoom::partSize(const ZoomSizes& sizes) const {
+QSize ImageZoom::visiblePartSize(const ZoomSizes& sizes) const {
   if (isFitted(sizes)) {
     return fittedDeviceSize(sizes);
   }

@@ -44,7 +44,7 @@ public:
   /// whole image if it is fitted.
   QRect part(const ZoomSizes& sizes) const;
   /// Returns the size of part() on the screen, in device pixels.
-  QSize partSize(const ZoomSizes& sizes) const;
+  QSize visiblePartSize(const ZoomSizes& sizes) const;
 
 private:
   ImagePlacement exactPlacement(const ZoomSizes& sizes) const;

@@ -88,7 +88,7 @@ bool isPaintedAsPerson(const TargetSnapshot& target) {
                     target.estimate);
 }
 
-void paintPeopleObstacle(QPainter& painter, const TrackSnapshot& snapshot, int camera,
+void paintPeopleProblem(QPainter& painter, const TrackSnapshot& snapshot, int camera,
                          const QRectF& room) {
   QString text = peopleObstacleText(snapshot, camera);
   if (text.isEmpty()) {

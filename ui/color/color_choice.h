@@ -29,7 +29,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when the user selects another color.
-  void chosenChanged();
+  void chosenColorChanged();
   void removeRequested(int color);
 
 private:

@@ -39,7 +39,7 @@ ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const T
                              .content = scroll,
                              .rank = 3});
   bench_.connectImageView(panel_);
-  connect(dock_, &QDockWidget::visibilityChanged, panel_, &ColorPanel::setInFront);
+  connect(dock_, &QDockWidget::visibilityChanged, panel_, &ColorPanel::setPanelVisible);
   connect(panel_, &ColorPanel::failed, &bench_.messages, &MessageBar::showError);
   connect(panel_, &ColorPanel::pickingChanged, this, &ColorDock::showAwaited);
   connect(panel_, &ColorPanel::learned, this, &ColorDock::learned);
@@ -77,7 +77,7 @@ void ColorDock::connectActions() {
   bench_.onToggled("actionAddTarget", this, [this](bool starts) { addTarget(starts); });
   // A page opened now has the clicks.
   bench_.onToggled("actionCalibrateByHand", this, [this](bool opened) {
-    if (opened && panel_->addsTarget()) {
+    if (opened && panel_->clickAddsTarget()) {
       panel_->setPicking(false);
     }
     showAwaited();
@@ -93,7 +93,7 @@ void ColorDock::learn(bool starts) {
   if (showsAwaited_) {
     return;
   }
-  if (starts && panel_->addsTarget()) {
+  if (starts && panel_->clickAddsTarget()) {
     panel_->setTarget(targets_->chosen());
   }
   panel_->setPicking(starts);
@@ -116,7 +116,7 @@ void ColorDock::addTarget(bool starts) {
 }
 
 void ColorDock::showAwaited() {
-  const bool adds = panel_->isPicking() && panel_->addsTarget();
+  const bool adds = panel_->isPicking() && panel_->clickAddsTarget();
   const bool learns =
       panel_->isPicking() && (!adds || bench_.action("actionCalibrateByHand")->isChecked());
   showsAwaited_ = true;

@@ -147,7 +147,7 @@ void ColorLearner::applyResult(int target, const setup::ClickLearningResult& les
   }
   setTarget(learnedTarget);
   Q_EMIT learned(learnedTarget, learnedTarget != target);
-  Q_EMIT lessonReady(lesson);
+  Q_EMIT learningResultReady(lesson);
   if (lesson.color.assessment.targetKnown) {
     Q_EMIT assessed(lesson.color.assessment);
   } else {

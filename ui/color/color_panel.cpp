@@ -70,11 +70,11 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
     mode_ = mode.value_or(ColorLearner::SampleAction::Replace);
     setPicking(mode.has_value());
   });
-  connect(choice_, &ColorChoice::chosenChanged, this, &ColorPanel::refresh);
+  connect(choice_, &ColorChoice::chosenColorChanged, this, &ColorPanel::refresh);
   connect(choice_, &ColorChoice::removeRequested, this, &ColorPanel::removeColor);
   connect(picker_, &ColorPicker::rangeEdited, this, &ColorPanel::editRange);
   connect(picker_, &ColorPicker::editingFinished, this, [this] {
-    document_.endMerging();
+    document_.endStepMerging();
     learner_->assess();
   });
   connect(survey_, &ImageHistogramJob::finished, picker_, &ColorPicker::setHistogram);
@@ -104,7 +104,7 @@ void ColorPanel::connectLearner() {
   connect(learner_, &ColorLearner::learned, this, showLearned);
   connect(boxes_, &BoxPicker::learned, this, showLearned);
   connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
-  connect(learner_, &ColorLearner::lessonReady, this,
+  connect(learner_, &ColorLearner::learningResultReady, this,
           [this](const setup::ClickLearningResult& lesson) {
             found_ = lesson.found;
             shownRadius_ = lesson.radius;
@@ -157,7 +157,7 @@ void ColorPanel::handlePick(int camera, const QRectF& region, Qt::KeyboardModifi
 
 void ColorPanel::setPicking(bool picking) {
   const bool isOther = std::exchange(picking_, picking) != picking;
-  const bool isAdding = addsTarget();
+  const bool isAdding = clickAddsTarget();
   if (std::exchange(wasAdding_, isAdding) != isAdding || isOther) {
     Q_EMIT pickingChanged();
   }
@@ -197,7 +197,7 @@ bool ColorPanel::hasTarget() const {
   return target_ >= 0 && target_ < static_cast<int>(document_.project().targets.size());
 }
 
-bool ColorPanel::addsTarget() const {
+bool ColorPanel::clickAddsTarget() const {
   return target_ < 0 && !document_.project().targets.empty();
 }
 
@@ -227,7 +227,7 @@ void ColorPanel::refresh() {
     picker_->setRange(colors_[static_cast<std::size_t>(choice_->chosen())]);
   }
   samples_->setSamples(document_.project(), target_);
-  modes_->setRefinable(any, any && !targets[static_cast<std::size_t>(target_)].samples.empty());
+  modes_->setRefinementEnabled(any, any && !targets[static_cast<std::size_t>(target_)].samples.empty());
   followAll_->offer(assessed_ ? &assessment_ : nullptr, target_);
   if (assessed_) {
     updateAssessment();
@@ -295,7 +295,7 @@ void ColorPanel::removeColor(int color) {
   });
 }
 
-void ColorPanel::setInFront(bool inFront) {
+void ColorPanel::setPanelVisible(bool inFront) {
   inFront_ = inFront;
   if (!inFront) {
     clearRegions();
@@ -351,7 +351,7 @@ void ColorPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
 }
 
 bool ColorPanel::targetsAreBoxes() const {
-  return document_.presentation().targetsAreBoxes;
+  return document_.methodPresentation().targetsAreBoxes;
 }
 
 bool ColorPanel::expectsClick() const {

@@ -42,7 +42,7 @@ void LearnModes::setMode(Mode mode) {
   }
 }
 
-void LearnModes::setRefinable(bool canAdd, bool canExclude) {
+void LearnModes::setRefinementEnabled(bool canAdd, bool canExclude) {
   if (canAdd_ != canAdd || canExclude_ != canExclude) {
     canAdd_ = canAdd;
     canExclude_ = canExclude;

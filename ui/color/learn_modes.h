@@ -26,7 +26,7 @@ public:
   void setMode(Mode mode);
   /// Enables or disables the buttons. `canAdd` is true if there is a target to which samples can be
   /// added, `canExclude` if this target already has samples.
-  void setRefinable(bool canAdd, bool canExclude);
+  void setRefinementEnabled(bool canAdd, bool canExclude);
   bool offers(ColorLearner::SampleAction mode) const;
   /// Sets whether a click sets a target's box. If so, the buttons for adding and excluding are not
   /// available.

@@ -45,7 +45,7 @@ CorrectionTool::CorrectionTool(const Workbench& bench, BirdsEyeView& birdsEye, Q
 void CorrectionTool::attach(int camera, CameraView* view) {
   auto* overlay = new ImagePickOverlay(view);
   overlay->setObjectName(view->objectName() + QStringLiteral("Correction"));
-  overlay->setPointing(true);
+  overlay->setPointDragging(true);
   overlay->hide();
   const Layer layer{camera, view, overlay};
   layers_.push_back(layer);

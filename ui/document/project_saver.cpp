@@ -27,7 +27,7 @@ void ProjectSaver::save(const std::filesystem::path& file) {
         return;
       }
       if (project == projectCount_) {
-        document_.setSaved(*state, file);
+        document_.markSaved(*state, file);
       }
       Q_EMIT saved(QString::fromStdString(file.string()));
     });

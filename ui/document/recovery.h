@@ -38,7 +38,7 @@ public:
   void recover(const RecoverableWork& work, std::function<void(const Result<Project>&)> then);
   /// Notes that the document now contains this recovered work. Its copy is removed once this window
   /// has written its own copy, or when the work is saved or discarded.
-  void takeOver(const RecoverableWork& work) { takenOver_.push_back(work); }
+  void adoptBackup(const RecoverableWork& work) { takenOver_.push_back(work); }
   /// Discards a copy: it is no longer offered, and it is deleted after a week. `restore()` undoes
   /// the discarding.
   void discard(const RecoverableWork& work);
@@ -62,7 +62,7 @@ private:
   using Folder = std::optional<RecoveryFolder>; ///< created, used and destroyed only in the queue
   void runInFolder(std::function<void(RecoveryFolder&)> work);
   void schedule();
-  void removeOwn();
+  void removeOwnBackup();
   void removeTakenOver();
   void write();
 

@@ -48,8 +48,8 @@ public:
   static void remove(const RecoverableWork& work);
 
   /// Writes `project`, which was loaded from `project.file`, to this window's copy.
-  Status writeOwn(const Project& project) const;
-  void removeOwn() const;
+  Status writeOwnBackup(const Project& project) const;
+  void removeOwnBackup() const;
 
 private:
   void removeLeftovers() const;

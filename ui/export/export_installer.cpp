@@ -57,7 +57,7 @@ void exportBoxes(const Workbench& bench) {
     connectMessages(bench, dialog);
     const auto reset = [dialog, destination] { dialog->resetFolder(destination->folder()); };
     QObject::connect(&bench.document, &Document::replaced, dialog, reset);
-    QObject::connect(dialog, &BoxExportDialog::wrote, destination, &ExportDestination::remember);
+    QObject::connect(dialog, &BoxExportDialog::fileWritten, destination, &ExportDestination::remember);
     reset();
   }
   dialog->proposeFolder(destination->folder());
@@ -77,7 +77,7 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
       dialog->resetChoices(trajectoryFile(*destination));
     };
     QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
-    QObject::connect(dialog, &ExportDialog::wrote, destination, &ExportDestination::remember);
+    QObject::connect(dialog, &ExportDialog::fileWritten, destination, &ExportDestination::remember);
     resetChoices();
     const auto sayOld = [dialog, results = &bench.session.results()] {
       dialog->setHasOldResults(!results->oldResults().frames.empty());
@@ -98,7 +98,7 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
 
 void installExport(const Workbench& bench, const Timeline& timeline) {
   bench.onTriggered("actionExportTrajectory", &bench.window, [bench, &timeline] {
-    if (bench.document.presentation().showsBoxes) {
+    if (bench.document.methodPresentation().resultsAreBoxes) {
       exportBoxes(bench);
     } else {
       exportTrajectory(bench, timeline.model());

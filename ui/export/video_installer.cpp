@@ -59,7 +59,7 @@ std::vector<VideoView> cameraViewsOf(const Workbench& bench) {
 
 void addSceneTo(VideoOffer& offer, const Workbench& bench) {
   const auto* scene = bench.window.findChild<BirdsEyeView*>();
-  if (scene == nullptr || !scene->hasImage() || !bench.document.presentation().hasBirdsEyeView) {
+  if (scene == nullptr || !scene->hasImage() || !bench.document.methodPresentation().hasBirdsEyeView) {
     return;
   }
   const double aspect = static_cast<double>(scene->width()) / std::max(1, scene->height());
@@ -119,7 +119,7 @@ VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) 
     dialog->resetChoices(videoFile(*destination));
   };
   QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
-  QObject::connect(dialog, &VideoDialog::wrote, destination, &ExportDestination::remember);
+  QObject::connect(dialog, &VideoDialog::fileWritten, destination, &ExportDestination::remember);
   resetChoices();
   QObject::connect(&bench.session, &SessionController::runEnded, dialog, [dialog] {
     dialog->stop(VideoDialog::tr("The export was stopped because the run has ended."));

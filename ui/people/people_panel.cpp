@@ -158,7 +158,7 @@ void PeoplePanel::showLearning() {
 
 void PeoplePanel::refresh() {
   sinceRefresh_.start();
-  if (!snapshot_ || !presentationOf(*snapshot_).countsPeople) {
+  if (!snapshot_ || !presentationOf(*snapshot_).listsPeople) {
     learning_->hide();
     summary_->setText(tr("People appear here once a method for people runs."));
     table_->setRowCount(0);
@@ -211,7 +211,7 @@ void PeoplePanel::showRow(int row, const TargetSnapshot& target, const PersonEst
   setCell(row, kHeight, person.height > 0.0 ? meters(person.height) : QString());
   setCell(row, kSpeed, numberText(person.velocity.head<2>().norm(), 1, NumberForm::Rounded));
   setCell(row, kCameras,
-          QStringLiteral("%1/%2").arg(person.camerasSeeing).arg(snapshot_->peopleCameras.size()));
+          QStringLiteral("%1/%2").arg(person.seeingCameraCount).arg(snapshot_->peopleCameras.size()));
   setCell(row, kVolume,
           target.shape ? numberText(target.shape->volume, 2, NumberForm::Rounded) : QString());
   setCell(row, kSince, numberText(person.age, 0, NumberForm::Rounded));

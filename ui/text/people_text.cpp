@@ -40,11 +40,11 @@ QString peopleObstacleText(const TrackSnapshot& snapshot, int camera) {
     return learningText(*share);
   }
   const PeopleCameraState* state = stateOf(snapshot, camera);
-  if (state == nullptr || state->usable || state->foregroundShare <= 0.0) {
+  if (state == nullptr || state->usable || state->foregroundFraction <= 0.0) {
     return {};
   }
   return QCoreApplication::translate("People", "image ignored: %1 % of it is moving")
-      .arg(percentText(state->foregroundShare));
+      .arg(percentText(state->foregroundFraction));
 }
 
 int peopleCount(const TrackSnapshot& snapshot) {

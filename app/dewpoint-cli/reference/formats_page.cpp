@@ -23,7 +23,7 @@ std::string exportTable() {
                     markdownCode(format.suffix), markdownText(format.fields),
                     axesText(format.table.axes),
                     format.table.unit == LengthUnit::Meter ? "m" : "mm",
-                    format.table.evenRows ? "at equal distances in time" : "as recorded",
+                    format.table.requiresEvenRows ? "at equal distances in time" : "as recorded",
                     format.covariance ? "yes" : "no"});
   }
   return markdownTable(

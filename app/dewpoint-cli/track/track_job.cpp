@@ -215,7 +215,7 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth, const Cam
       fmt::print("frames lost             {:>10}\n", one.lostFrames);
     } else {
       fmt::print("iterations to converge  {:>10}\n", "never");
-      fmt::print("error RMSE, all frames  {:>7.1f} mm\n", inMillimeters(one.rmseAll));
+      fmt::print("error RMSE, all frames  {:>7.1f} mm\n", inMillimeters(one.rmseOfAllFrames));
     }
   }
 }

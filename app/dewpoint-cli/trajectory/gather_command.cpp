@@ -46,7 +46,7 @@ Status writeGathered(const GatheredJobs& gathered, const std::filesystem::path& 
     return failure(ErrorCode::FileUnwritable, folder.string(), "--out", problem.message());
   }
   return writeTextFile(folder / "results.csv", gatheredTable(gathered))
-      .and_then([&] { return writeTextFile(folder / "times.csv", gatheredTimes(gathered)); })
+      .and_then([&] { return writeTextFile(folder / "times.csv", gatheredDurations(gathered)); })
       .and_then([&] { return writeTextFile(folder / "report.md", gatheredReport(gathered)); });
 }
 

@@ -223,7 +223,7 @@ void BaselineTracker::updateEstimate(std::size_t target,
                                      const std::optional<TriangulatedPoint>& position) {
   Tracked& tracked = tracked_[target];
   SphereEstimate estimate;
-  estimate.camerasSeeing = position ? static_cast<int>(position->bearings.size()) : 0;
+  estimate.seeingCameraCount = position ? static_cast<int>(position->bearings.size()) : 0;
   if (position) {
     tracked.sinceSeen = 0.0;
   }

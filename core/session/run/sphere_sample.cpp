@@ -12,7 +12,7 @@ TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& targe
   sample.position = sphere.mean;
   sample.covariance = sphere.covariance;
   sample.effectiveSampleSize = sphere.effectiveSampleSize;
-  sample.cameras = sphere.camerasSeeing;
+  sample.cameras = sphere.seeingCameraCount;
   sample.valid = sphere.valid;
   sample.existenceProbability = sphere.existenceProbability;
   sample.best = bestParticleOf(sphere);

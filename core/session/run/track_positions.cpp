@@ -46,7 +46,7 @@ Result<TrackerPtr> trackerAt(const Eigen::Vector3d& position, ParameterValues pa
 TrajectoryHeader headerOf(const ParameterValues& parameters, std::uint64_t seed) {
   TrajectoryHeader header;
   header.entries = {{"method", "dynamics"}, {"seed", std::to_string(seed)}};
-  header.hasBest = true;
+  header.hasBestParticles = true;
   for (const auto& declaration : parameters.declarations()) {
     if (isStartPositionParameter(declaration.key)) {
       continue; // its own of each target

@@ -347,7 +347,7 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
       return first;
     }
     if (first->hasOnlyOtherBoard()) {
-      first->searchedAll = false;
+      first->searchedAllFrames = false;
       return first;
     }
   }
@@ -372,7 +372,7 @@ Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pic
       return first;
     }
     if (first->hasOnlyOtherBoard()) {
-      first->searchedAll = false;
+      first->searchedAllFrames = false;
       return first;
     }
   }

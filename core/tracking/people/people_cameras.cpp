@@ -57,7 +57,7 @@ void PeopleCameras::setRig(const CameraRig& rig) {
     View view{camera, Projector(camera), {}, {}, {}, 0};
     if (k < views_.size()) { // what was learned stays
       view.model = std::move(views_[k].model);
-      view.learnedFrames = views_[k].learnedFrames;
+      view.learnedFrameCount = views_[k].learnedFrameCount;
     }
     views.push_back(std::move(view));
   }
@@ -123,7 +123,7 @@ void PeopleCameras::updateMask(const FrameSet& frames, std::size_t camera, const
   View& view = views_[camera];
   PeopleCameraState& state = states_[camera];
   state.usable = false;
-  state.foregroundShare = 0.0;
+  state.foregroundFraction = 0.0;
   view.mask = cv::Mat();
   if (camera >= frames.frames.size() || !frames.frames[camera] ||
       frames.frames[camera]->image.empty()) {
@@ -143,14 +143,14 @@ void PeopleCameras::updateMask(const FrameSet& frames, std::size_t camera, const
   if (learning || !view.model) {
     if (view.model) {
       view.model->learn(view.image);
-      ++view.learnedFrames;
+      ++view.learnedFrameCount;
     }
     return;
   }
   view.model->subtract(view.image, keep, view.mask);
-  state.foregroundShare =
+  state.foregroundFraction =
       static_cast<double>(cv::countNonZero(view.mask)) / static_cast<double>(view.mask.total());
-  state.usable = state.foregroundShare < kOverwhelmed;
+  state.usable = state.foregroundFraction < kOverwhelmed;
 }
 
 } // namespace dewpoint::tracking

@@ -73,7 +73,7 @@ private:
     cv::Mat image; ///< its pixels and those of the mask are never changed afterward
     cv::Mat mask;
     Model model;
-    int learnedFrames = 0;
+    int learnedFrameCount = 0;
   };
 
   void updateMask(const FrameSet& frames, std::size_t camera, const cv::Mat& keep);

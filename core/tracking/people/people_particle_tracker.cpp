@@ -268,20 +268,20 @@ void PeopleParticleTracker::updateMeetings() {
     for (std::size_t other = one + 1; other < people_.size(); ++other) {
       const std::pair key(people_[one].identity, people_[other].identity);
       if (areNear(one, other)) {
-        meetings_[key].sinceNear = 0.0;
+        meetings_[key].secondsSinceNear = 0.0;
       }
       const auto found = meetings_.find(key);
       if (found == meetings_.end()) {
         continue;
       }
       Meeting& meeting = found->second;
-      meeting.sinceNear += cameras().interval();
+      meeting.secondsSinceNear += cameras().interval();
       meeting.evidence = kEvidenceLoss * meeting.evidence + clothesEvidence(one, other);
       if (meeting.evidence < kMistaken) {
         swapIdentities(one, other);
         meeting.evidence = 0.0;
       }
-      if (meeting.sinceNear > kMeetingMemory) {
+      if (meeting.secondsSinceNear > kMeetingMemory) {
         meetings_.erase(found);
       }
     }

@@ -256,7 +256,7 @@ void PeopleTrackLifecycle::updateVisibility() {
     } else {
       unseen += seeing > 0 && seeing + unable >= needed ? interval / kHiddenPatience : interval;
     }
-    estimate.camerasSeeing = seeing;
+    estimate.seeingCameraCount = seeing;
     estimate.existenceProbability = std::clamp(1.0 - unseen / settings_.survivalTime, 0.0, 1.0);
     estimate.age += interval;
     estimate.interacting = std::ranges::any_of(people_, [&](const PersonEstimate& other) {
@@ -266,7 +266,7 @@ void PeopleTrackLifecycle::updateVisibility() {
   }
 }
 
-std::vector<LikelihoodMap> PeopleTrackLifecycle::motionLikelihoods() const {
+std::vector<LikelihoodMap> PeopleTrackLifecycle::motionLikelihoodMaps() const {
   const MotionSmoothing smoothing = motionSmoothing();
   std::vector<LikelihoodMap> maps(cameras_.count());
   for (std::size_t k = 0; k < maps.size(); ++k) {

@@ -43,7 +43,7 @@ public:
   const std::vector<PersonEstimate>& people() const override { return people_; }
   const std::vector<PeopleCameraState>& cameraStates() const override { return cameras_.states(); }
   cv::Mat foreground(std::size_t camera) const override { return cameras_.mask(camera); }
-  std::vector<LikelihoodMap> motionLikelihoods() const override;
+  std::vector<LikelihoodMap> motionLikelihoodMaps() const override;
   int addPerson(const Eigen::Vector3d& center) override;
   void removePerson(int identity) override;
   bool canBeCopied() const override { return cameras_.canBeCopied(); }

@@ -174,7 +174,7 @@ EncodedFiles encodeNpz(const ExportTable& table, const std::string& /*name*/) {
     }
     entries.push_back({"about.npy", textArray({about}, "")});
   }
-  auto archive = storedZip(entries);
+  auto archive = uncompressedZip(entries);
   if (!archive) {
     return tl::make_unexpected(archive.error());
   }

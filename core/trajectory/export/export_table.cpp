@@ -349,11 +349,11 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
     return table;
   }
   table->rate = usualRate(table->times);
-  table->recordedRate = table->rate;
+  table->recordedRowsPerSecond = table->rate;
   const double span = table->times.back() - table->times.front();
-  table->recordedRows = 1 + static_cast<std::size_t>(std::lround(span * table->rate));
+  table->recordedRowCount = 1 + static_cast<std::size_t>(std::lround(span * table->rate));
   const bool mustBeEven =
-      defaults.evenRows && table->rate > 0.0 && !isEven(table->times, table->rate);
+      defaults.requiresEvenRows && table->rate > 0.0 && !isEven(table->times, table->rate);
   if (options.rate || mustBeEven) {
     table = resampled(*table, options.rate.value_or(table->rate), options);
   } else if (options.gaps == GapRule::Fill) {

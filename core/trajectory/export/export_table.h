@@ -39,9 +39,9 @@ struct ExportTable {
   std::vector<std::int64_t> frames;           ///< frame number of each row
   std::vector<std::vector<ExportCell>> cells; ///< cells, indexed by [target][row]
   double rate = 0.0;                          ///< rows per second
-  double recordedRate = 0.0;                  ///< rows per second before resampling
+  double recordedRowsPerSecond = 0.0;                  ///< rows per second before resampling
   /// Number of rows before resampling, including rows of dropped frames.
-  std::size_t recordedRows = 0;
+  std::size_t recordedRowCount = 0;
   bool covariance = false; ///< at least one cell has a covariance
   bool best = false;       ///< at least one cell has a `best` position
   bool corrected = false;  ///< at least one cell is corrected
@@ -65,7 +65,7 @@ struct ExportTable {
 struct TableDefaults {
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
-  bool evenRows = false; ///< the format requires rows at equal time intervals
+  bool requiresEvenRows = false; ///< the format requires rows at equal time intervals
 };
 
 /// Creates the table for an export: selects targets and rows, smooths, resamples, fills gaps and

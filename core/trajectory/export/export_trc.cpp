@@ -15,7 +15,7 @@ EncodedFiles encodeTrc(const ExportTable& table, const std::string& name) {
                   "OrigDataStartFrame\tOrigNumFrames\n"
                   "{:.6g}\t{:.6g}\t{}\t{}\t{}\t{:.6g}\t1\t{}\n",
                   oneLine(name), rate, rate, rows, table.targets.size(), table.unitName(),
-                  table.recordedRate, table.recordedRows);
+                  table.recordedRowsPerSecond, table.recordedRowCount);
   text += "Frame#\tTime";
   for (const std::string& target : table.targets) {
     text += fmt::format("\t{}\t\t", oneLine(target));

@@ -280,7 +280,7 @@ Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOp
                                                     ? encoded->files.front().bytes
                                                     : bytes,
                                                 lineCount);
-  preview.noteLines = (*format)->binary ? 0 : noteLineCount(preview.text);
+  preview.noteLineCount = (*format)->binary ? 0 : noteLineCount(preview.text);
   return preview;
 }
 

@@ -42,7 +42,7 @@ struct ExportPreview {
   double rate = 0.0; ///< rows per second
   /// Number of lines at the beginning of `text` that begin with '#': notes, and in some formats
   /// also the names of the columns.
-  std::size_t noteLines = 0;
+  std::size_t noteLineCount = 0;
 };
 
 /// Writes the trajectory to `file` in the format `options.format`. If the format uses several

@@ -192,7 +192,7 @@ FigureDrawing figureDrawing(const ExportTable& table, const FigureTexts& texts) 
   const Eigen::AlignedBox2d square = boxAt(kSquareLeft, kPanelsTop, kSquareSide, kSquareSide);
   PanelDrawer above(figure.fromAbove, square, drawing);
   above.drawAxes(axisName(table, figure.fromAbove.horizontalAxis),
-                 texts.topView + ", " + axisName(table, figure.fromAbove.verticalAxis), true);
+                 texts.topViewTitle + ", " + axisName(table, figure.fromAbove.verticalAxis), true);
   above.drawCurves();
   drawLegend(table, square, drawing);
   return drawing;

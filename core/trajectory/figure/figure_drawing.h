@@ -16,7 +16,7 @@ namespace dewpoint::trajectory {
 struct FigureTexts {
   std::string title;
   std::string time;    ///< label of the time axis: "time (s)"
-  std::string topView; ///< title of the top view: "from above"
+  std::string topViewTitle; ///< title of the top view: "from above"
 };
 
 /// Returns a title with the project and method of a run, taken from the header entries of its

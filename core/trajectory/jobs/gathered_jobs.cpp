@@ -34,10 +34,10 @@ Evaluation evaluationOf(const nlohmann::ordered_json& json, JsonFieldReader& fil
   fields.readNumber("median", one.median);
   fields.readNumber("p95", one.p95);
   fields.readNumber("max", one.max);
-  fields.readNumber("rmse_all", one.rmseAll);
-  fields.readNumber("inside_95", one.inside95);
+  fields.readNumber("rmse_all", one.rmseOfAllFrames);
+  fields.readNumber("inside_95", one.fractionInside95);
   constexpr std::int64_t kNone = 0;
-  fields.readInteger("frames_compared", one.framesCompared, kNone, limits::kMaxFrames);
+  fields.readInteger("frames_compared", one.comparedFrameCount, kNone, limits::kMaxFrames);
   fields.readInteger("lost_frames", one.lostFrames, kNone, limits::kMaxFrames);
   fields.readInteger("missing", one.missing, kNone, limits::kMaxFrames);
   fields.readInteger("frames_to_converge", one.framesToConverge, kNone, limits::kMaxFrames);
@@ -183,11 +183,11 @@ std::string gatheredTable(const GatheredJobs& gathered) {
     line.put(row.target).put(row.job->record.frames).put(row.coverage());
     if (row.evaluation != nullptr) {
       const Evaluation& e = *row.evaluation;
-      line.put(e.framesCompared);
-      for (const double length : {e.rmse, e.median, e.p95, e.max, e.rmseAll}) {
+      line.put(e.comparedFrameCount);
+      for (const double length : {e.rmse, e.median, e.p95, e.max, e.rmseOfAllFrames}) {
         line.put(inMillimeters(length));
       }
-      line.put(e.inside95);
+      line.put(e.fractionInside95);
       if (e.framesToConverge) {
         line.put(*e.framesToConverge);
       } else {
@@ -202,7 +202,7 @@ std::string gatheredTable(const GatheredJobs& gathered) {
   return text;
 }
 
-std::string gatheredTimes(const GatheredJobs& gathered) {
+std::string gatheredDurations(const GatheredJobs& gathered) {
   std::string text = "recording,command,method,settings,frame_range,seed,frames,seconds,"
                      "frames_per_second,threads\n";
   for (const GatheredJob& job : gathered.jobs) {

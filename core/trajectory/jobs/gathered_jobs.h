@@ -46,7 +46,7 @@ std::string evaluationFileText(const std::vector<Evaluation>& evaluations,
 /// Returns a CSV table with one row per job and target. Identical results give identical bytes.
 std::string gatheredTable(const GatheredJobs& gathered);
 /// Returns a CSV table with the duration of each job, which differs from run to run.
-std::string gatheredTimes(const GatheredJobs& gathered);
+std::string gatheredDurations(const GatheredJobs& gathered);
 /// Returns a Markdown page with the results of each method, the worst results, and the missing
 /// jobs. Identical results give identical bytes.
 std::string gatheredReport(const GatheredJobs& gathered);

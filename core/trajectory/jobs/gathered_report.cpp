@@ -24,7 +24,7 @@ struct MethodGroup {
   std::vector<double> coverage;
   std::vector<double> rmse; ///< meters
   std::vector<double> p95;  ///< meters
-  std::vector<double> inside95;
+  std::vector<double> fractionInside95;
 };
 using MethodName = std::tuple<std::string, std::string, std::string, std::string>;
 
@@ -63,7 +63,7 @@ std::map<MethodName, MethodGroup> methodGroups(const GatheredJobs& gathered) {
     if (row.evaluation != nullptr) {
       group.rmse.push_back(row.evaluation->rmse);
       group.p95.push_back(row.evaluation->p95);
-      group.inside95.push_back(row.evaluation->inside95);
+      group.fractionInside95.push_back(row.evaluation->fractionInside95);
     }
   }
   return groups;
@@ -81,7 +81,7 @@ std::string methodsTable(const GatheredJobs& gathered) {
                         method, markdownCell(settings), version, group.jobs,
                         group.recordings.size(), group.frames, percent(median(group.coverage)),
                         medianText(group.rmse), medianText(group.p95),
-                        group.inside95.empty() ? "" : percent(median(group.inside95)));
+                        group.fractionInside95.empty() ? "" : percent(median(group.fractionInside95)));
   }
   return text;
 }
@@ -130,7 +130,7 @@ std::vector<GatheredRow> rowsOf(const GatheredJobs& gathered) {
     }
     for (const JobTarget& target : targets) {
       const auto found = std::ranges::find(job.evaluations, target.name, &Evaluation::target);
-      rows.push_back({&job, target.name, target.validFrames,
+      rows.push_back({&job, target.name, target.validFrameCount,
                       found == job.evaluations.end() ? nullptr : &*found});
     }
   }

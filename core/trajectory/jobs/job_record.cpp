@@ -90,7 +90,7 @@ Result<JobRecord> recordOf(const Json& json, const std::string& file) {
       JsonFieldReader entry(one, file, "targets.");
       JobTarget& target = record.targets.emplace_back();
       entry.readText("name", target.name);
-      entry.readInteger("valid_frames", target.validFrames, std::int64_t{0}, limits::kMaxFrames);
+      entry.readInteger("valid_frames", target.validFrameCount, std::int64_t{0}, limits::kMaxFrames);
       fields.recordErrorOf(entry);
     }
   }
@@ -147,7 +147,7 @@ std::string jobRecordText(const JobRecord& record) {
   json["threads"] = record.threads;
   json["targets"] = Json::array();
   for (const JobTarget& target : record.targets) {
-    json["targets"].push_back({{"name", target.name}, {"valid_frames", target.validFrames}});
+    json["targets"].push_back({{"name", target.name}, {"valid_frames", target.validFrameCount}});
   }
   json["files"] = Json::array();
   for (const JobFile& file : record.files) {

@@ -29,7 +29,7 @@ struct JobFile {
 /// Number of a job's frames in which a target had a valid position.
 struct JobTarget {
   std::string name;
-  std::int64_t validFrames = 0;
+  std::int64_t validFrameCount = 0;
 
   bool operator==(const JobTarget&) const = default;
 };

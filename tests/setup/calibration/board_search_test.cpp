@@ -83,13 +83,13 @@ TEST(BoardSearch, ALongRecordingIsNotSearchedForTheWrongBoard) {
   const auto first = findBoards(recording.project, *source, request);
   ASSERT_TRUE(first) << sentence(first.error());
   EXPECT_TRUE(first->hasOnlyOtherBoard());
-  EXPECT_FALSE(first->searchedAll);
+  EXPECT_FALSE(first->searchedAllFrames);
   EXPECT_EQ(first->cameras[0].searched, kBoardProposalFrames);
   request.suggestBoardFirst = false;
   const auto all = findBoards(recording.project, *source, request);
   ASSERT_TRUE(all) << sentence(all.error());
   EXPECT_TRUE(all->hasOnlyOtherBoard());
-  EXPECT_TRUE(all->searchedAll);
+  EXPECT_TRUE(all->searchedAllFrames);
   EXPECT_EQ(all->cameras[0].searched, 40);
 }
 

@@ -96,7 +96,7 @@ TEST_P(PeopleMethods, SeeSomebodyComeWalkAndGo) {
       ASSERT_EQ(tracker->people().size(), 1U) << frame;
       EXPECT_EQ(tracker->people()[0].identity, 1);
       EXPECT_LT((tracker->people()[0].position.head<2>() - place).norm(), 0.2) << frame;
-      EXPECT_EQ(tracker->people()[0].camerasSeeing, 4);
+      EXPECT_EQ(tracker->people()[0].seeingCameraCount, 4);
     }
   }
   const BodyCloud body = tracker->found().body(1);
@@ -169,7 +169,7 @@ TEST_P(PeopleMethods, MapTheLikelihoodOfMotion) {
                    frame < 12 ? std::vector<Person>{} : std::vector<Person>{{{0.2, 0.2}, kRed}}),
         team);
   }
-  const auto maps = mapping->motionLikelihoods();
+  const auto maps = mapping->motionLikelihoodMaps();
   ASSERT_EQ(maps.size(), rig.size());
   const auto at = Projector(rig[0]).project({0.2, 0.2, 0.9});
   ASSERT_TRUE(at);

@@ -117,19 +117,19 @@ TEST(ExportOptions, ChoosesAndNamesFormats) {
 TEST(ExportOptions, PreviewsCountTheLinesOfNotes) {
   Trajectory trajectory = exportExample();
   trajectory.header.entries = {{"method", "dewpoint"}, {"seed", "7"}};
-  const auto noteLines = [&](const char* format, bool header) {
+  const auto noteLineCount = [&](const char* format, bool header) {
     ExportOptions options = exportAs(format);
     options.header = header;
     const auto preview = previewExport(trajectory, options, "a");
     EXPECT_TRUE(preview) << format;
-    return preview ? preview->noteLines : std::size_t{99};
+    return preview ? preview->noteLineCount : std::size_t{99};
   };
-  const std::size_t inCsv = noteLines("csv", true);
+  const std::size_t inCsv = noteLineCount("csv", true);
   EXPECT_GE(inCsv, 4U); // title, units, and two entries
-  EXPECT_EQ(noteLines("csv", false), 0U);
-  EXPECT_EQ(noteLines("tum", true), inCsv + 2U); // the target, and the names of the columns
-  EXPECT_EQ(noteLines("trc", true), 0U);
-  EXPECT_EQ(noteLines("npz", true), 0U); // no text
+  EXPECT_EQ(noteLineCount("csv", false), 0U);
+  EXPECT_EQ(noteLineCount("tum", true), inCsv + 2U); // the target, and the names of the columns
+  EXPECT_EQ(noteLineCount("trc", true), 0U);
+  EXPECT_EQ(noteLineCount("npz", true), 0U); // no text
 }
 
 TEST(ExportRefuses, WhatCannotBeWritten) {

@@ -47,8 +47,8 @@ protected:
     one.target = "ball";
     one.rmse = rmse;
     one.p95 = 2.0 * rmse;
-    one.inside95 = 0.9;
-    one.framesCompared = 9;
+    one.fractionInside95 = 0.9;
+    one.comparedFrameCount = 9;
     one.framesToConverge = 1;
     ASSERT_TRUE(
         writeTextFile(root_ / name / kEvaluationFile, evaluationFileText({one}, sha256(rows))));
@@ -77,7 +77,7 @@ TEST_F(GatherTest, HasOneRowForEachJobAndTarget) {
       "\"a, first\",track,dewpoint,particles=50 "
       "kld_error=0,,2,ball,10,1,9,1,0,2,0,0,0.9,1,0,1.2.3\n"
       "b,track,dewpoint,,,10,ball,10,0.7,,,,,,,,,,1.2.3\n");
-  EXPECT_EQ(gatheredTimes(*gathered),
+  EXPECT_EQ(gatheredDurations(*gathered),
             "recording,command,method,settings,frame_range,seed,frames,seconds,frames_per_second,"
             "threads\n"
             "\"a, first\",track,dewpoint,particles=50 kld_error=0,,2,10,0.5,20,1\n"

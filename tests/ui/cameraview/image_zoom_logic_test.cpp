@@ -20,7 +20,7 @@ TEST(ImageZoom, IsFittedAtFirst) {
   EXPECT_DOUBLE_EQ(all.scale, 400.0 / 1280.0);
   EXPECT_EQ(all.corner, QPointF(0.0, 38.0)); // (300 - 225) / 2, at a whole pixel
   EXPECT_EQ(zoom.part(kSizes), QRect(0, 0, 1280, 720));
-  EXPECT_EQ(zoom.partSize(kSizes), QSize(400, 225));
+  EXPECT_EQ(zoom.visiblePartSize(kSizes), QSize(400, 225));
 }
 
 TEST(ImageZoom, ThePixelUnderThePointerStays) {
@@ -54,7 +54,7 @@ TEST(ImageZoom, PixelsAreNotLargerThanTheMost) {
   ImageZoom zoom;
   zoom.zoomBy(1e6, {200.0, 150.0}, kSizes);
   EXPECT_DOUBLE_EQ(zoom.placement(kSizes).scale, ImageZoom::kMaxScale);
-  const QSize size = zoom.partSize(kSizes); // what is seen, and at most a pixel more on each side
+  const QSize size = zoom.visiblePartSize(kSizes); // what is seen, and at most a pixel more on each side
   EXPECT_LE(size.width(), 400 + 64);
   EXPECT_LE(size.height(), 300 + 64);
   const ZoomSizes tiny{{4, 3}, {400, 300}, 1.0};
@@ -89,9 +89,9 @@ TEST(ImageZoom, ThePartIsWhatIsSeen) {
   EXPECT_TRUE(seen.contains(QRectF(0.0, 0.0, 400.0, 300.0)));
   EXPECT_LE(part.width(), 46);
   EXPECT_LE(part.height(), 36);
-  EXPECT_EQ(zoom.partSize(kSizes), part.size() * 10);
+  EXPECT_EQ(zoom.visiblePartSize(kSizes), part.size() * 10);
   const ZoomSizes sharp{kSizes.image, kSizes.view, 2.0};
-  EXPECT_EQ(zoom.partSize(sharp), zoom.part(sharp).size() * 20);
+  EXPECT_EQ(zoom.visiblePartSize(sharp), zoom.part(sharp).size() * 20);
 }
 
 TEST(ImageZoom, TheCenterStaysInAnotherView) {

@@ -90,7 +90,7 @@ void DocumentTest::aDragIsOneStepAndItsEndSeparates() {
   drag(302.0);
   drag(303.0);
   QCOMPARE(document.undoStack()->count(), 1);
-  document.endMerging();
+  document.endStepMerging();
   drag(310.0);
   QCOMPARE(document.undoStack()->count(), 2);
   document.undoStack()->undo();

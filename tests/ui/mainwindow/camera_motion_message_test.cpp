@@ -193,7 +193,7 @@ void CameraMotionMessageTest::whileABoardIsShownNoCameraIsTakenForMoved() {
 
   action("actionCalibrateBoard")->trigger();
   find<QPushButton>("boardStart")->click();
-  QVERIFY(board->isWatching());
+  QVERIFY(board->isGuiding());
   *turned = true;
   QVERIFY(passes(kLongEnough));
   QVERIFY(shown().cameraMotions.empty());

@@ -217,7 +217,7 @@ void SlowWorldTest::whatIsChangedWhileItIsSavedIsStillUnsaved() {
   Document& document = window_->document();
   QVERIFY(document.setParameter("particles", 777));
   trigger("actionSave");
-  document.endMerging();
+  document.endStepMerging();
   QVERIFY(document.setParameter("particles", 888));
   disk_->open();
   QVERIFY(waitFor([this] { return !window_->saver().isSaving(); }));
@@ -264,7 +264,7 @@ void SlowWorldTest::aBoardThatIsLookedForHoldsNobodyUp() {
   snapshot.frames = std::make_shared<const FrameSet>(std::move(set));
   calibrator->start();
   calibrator->setSnapshot(std::make_shared<const TrackSnapshot>(std::move(snapshot)));
-  QVERIFY(calibrator->isWatching());
+  QVERIFY(calibrator->isGuiding());
   calibrator.reset();
   // What was shown is looked at to the end, by a thread that nobody waits for, and wakes nobody.
   QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));

@@ -126,7 +126,7 @@ void BoardCalibrator::applyResult(const std::shared_ptr<Computed>& computed, boo
   if (mirrored_.cause != MirroredVideos::Cause::None) {
     Q_EMIT mirroredVideosFound();
   } else if (proposal_) {
-    Q_EMIT boardProposed(!computed->searchedAll);
+    Q_EMIT boardProposed(!computed->searchedAllFrames);
   }
   if (!computed->outcome) {
     failure_ = errorText(computed->outcome.error());
@@ -160,7 +160,7 @@ void BoardCalibrator::calibrateRecording(bool suggestBoardFirst) {
           return findBoards(inputs.project, *inputs.source, request.board, progress)
               .and_then([&](const BoardDetections& seen) {
                 computed.otherBoard = seen.otherBoard;
-                computed.searchedAll = seen.searchedAll;
+                computed.searchedAllFrames = seen.searchedAllFrames;
                 computed.mirrored = mirroredVideos(seen);
                 return calibrateFromBoards(inputs.project, seen, request.board, request.goal,
                                            progress);
@@ -275,7 +275,7 @@ void BoardCalibrator::start() {
 void BoardCalibrator::setWatching(bool watching) {
   if (watching_ != watching) {
     watching_ = watching;
-    Q_EMIT boardShown(watching);
+    Q_EMIT boardVisibilityChanged(watching);
   }
 }
 
@@ -284,7 +284,7 @@ void BoardCalibrator::stop() {
   Q_EMIT changed();
 }
 
-bool BoardCalibrator::hasViews() const {
+bool BoardCalibrator::hasCapturedViews() const {
   const auto state = guide();
   return state->seen && std::ranges::any_of(state->seen->cameras, [](const auto& camera) {
            return !camera.views.empty();
@@ -292,7 +292,7 @@ bool BoardCalibrator::hasViews() const {
 }
 
 void BoardCalibrator::finish() {
-  if (isComputing() || !hasViews()) {
+  if (isComputing() || !hasCapturedViews()) {
     return;
   }
   setWatching(false);

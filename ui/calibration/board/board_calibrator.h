@@ -74,7 +74,7 @@ public:
   // Live cameras.
   void start(); ///< starts or restarts the guidance
   void stop();
-  bool isWatching() const { return watching_; }
+  bool isGuiding() const { return watching_; }
   void captureNow() { watch_->captureNow(); }
   void captureFloor() { watch_->captureFloor(); }
   void skipToPoses() { watch_->skipToPoses(); }
@@ -83,7 +83,7 @@ public:
   /// Returns the newest state of the guidance; never null.
   BoardGuideStatePtr guide() const { return watch_->newest(); }
   /// Returns whether any view has been captured.
-  bool hasViews() const;
+  bool hasCapturedViews() const;
 
   // The result.
   /// Returns the result of the last calibration; null before the first one and after a failure.
@@ -110,7 +110,7 @@ Q_SIGNALS:
   void mirroredVideosFound(); ///< some cameras show the board mirrored; see mirrored()
   void boardConfirmed(int images, int searched); ///< the images show the board in the settings
   void playRequested();                          ///< live images are needed
-  void boardShown(bool shown); ///< whether the board is currently being shown to live cameras
+  void boardVisibilityChanged(bool shown); ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
   /// Emitted after saved() if the printed board is split over several sheets of paper.
   void splitOnSheets(const QString& file, int sheets);
@@ -121,7 +121,7 @@ private:
   struct Computed {
     Result<BoardOutcome> outcome;
     std::optional<BoardGuess> otherBoard = std::nullopt;
-    bool searchedAll = true; ///< see BoardDetections
+    bool searchedAllFrames = true; ///< see BoardDetections
     MirroredVideos mirrored = {};
   };
   /// Boards that a search proposes, and the videos that it found mirrored.

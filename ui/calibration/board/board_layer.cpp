@@ -39,8 +39,8 @@ bool BoardLayer::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void BoardLayer::refresh() {
-  if (isHidden() == calibrator_.isWatching()) {
-    setVisible(calibrator_.isWatching());
+  if (isHidden() == calibrator_.isGuiding()) {
+    setVisible(calibrator_.isGuiding());
     raise();
   }
   const auto state = calibrator_.guide();

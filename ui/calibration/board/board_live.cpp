@@ -157,10 +157,10 @@ void BoardLive::retranslateUi() {
 }
 
 void BoardLive::refresh() {
-  const bool watching = calibrator_.isWatching();
+  const bool watching = calibrator_.isGuiding();
   const auto state = calibrator_.guide();
   const bool places = state->phase == BoardGuideState::Phase::Poses;
-  start_->setText(watching || calibrator_.hasViews() ? tr("Start over") : tr("Start"));
+  start_->setText(watching || calibrator_.hasCapturedViews() ? tr("Start over") : tr("Start"));
   start_->setToolTip(tr("Find the board in the live images and get guidance on what to show"));
   start_->setEnabled(!calibrator_.isComputing());
   capture_->setEnabled(watching);
@@ -168,7 +168,7 @@ void BoardLive::refresh() {
   floor_->setEnabled(watching && places);
   next_->setVisible(calibrator_.request().goal.poses && calibrator_.request().goal.lenses);
   next_->setEnabled(watching && !places);
-  finish_->setEnabled(calibrator_.hasViews() && !calibrator_.isComputing() &&
+  finish_->setEnabled(calibrator_.hasCapturedViews() && !calibrator_.isComputing() &&
                       !calibrator_.outcome());
   list_->setVisible(!state->cameras.empty());
   overall_->setVisible(watching);
@@ -185,7 +185,7 @@ void BoardLive::followGuide() {
   }
   overall_->setText(state->frame < 0 ? tr("Waiting for images. Check that the cameras are running.")
                     : state->phase == BoardGuideState::Phase::Poses
-                        ? pairText(calibrator_, state->rig)
+                        ? cameraPairText(calibrator_, state->rig)
                         : tr("Show the board to one camera after the other, following the "
                              "instructions for each."));
 }

@@ -175,7 +175,7 @@ QString adviceText(const BoardGuideState::PerCamera& camera) {
   return BoardText::tr("✓ Done");
 }
 
-QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
+QString cameraPairText(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
   if (state.firstCamera < 0 || state.secondCamera < 0) {
     return BoardText::tr("✓ The cameras share enough views of the board");
   }

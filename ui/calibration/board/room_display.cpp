@@ -86,9 +86,9 @@ void RoomDisplay::refresh() {
   captured_ = views;
   count_->setText(tr("%n views captured", nullptr, static_cast<int>(views)));
   double held = 0.0;
-  if (!calibrator_.isWatching()) {
+  if (!calibrator_.isGuiding()) {
     camera_->clear();
-    advice_->setText(calibrator_.hasViews() ? tr("Done.") : tr("Press Start on the page Board."));
+    advice_->setText(calibrator_.hasCapturedViews() ? tr("Done.") : tr("Press Start on the page Board."));
   } else if (state->frame < 0 || state->cameras.empty()) {
     camera_->clear();
     advice_->setText(tr("Waiting for images…"));
@@ -99,7 +99,7 @@ void RoomDisplay::refresh() {
     held = state->cameras[shown].lens.holdProgress;
   } else {
     camera_->clear();
-    advice_->setText(pairText(calibrator_, state->rig));
+    advice_->setText(cameraPairText(calibrator_, state->rig));
     held = state->rig.holdProgress;
   }
   held_->setValue(static_cast<int>(kScreenSteps * held));

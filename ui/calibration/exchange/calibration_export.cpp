@@ -44,7 +44,7 @@ bool losesAccuracy(const CameraDifference& camera) {
 
 CalibrationExportDialog::CalibrationExportDialog(Document& document, QWidget* parent)
     : ExchangeDialog(QStringLiteral("calibrationExport"), parent), document_(document),
-      format_(addChoice("Format")), unit_(addChoice("Unit")) {
+      format_(addComboBox("Format")), unit_(addComboBox("Unit")) {
   formatLabel_ = addRow(format_);
   unitLabel_ = addRow(unit_);
   for (const CalibrationFormat& format : calibrationFormats()) {

@@ -106,7 +106,7 @@ void ExchangeDialog::begin() {
   });
 }
 
-QComboBox* ExchangeDialog::addChoice(const char* name) {
+QComboBox* ExchangeDialog::addComboBox(const char* name) {
   auto* choice = new QComboBox(this);
   choice->setObjectName(objectName() + QLatin1String(name));
   makeNarrow(*choice);

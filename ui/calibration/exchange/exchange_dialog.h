@@ -61,7 +61,7 @@ protected:
   /// Shows the result of a task in place of the preview. The dialog cannot be accepted again until
   /// there is a new preview.
   void showResult(const QString& text);
-  QComboBox* addChoice(const char* name);
+  QComboBox* addComboBox(const char* name);
   QLabel* addRow(QWidget* field);
   void addButton(QPushButton* button);
 

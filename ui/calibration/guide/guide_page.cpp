@@ -35,7 +35,7 @@ QLabel* makeText(const char* name, QWidget* parent) {
 }
 
 QString marked(const ItemStatus& part, const QString& text) {
-  return knowledgeMark(part) + QLatin1Char(' ') + text;
+  return statusSymbol(part) + QLatin1Char(' ') + text;
 }
 
 } // namespace
@@ -177,9 +177,9 @@ void GuidePage::refreshTable() {
   table_->setFixedHeight(height);
   const CalibrationStatus& status = guide_.status();
   QStringList lines{
-      tr("%1 Scale: %2").arg(knowledgeMark(status.scale), scaleText(status.scale)),
+      tr("%1 Scale: %2").arg(statusSymbol(status.scale), scaleText(status.scale)),
       tr("%1 Floor and upward direction: %2")
-          .arg(knowledgeMark(status.floor), floorText(status.floor, status.isUpright))};
+          .arg(statusSymbol(status.floor), floorText(status.floor, status.isUpright))};
   if (status.accuracy) {
     lines << tr("✓ Accuracy in the calibrated volume: %1 (95 %)")
                  .arg(lengthText(*status.accuracy, LengthForm::TwoDigits));

@@ -39,6 +39,6 @@ QString floorText(const ItemStatus& floor, bool isUpright);
 
 /// Returns a symbol for how a part of the calibration is known: "✓" measured, "○" given, "⚠"
 /// missing or poor.
-QString knowledgeMark(const ItemStatus& part);
+QString statusSymbol(const ItemStatus& part);
 
 } // namespace dewpoint::ui

@@ -104,7 +104,7 @@ void CameraForm::connectFields() {
   }
   connect(lens_, &QDoubleSpinBox::valueChanged, this, &CameraForm::editLens);
   for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
-    connect(field, &QDoubleSpinBox::editingFinished, &manual_, &ManualCalibration::endMerging);
+    connect(field, &QDoubleSpinBox::editingFinished, &manual_, &ManualCalibration::endStepMerging);
   }
   const auto drag = [this] {
     manual_.setDragSettings({dragMode_->currentIndex() == 1 ? DragMode::Slide : DragMode::Turn,

@@ -85,7 +85,7 @@ void paintLabels(QPainter& painter, const ProjectedGrid& grid, const ImagePlacem
     const QPointF at = widgetPosition(label->at, placement);
     const QSizeF size = gridLabelSize(painter, text);
     const bool isName = std::exchange(named, label->role) != label->role;
-    if (const auto place = isName ? places.reserveNeeded(at, size, at - middle)
+    if (const auto place = isName ? places.reserveEvenOverLines(at, size, at - middle)
                                   : places.reserve(at, size, at - middle)) {
       paintText(painter, *place, text, strokeOf(label->role).color);
     }
@@ -120,7 +120,7 @@ void paintPointNames(QPainter& painter, const std::vector<PaintedPoint>& points)
   LabelPlacer places(areaToPaint(painter));
   for (const PaintedPoint& point : points) {
     for (const auto& at : {point.click, point.seen}) {
-      if (at && !point.isElsewhere) {
+      if (at && !point.isInOtherFrames) {
         places.avoid({*at + QPointF(-7, 0), *at + QPointF(7, 0)});
       }
     }
@@ -129,10 +129,10 @@ void paintPointNames(QPainter& painter, const std::vector<PaintedPoint>& points)
     const auto& at = point.click ? point.click : point.seen;
     const QSizeF size = gridLabelSize(painter, point.name);
     const auto place = !at                 ? std::nullopt
-                       : point.isElsewhere ? places.reserveInDirection(*at, size, upRight)
-                                           : places.reserveNeeded(*at, size, upRight);
+                       : point.isInOtherFrames ? places.reserveInDirectionOnly(*at, size, upRight)
+                                           : places.reserveEvenOverLines(*at, size, upRight);
     if (place) {
-      painter.setOpacity(point.isElsewhere ? kElsewhereOpacity : 1.0);
+      painter.setOpacity(point.isInOtherFrames ? kElsewhereOpacity : 1.0);
       paintText(painter, *place, point.name, pointColor(point));
     }
   }
@@ -196,12 +196,12 @@ void paintPoints(QPainter& painter, const std::vector<PaintedPoint>& points) {
   // The most important last, to be on top, and first to get a place for its name.
   std::vector<PaintedPoint> ordered = points;
   std::ranges::stable_sort(ordered, {}, [](const PaintedPoint& point) {
-    return point.chosen ? 2 : point.isElsewhere ? 0 : 1;
+    return point.chosen ? 2 : point.isInOtherFrames ? 0 : 1;
   });
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   for (const PaintedPoint& point : ordered) {
-    painter.setOpacity(point.isElsewhere ? kElsewhereOpacity : 1.0);
+    painter.setOpacity(point.isInOtherFrames ? kElsewhereOpacity : 1.0);
     paintPointMark(painter, point);
   }
   std::ranges::reverse(ordered);

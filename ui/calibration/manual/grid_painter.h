@@ -37,7 +37,7 @@ struct PaintedPoint {
   std::optional<QPointF> seen;
   bool chosen = false;
   bool isMisfit = false;    ///< does not fit the other points
-  bool isElsewhere = false; ///< was clicked only in other frames
+  bool isInOtherFrames = false; ///< was clicked only in other frames
 };
 /// Draws measured points. The selected point and a point that does not fit the others are
 /// highlighted. Points that were clicked only in other frames are faint; their names are left out

@@ -118,7 +118,7 @@ void PlannerForm::connectFields() {
 
 void PlannerForm::connectSearch() {
   BackgroundJob& search = plan_.search();
-  connect(find_, &QPushButton::clicked, &plan_, &RigPlanner::findPosition);
+  connect(find_, &QPushButton::clicked, &plan_, &RigPlanner::findBestPosition);
   connect(cancel_, &QPushButton::clicked, &search, &BackgroundJob::cancel);
   const auto show = [this](bool running) {
     progress_->setValue(0);

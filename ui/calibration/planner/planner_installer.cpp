@@ -65,7 +65,7 @@ void PlannerInstaller::connectBirdsEye() {
                                  tr("Turn %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
                                  lookingAt(manual_.cameraAt(camera), target), "drag target");
           });
-  connect(&birdsEye_, &BirdsEyeView::cameraDropped, &manual_, &ManualCalibration::endMerging);
+  connect(&birdsEye_, &BirdsEyeView::cameraDropped, &manual_, &ManualCalibration::endStepMerging);
 }
 
 void PlannerInstaller::connectActions() {
@@ -82,7 +82,7 @@ void PlannerInstaller::connectActions() {
   });
   bench_.onTriggered("actionFindPlace", this, [this] {
     open();
-    plan_->findPosition();
+    plan_->findBestPosition();
   });
   bench_.requireRun({"actionPlanRig", "actionShowMap", "actionPlanCamera", "actionFindPlace"});
 }

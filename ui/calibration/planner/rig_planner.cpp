@@ -204,7 +204,7 @@ void RigPlanner::setWallDistance(double meters) {
   Q_EMIT changed();
 }
 
-void RigPlanner::findPosition() {
+void RigPlanner::findBestPosition() {
   Camera lens = withLens({}, lens_);
   lens.name = nextName().toStdString();
   PlacementSettings settings;

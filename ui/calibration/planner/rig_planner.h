@@ -76,7 +76,7 @@ public:
   double wallDistance() const { return wallDistance_; }
   void setWallDistance(double meters);
   /// Searches for the best position of an additional camera and adds the camera there.
-  void findPosition();
+  void findBestPosition();
   BackgroundJob& search() { return search_; }
 
 Q_SIGNALS:

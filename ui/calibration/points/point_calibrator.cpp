@@ -43,7 +43,7 @@ PointCalibrator::PointCalibrator(Document& document, ManualCalibration& manual, 
   connect(&document_, &Document::replaced, this, [this] {
     chosen_ = points().empty() ? -1 : 0;
     discardSolution();
-    setClicking(false);
+    setClicksPlacePoint(false);
     Q_EMIT changed();
   });
 }
@@ -104,14 +104,14 @@ bool PointCalibrator::rename(int point, const QString& name) {
   });
 }
 
-bool PointCalibrator::setWorld(int point, const Eigen::Vector3d& world) {
+bool PointCalibrator::setWorldPosition(int point, const Eigen::Vector3d& world) {
   return edit(
       tr("Position of %1")
           .arg(QString::fromStdString(points()[static_cast<std::size_t>(point)].name)),
       [&](Project& project) { project.points[static_cast<std::size_t>(point)].world = world; });
 }
 
-void PointCalibrator::setClicking(bool clicking) {
+void PointCalibrator::setClicksPlacePoint(bool clicking) {
   clicking = clicking && chosen_ >= 0;
   if (clicking != clicking_) {
     clicking_ = clicking;

@@ -39,11 +39,11 @@ public:
   /// Rename a point, and set its world position (meters). Both functions return false and change
   /// nothing if the name is empty or already used, or a coordinate is not a number.
   bool rename(int point, const QString& name);
-  bool setWorld(int point, const Eigen::Vector3d& world);
+  bool setWorldPosition(int point, const Eigen::Vector3d& world);
 
   /// Returns whether the next click in an image marks the position of the selected point.
-  bool isClicking() const { return clicking_; }
-  void setClicking(bool clicking);
+  bool clicksPlacePoint() const { return clicking_; }
+  void setClicksPlacePoint(bool clicking);
   /// Sets the pixel at which a camera sees the selected point. `frame` is the number of the
   /// recorded frame in whose image the user clicked; empty for live images.
   void setClick(int camera, const Eigen::Vector2d& pixel, std::optional<std::int64_t> frame);

@@ -62,10 +62,10 @@ PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& manual, QWi
   });
   connect(add_, &QPushButton::clicked, &points_, &PointCalibrator::add);
   connect(remove_, &QPushButton::clicked, &points_, &PointCalibrator::remove);
-  connect(click_, &QPushButton::clicked, &points_, &PointCalibrator::setClicking);
+  connect(click_, &QPushButton::clicked, &points_, &PointCalibrator::setClicksPlacePoint);
   connect(forget_, &QPushButton::clicked, this, [this] { points_.removeClick(manual_.camera()); });
   connect(solve_, &QPushButton::clicked, this, [this] {
-    points_.setClicking(false); // or the next click in an image would move a point
+    points_.setClicksPlacePoint(false); // or the next click in an image would move a point
     points_.solve(focal_->isChecked());
   });
   connect(accept_, &QPushButton::clicked, &points_, &PointCalibrator::acceptProposal);
@@ -242,9 +242,9 @@ void PointsTable::refresh() {
   const bool any = points_.chosen() >= 0 && points_.chosen() < count;
   remove_->setEnabled(any);
   click_->setEnabled(any);
-  click_->setChecked(points_.isClicking());
+  click_->setChecked(points_.clicksPlacePoint());
   // A shape as well: dark themes hardly show a pressed button.
-  click_->setText((points_.isClicking() ? QStringLiteral("● ") : QString()) +
+  click_->setText((points_.clicksPlacePoint() ? QStringLiteral("● ") : QString()) +
                   tr("Click in images"));
   forget_->setEnabled(any && clickIn(points_.points()[static_cast<std::size_t>(points_.chosen())],
                                      manual_.camera()) != nullptr);
@@ -277,7 +277,7 @@ void PointsTable::edited(int row, int column) {
     if (good) {
       Eigen::Vector3d world = points_.points()[static_cast<std::size_t>(row)].world;
       world[column - X] = value;
-      points_.setWorld(row, world);
+      points_.setWorldPosition(row, world);
     }
   }
   refresh(); // also when it was refused

@@ -40,7 +40,7 @@ std::vector<std::vector<MarkerObservation>> allViews(const WandCollector& collec
 WandCalibrator::WandCalibrator(Dependencies around, QObject* parent)
     : QObject(parent), dependencies_(std::move(around)), job_(new BackgroundJob(this)) {
   tick_.setInterval(kTickMs);
-  connect(&tick_, &QTimer::timeout, this, &WandCalibrator::collectedChanged);
+  connect(&tick_, &QTimer::timeout, this, &WandCalibrator::collectorStateChanged);
   connect(job_, &BackgroundJob::started, this, &WandCalibrator::changed);
   connect(job_, &BackgroundJob::progressChanged, this, &WandCalibrator::progressChanged);
   connect(job_, &BackgroundJob::ended, this, &WandCalibrator::changed);
@@ -146,7 +146,7 @@ void WandCalibrator::detachFromSession() {
   if (waving_ != nullptr) {
     waving_ = nullptr;
     tick_.stop();
-    Q_EMIT collectedChanged();
+    Q_EMIT collectorStateChanged();
     Q_EMIT changed();
   }
 }
@@ -231,8 +231,8 @@ void WandCalibrator::apply() {
   Q_EMIT changed();
 }
 
-void WandCalibrator::setFlipped(bool flipped) {
-  dependencies_.manual.showEarlier(flipped ? std::optional(EarlierCameras::WandRefinement)
+void WandCalibrator::setBeforeRefinementShown(bool flipped) {
+  dependencies_.manual.showEarlierCameras(flipped ? std::optional(EarlierCameras::WandRefinement)
                                            : std::nullopt);
 }
 

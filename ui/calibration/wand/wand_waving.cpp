@@ -41,7 +41,7 @@ WandWaving::WandWaving(WandCalibrator& calibrator, QWidget* parent)
     calibrator_.isWaving() ? calibrator_.stopWaving() : calibrator_.startWaving();
   });
   connect(&calibrator_, &WandCalibrator::changed, this, &WandWaving::refresh);
-  connect(&calibrator_, &WandCalibrator::collectedChanged, this, &WandWaving::showCameras);
+  connect(&calibrator_, &WandCalibrator::collectorStateChanged, this, &WandWaving::showCameras);
   onRetranslate(this, [this] { retranslateUi(); });
 }
 

@@ -39,7 +39,7 @@ WorldMarkTool::WorldMarkTool(const Workbench& bench, WorldMarks& marks, QObject*
 void WorldMarkTool::attach(int camera, CameraView* view) {
   auto* overlay = new ImagePickOverlay(view);
   overlay->setObjectName(view->objectName() + QStringLiteral("WorldMarks"));
-  overlay->setPointing(true);
+  overlay->setPointDragging(true);
   overlay->hide();
   const Layer layer{camera, overlay};
   layers_.push_back(layer);
@@ -56,7 +56,7 @@ void WorldMarkTool::attach(int camera, CameraView* view) {
   connect(overlay, &QObject::destroyed, this, [this, overlay] {
     std::erase_if(layers_, [overlay](const Layer& one) { return one.overlay == overlay; });
   });
-  connect(overlay, &ImagePickOverlay::cancelled, &marks_, [this] { marks_.setClicking(false); });
+  connect(overlay, &ImagePickOverlay::cancelled, &marks_, [this] { marks_.setClicksPlacePoint(false); });
   connect(overlay, &ImagePickOverlay::picked, &marks_,
           [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {
             bench_.selection.selectCamera(camera);
@@ -74,7 +74,7 @@ void WorldMarkTool::setSnapshot(const TrackSnapshotPtr& snapshot) {
 
 void WorldMarkTool::refresh() {
   for (const Layer& layer : layers_) {
-    const bool isShown = marks_.isClicking();
+    const bool isShown = marks_.clicksPlacePoint();
     layer.overlay->setPicking(isShown);
     if (layer.overlay->isHidden() == isShown) {
       layer.overlay->setVisible(isShown);

@@ -56,7 +56,7 @@ void WorldMarks::choose(int mark) {
   }
 }
 
-void WorldMarks::setClicking(bool clicking) {
+void WorldMarks::setClicksPlacePoint(bool clicking) {
   if (clicking != clicking_) {
     clicking_ = clicking;
     Q_EMIT changed();
@@ -77,7 +77,7 @@ void WorldMarks::clear() {
   Q_EMIT changed();
 }
 
-std::vector<int> WorldMarks::marksOf(WorldStep step) {
+std::vector<int> WorldMarks::marksUsedBy(WorldStep step) {
   switch (step) {
   case WorldStep::Upright:
     return {};
@@ -94,7 +94,7 @@ std::vector<int> WorldMarks::marksOf(WorldStep step) {
 }
 
 bool WorldMarks::canApply(WorldStep step) const {
-  return std::ranges::all_of(marksOf(step),
+  return std::ranges::all_of(marksUsedBy(step),
                              [this](int mark) { return position(mark).has_value(); });
 }
 
@@ -165,7 +165,7 @@ void WorldMarks::replaceProject(const QString& step, const Project& project) {
 
 void WorldMarks::apply(WorldStep step, double meters) {
   std::vector<MeasuredPoint> points;
-  for (const int mark : marksOf(step)) {
+  for (const int mark : marksUsedBy(step)) {
     points.push_back(marks_[static_cast<std::size_t>(mark)]);
   }
   const auto result = withWorldStep(document_.project(), step, points, meters);

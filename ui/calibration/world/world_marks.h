@@ -38,15 +38,15 @@ public:
   int chosen() const { return chosen_; }
   void choose(int mark);
   /// Returns whether the next click in an image marks the selected point.
-  bool isClicking() const { return clicking_; }
-  void setClicking(bool clicking);
+  bool clicksPlacePoint() const { return clicking_; }
+  void setClicksPlacePoint(bool clicking);
   /// Places the selected mark at a pixel of a camera image.
   void setClick(int camera, const Eigen::Vector2d& pixel);
   /// Removes all clicks on all marks.
   void clear();
 
   /// Returns the indices of the marks that a step uses.
-  static std::vector<int> marksOf(WorldStep step);
+  static std::vector<int> marksUsedBy(WorldStep step);
   /// Returns whether the positions of all marks of a step are known.
   bool canApply(WorldStep step) const;
   /// Changes the world frame of the project by a step that uses the marks. `meters` is the true

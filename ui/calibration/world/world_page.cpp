@@ -158,7 +158,7 @@ void WorldPage::connectFields() {
       marks_.choose(row);
     }
   });
-  connect(mark_, &QPushButton::clicked, &marks_, &WorldMarks::setClicking);
+  connect(mark_, &QPushButton::clicked, &marks_, &WorldMarks::setClicksPlacePoint);
   connect(clear_, &QPushButton::clicked, &marks_, &WorldMarks::clear);
   connect(board_, &QPushButton::clicked, &boardFloor_, &BoardFloor::apply);
   connect(&boardFloor_, &BoardFloor::changed, this, &WorldPage::refresh);
@@ -304,9 +304,9 @@ void WorldPage::refresh() {
   }
   table_->setFixedHeight(height);
   filling_ = false;
-  mark_->setChecked(marks_.isClicking());
+  mark_->setChecked(marks_.clicksPlacePoint());
   // A shape as well: dark themes hardly show a pressed button.
-  mark_->setText((marks_.isClicking() ? QStringLiteral("● ") : QString()) + tr("Mark in images"));
+  mark_->setText((marks_.clicksPlacePoint() ? QStringLiteral("● ") : QString()) + tr("Mark in images"));
   mark_->setAccessibleName(tr("Mark in images"));
   mark_->setToolTip(
       tr("Click the selected point in two or more images. Near a corner, the click moves exactly "

@@ -289,7 +289,7 @@ SphereEstimate RegionTrack::estimate(const RegionObservation& observation) const
       kShapeShare * kShapeShare * std::max(1.0, state.disagreement) * 0.25 * state.extent;
   SphereEstimate result =
       estimateFrom(state.hypothesis, state.ambiguity, seeing, settings_.errors, ofShape);
-  result.camerasSeeing = SphereObservation::camerasSeeing(cameras);
+  result.seeingCameraCount = SphereObservation::camerasSeeing(cameras);
   result.cameras = std::move(cameras);
   result.extent = state.extent;
   return result;

@@ -239,7 +239,7 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   QVERIFY(solving > 0);
   QCOMPARE(looking, 0);
   QVERIFY2(calibrator().outcome() != nullptr, qPrintable(result()));
-  QVERIFY(!calibrator().isWatching());
+  QVERIFY(!calibrator().isGuiding());
   QVERIFY(project().cameras == before); // until it is wanted
   QVERIFY(find<QLabel>(QStringLiteral("boardAdvice0"))->isVisible());
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardApply")), Qt::LeftButton);

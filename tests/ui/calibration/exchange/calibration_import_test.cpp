@@ -299,7 +299,7 @@ void CalibrationImportTest::anExportHasAFileAtOnce() {
   QVERIFY(window_->document().edit(QStringLiteral("name"),
                                    [](Project& project) { project.name = "take 1.5"; }));
   const Project saved = project();
-  window_->document().setSaved(saved, path("saved.toml"));
+  window_->document().markSaved(saved, path("saved.toml"));
   find<QAction>("actionExportCalibration")->trigger();
   auto* out = window_->findChild<CalibrationExportDialog*>();
   QCOMPARE(out->file(), file("take 1.5-calibration.toml"));
