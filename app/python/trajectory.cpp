@@ -74,21 +74,21 @@ void bindTrack(py::module_& module) {
           "Frames x 3 x 3: of the positions, m².")
       .def_property_readonly(
           "best",
-          [](const TrackHandle& track) { return columnOf(track, track.columns().best, {3}); },
+          [](const TrackHandle& track) { return columnOf(track, track.columns().bestParticles, {3}); },
           "Frames x 3: the particle of highest weight, meters.")
       .def_property_readonly(
           "existence",
-          [](const TrackHandle& track) { return columnOf(track, track.columns().existence); },
+          [](const TrackHandle& track) { return columnOf(track, track.columns().existenceProbabilities); },
           "Probability that the target is where the estimate says; 0 when read from a file.")
       .def_property_readonly(
           "effective_sample_size",
           [](const TrackHandle& track) {
-            return columnOf(track, track.columns().effectiveSampleSize);
+            return columnOf(track, track.columns().effectiveSampleSizes);
           },
           "Effective sample size of the particles.")
       .def_property_readonly(
           "cameras",
-          [](const TrackHandle& track) { return columnOf(track, track.columns().cameras); },
+          [](const TrackHandle& track) { return columnOf(track, track.columns().cameraCounts); },
           "How many cameras show the target.")
       .def_property_readonly(
           "valid", [](const TrackHandle& track) { return truthsOf(track, track.columns().valid); },

@@ -19,7 +19,7 @@ std::string motionCsv(std::span<const MotionLog::Row> rows) {
       line.put(sigmaOf(sample, axis));
     }
     line.put(row.speed)
-        .put(sample.cameras)
+        .put(sample.cameraCount)
         .put(sample.existenceProbability)
         .put(sample.valid ? 1 : 0);
   }

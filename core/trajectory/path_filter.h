@@ -27,7 +27,7 @@ inline constexpr int kMaxPathOrder = 5;
 /// One time on a path, and the position measured at this time, if any.
 struct PathPoint {
   double time = 0.0; ///< seconds, ascending
-  std::optional<PositionMeasurement> seen;
+  std::optional<PositionMeasurement> measurement;
 };
 
 /// Gaussian estimate of the position at one point of a path, in meters and square meters.

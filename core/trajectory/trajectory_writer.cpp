@@ -54,14 +54,14 @@ std::string rowText(const TrajectorySample& sample, const TrajectoryHeader& head
   std::string text =
       fmt::format("{},{},{},{},{},{},{}", sample.time, sample.frame, csvCell(sample.target),
                   numbersText(sample.position, sample.covariance), sample.effectiveSampleSize,
-                  sample.cameras, sample.valid ? 1 : 0);
+                  sample.cameraCount, sample.valid ? 1 : 0);
   if (header.hasMeasurements) {
-    text += sample.seen ? ',' + numbersText(sample.seen->position, sample.seen->covariance)
+    text += sample.measurement ? ',' + numbersText(sample.measurement->position, sample.measurement->covariance)
                         : std::string(9, ',');
   }
   if (header.hasBestParticles) {
-    text += sample.best
-                ? fmt::format(",{},{},{}", sample.best->x(), sample.best->y(), sample.best->z())
+    text += sample.bestParticle
+                ? fmt::format(",{},{},{}", sample.bestParticle->x(), sample.bestParticle->y(), sample.bestParticle->z())
                 : std::string(3, ',');
   }
   if (header.hasCorrected) {

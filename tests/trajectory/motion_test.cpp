@@ -157,7 +157,7 @@ TEST(Motion, aTableIsReadAnywhere) {
   MotionLog::Row row{sampleAt(3, {1.5, -0.25, 0.0}, true, "ball, red"), 1.25};
   row.sample.time = 0.1;
   row.sample.covariance = Eigen::Vector3d(4e-6, 1e-6, -1e-20).asDiagonal();
-  row.sample.cameras = 2;
+  row.sample.cameraCount = 2;
   row.sample.existenceProbability = 0.5;
   MotionLog::Row unknown = row;
   unknown.sample.target = "ball";

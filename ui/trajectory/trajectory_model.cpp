@@ -84,7 +84,7 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   case Speed:
     return tableText(row.speed, 2);
   case Cameras:
-    return QString::number(sample.cameras);
+    return QString::number(sample.cameraCount);
   case Existence:
     return tableText(sample.existenceProbability, 2);
   case Held:

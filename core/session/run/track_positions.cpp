@@ -123,10 +123,10 @@ Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterVal
     }
     TrajectorySample result = sample;
     result.position = estimate.mean;
-    result.best = estimate.best;
+    result.bestParticle = estimate.best;
     result.covariance = estimate.covariance;
     result.effectiveSampleSize = estimate.effectiveSampleSize;
-    result.cameras = 0;
+    result.cameraCount = 0;
     result.valid = usable;
     result.existenceProbability = estimate.existenceProbability;
     tracked.samples.push_back(std::move(result));

@@ -8,7 +8,7 @@ namespace dewpoint::trajectory::encoders {
 
 EncodedFiles encodeTrc(const ExportTable& table, const std::string& name) {
   const std::size_t rows = table.rowCount();
-  const double rate = table.rate;
+  const double rate = table.rowsPerSecond;
   std::string text =
       fmt::format("PathFileType\t4\t(X/Y/Z)\t{}.trc\n"
                   "DataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\tOrigDataRate\t"
@@ -30,7 +30,7 @@ EncodedFiles encodeTrc(const ExportTable& table, const std::string& name) {
     for (const auto& column : table.cells) {
       const ExportCell& cell = column[row];
       for (int axis = 0; axis < 3; ++axis) {
-        text += '\t' + (cell.present ? lengthText(cell.position[axis]) : std::string());
+        text += '\t' + (cell.hasPosition ? lengthText(cell.position[axis]) : std::string());
       }
     }
     text += '\n';

@@ -16,7 +16,7 @@ Eigen::Vector3d middleSlope(const TimedPosition& a, const TimedPosition& b,
 
 } // namespace
 
-Eigen::Vector3d interpolated(const std::optional<TimedPosition>& before, const TimedPosition& begin,
+Eigen::Vector3d interpolatedPosition(const std::optional<TimedPosition>& before, const TimedPosition& begin,
                              const TimedPosition& end, const std::optional<TimedPosition>& after,
                              double time) {
   const Eigen::Vector3d chord = slope(begin, end);

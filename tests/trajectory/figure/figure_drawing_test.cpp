@@ -16,7 +16,7 @@ ExportTable tableOfOneTarget() {
   for (int row = 0; row < 3; ++row) {
     table.times.push_back(0.5 * row);
     ExportCell& cell = table.cells[0].emplace_back();
-    cell.present = true;
+    cell.hasPosition = true;
     cell.position = Eigen::Vector3d(row, 2.0 * row, 1.0);
     cell.covariance = Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal();
   }

@@ -14,7 +14,7 @@ ExportTable tableWithGap() {
   for (int row = 0; row < 5; ++row) {
     table.times.push_back(0.5 * row);
     ExportCell& cell = table.cells[0].emplace_back();
-    cell.present = row != 2;
+    cell.hasPosition = row != 2;
     cell.position = Eigen::Vector3d(row, 10.0 * row, 1.0);
     if (row < 2) {
       cell.covariance = Eigen::Vector3d(0.01, 0.04, 0.0).asDiagonal(); // 0.1 and 0.2
