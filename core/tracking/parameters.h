@@ -42,15 +42,15 @@ struct ParameterDeclaration {
   double maximum = 0.0; ///< inclusive
   double step = 0.0;    ///< step size in editors
   double defaultValue = 0.0;
-  std::string sentence;     ///< description for a tooltip
-  bool logarithmic = false; ///< sliders have a logarithmic scale
+  std::string description;           ///< for tooltips and the reference
+  bool hasLogarithmicSlider = false; ///< sliders have a logarithmic scale
   /// If true and the user gives no value, the value is derived from the cameras
   /// (effectiveParameters()), or is the default if the cameras do not determine it.
   bool derivedFromCameras = false;
   ParameterGroup group = ParameterGroup::Essential;
   /// Key of another parameter of the method, whose value is an upper limit for the value of this
   /// parameter. A larger value is replaced by the limit. Empty if there is no such limit.
-  std::string bound = {};
+  std::string upperLimitKey = {};
 };
 
 /// Assigns the declarations with these keys to a group. All keys must exist (asserted).
@@ -73,7 +73,7 @@ public:
   /// is not an integer although the parameter requires one. Nothing changes on an error.
   Status set(std::string_view key, double value);
   /// Sets a value from its text, as on the command line. Errors are those of set().
-  Status setText(std::string_view key, std::string_view text);
+  Status setFromText(std::string_view key, std::string_view text);
   /// Returns whether the value of a key is given, which means that the value is not derived from
   /// the cameras. The result is false only for a key with ParameterDeclaration::derivedFromCameras
   /// that nobody has set.
@@ -101,7 +101,7 @@ private:
 };
 
 /// Returns whether the value of a declared parameter exceeds the limit set by another parameter
-/// (ParameterDeclaration::bound). The limit is then used instead.
+/// (ParameterDeclaration::upperLimitKey). The limit is then used instead.
 bool exceedsUpperLimit(const ParameterValues& values, const ParameterDeclaration& declaration);
 
 } // namespace dewpoint::tracking

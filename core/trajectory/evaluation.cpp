@@ -159,9 +159,9 @@ Result<Evaluation> evaluateTarget(const std::string& target, const Samples& esti
     const bool after = start && i >= *start;
     const bool present = pair.estimate != nullptr;
     if (after && (!present || !pair.estimate->valid || pair.error().norm() >= gate))
-      ++evaluation.lostFrames;
+      ++evaluation.lostFrameCount;
     if (!present) {
-      ++evaluation.missing;
+      ++evaluation.missingFrameCount;
       continue;
     }
     all.push_back(pair.error());

@@ -20,7 +20,7 @@ bool isUsable(const TrajectorySample& sample) {
 
 } // namespace
 
-double sigmaOf(const TrajectorySample& sample, int axis) {
+double positionSigma(const TrajectorySample& sample, int axis) {
   return std::sqrt(std::max(0.0, sample.covariance(axis, axis)));
 }
 
@@ -105,17 +105,17 @@ void MotionLog::append(const TrajectorySample& sample) {
 void MotionLog::extendGaps(Track& track, const TrajectorySample* before,
                            const TrajectorySample& sample) {
   const bool missing = before != nullptr && sample.frame > before->frame + 1;
-  if (!track.open && (missing || !isUsable(sample))) {
+  if (!track.isGapOpen && (missing || !isUsable(sample))) {
     const std::int64_t first = missing ? before->frame + 1 : sample.frame;
     const double from = before != nullptr ? before->time : sample.time;
     track.gaps.push_back({sample.target, first, first, from, from});
-    track.open = true;
+    track.isGapOpen = true;
   }
-  if (track.open) {
+  if (track.isGapOpen) {
     TrajectoryGap& gap = track.gaps.back();
-    track.open = !isUsable(sample);
-    gap.lastFrame = track.open ? sample.frame : sample.frame - 1;
-    gap.to = sample.time;
+    track.isGapOpen = !isUsable(sample);
+    gap.lastFrame = track.isGapOpen ? sample.frame : sample.frame - 1;
+    gap.endTime = sample.time;
   }
 }
 

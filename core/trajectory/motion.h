@@ -22,13 +22,13 @@ struct TrajectoryGap {
   std::int64_t lastFrame = 0;
   /// Time of the last usable sample before the gap, in seconds. If there is none, time of the first
   /// sample in the gap.
-  double from = 0.0;
+  double startTime = 0.0;
   /// Time of the first usable sample after the gap, in seconds. If there is none yet, time of the
   /// last sample in the gap.
-  double to = 0.0;
+  double endTime = 0.0;
 
-  std::int64_t frames() const { return lastFrame - firstFrame + 1; }
-  double seconds() const { return to - from; }
+  std::int64_t frameCount() const { return lastFrame - firstFrame + 1; }
+  double seconds() const { return endTime - startTime; }
   bool operator==(const TrajectoryGap&) const = default;
 };
 
@@ -43,7 +43,7 @@ std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> trac
 
 /// Returns the standard deviation of a sample's position along a world axis (0: x, 1: y, 2: z), in
 /// meters.
-double sigmaOf(const TrajectorySample& sample, int axis);
+double positionSigma(const TrajectorySample& sample, int axis);
 
 /// Largest difference between the frame numbers of two successive samples at which a track is still
 /// drawn as one line. It is above 1 because live cameras may skip frames.
@@ -83,7 +83,7 @@ private:
   struct Track {
     std::vector<std::size_t> rows; ///< row indices counted since the start
     std::vector<TrajectoryGap> gaps;
-    bool open = false; ///< the last gap has not ended
+    bool isGapOpen = false; ///< the last gap has not ended
   };
   void append(const TrajectorySample& sample);
   void truncate(std::size_t size);

@@ -51,7 +51,7 @@ public:
         unit_(path.size() > 1
                   ? (path.back().time - path.front().time) / static_cast<double>(path.size() - 1)
                   : 1.0) {
-    strength_ = model.strength * std::pow(unit_, 2 * order_ - 1);
+    strength_ = model.spectralDensity * std::pow(unit_, 2 * order_ - 1);
   }
 
   State first(const Eigen::Vector3d& position) const {

@@ -98,7 +98,8 @@ bool isUsable(const PositionMeasurement& seen) {
 }
 
 /// What one sample says of its frame alone.
-std::optional<PositionMeasurement> measurementOf(const TrajectorySample& sample, bool hasMeasurements) {
+std::optional<PositionMeasurement> measurementOf(const TrajectorySample& sample,
+                                                 bool hasMeasurements) {
   if (!sample.valid) {
     return std::nullopt;
   }
@@ -120,16 +121,16 @@ public:
         shouldContinue_(std::move(shouldContinue)), wanted_(std::move(wanted)) {
     std::erase_if(samples_, [](const auto* sample) { return !std::isfinite(sample->time); });
     std::ranges::stable_sort(samples_, {}, [](const auto* sample) { return sample->time; });
-    const bool hasMeasurements =
-        std::ranges::any_of(samples_, [](const auto* sample) { return sample->measurement.has_value(); });
+    const bool hasMeasurements = std::ranges::any_of(
+        samples_, [](const auto* sample) { return sample->measurement.has_value(); });
     for (const auto* sample : samples_) {
       points_.push_back({sample->time, measurementOf(*sample, hasMeasurements)});
     }
   }
 
   void run() {
-    const auto measurements =
-        std::ranges::count_if(points_, [](const auto& point) { return point.measurement.has_value(); });
+    const auto measurements = std::ranges::count_if(
+        points_, [](const auto& point) { return point.measurement.has_value(); });
     if (measurements < static_cast<std::ptrdiff_t>(kFewestMeasurements)) {
       return;
     }
@@ -317,8 +318,8 @@ private:
     for (std::size_t k = 1; k < part.size(); ++k) { // the first one begins the path
       if (part[k].measurement) {
         const Eigen::Vector3d off = part[k].measurement->position - estimates[k].position;
-        squares[k] =
-            off.dot(part[k].measurement->covariance.llt().solve(off)) / std::max(1.0, model.noiseFactor);
+        squares[k] = off.dot(part[k].measurement->covariance.llt().solve(off)) /
+                     std::max(1.0, model.noiseFactor);
       }
     }
     bool dropped = false;
@@ -367,7 +368,8 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 
 Trajectory smoothedTrajectory(const Trajectory& live, const SmootherOptions& options) {
   Trajectory result = live;
-  result.header.hasBestParticles = false; // particles are of the run; what is known after it has none
+  result.header.hasBestParticles =
+      false; // particles are of the run; what is known after it has none
   std::map<std::string, std::vector<TrajectorySample*>> targets;
   for (TrajectorySample& sample : result.samples) {
     sample.bestParticle.reset();

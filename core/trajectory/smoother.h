@@ -30,12 +30,12 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 /// and after it, and has the corresponding covariance.
 ///
 /// Live estimates depend only on the past, and errors of neighboring estimates are correlated.
-/// Smoothing therefore uses the independent measurement of each frame (TrajectorySample::measurement)
-/// exactly once. If the trajectory was read from a file without these measurements, the valid
-/// estimates are used as measurements, and their errors are treated as independent. Between two
-/// measurements, the uncertainty increases and then decreases again. A sample without a measurement
-/// becomes `valid` if its smoothed position has a standard deviation below 0.1 m in every
-/// direction.
+/// Smoothing therefore uses the independent measurement of each frame
+/// (TrajectorySample::measurement) exactly once. If the trajectory was read from a file without
+/// these measurements, the valid estimates are used as measurements, and their errors are treated
+/// as independent. Between two measurements, the uncertainty increases and then decreases again. A
+/// sample without a measurement becomes `valid` if its smoothed position has a standard deviation
+/// below 0.1 m in every direction.
 ///
 /// If the measurements scatter less than their covariance predicts, the difference is attributed to
 /// an error that all measurements share, for example because of light from one side or a slightly

@@ -27,7 +27,7 @@ constexpr std::string_view kExtentColumns =
 std::string headerText(const TrajectoryHeader& header) {
   std::string text = "# dewpoint trajectory\n# units: time s, position m, covariance m^2\n";
   for (const auto& [key, value] : header.entries)
-    text += fmt::format("# {}: {}\n", oneLine(key), oneLine(value));
+    text += fmt::format("# {}: {}\n", toSingleLine(key), toSingleLine(value));
   for (const TrajectoryCamera& camera : header.cameras) {
     const auto& c = camera.center;
     const auto& a = camera.opticalAxis;
@@ -56,13 +56,14 @@ std::string rowText(const TrajectorySample& sample, const TrajectoryHeader& head
                   numbersText(sample.position, sample.covariance), sample.effectiveSampleSize,
                   sample.cameraCount, sample.valid ? 1 : 0);
   if (header.hasMeasurements) {
-    text += sample.measurement ? ',' + numbersText(sample.measurement->position, sample.measurement->covariance)
-                        : std::string(9, ',');
+    text += sample.measurement
+                ? ',' + numbersText(sample.measurement->position, sample.measurement->covariance)
+                : std::string(9, ',');
   }
   if (header.hasBestParticles) {
-    text += sample.bestParticle
-                ? fmt::format(",{},{},{}", sample.bestParticle->x(), sample.bestParticle->y(), sample.bestParticle->z())
-                : std::string(3, ',');
+    text += sample.bestParticle ? fmt::format(",{},{},{}", sample.bestParticle->x(),
+                                              sample.bestParticle->y(), sample.bestParticle->z())
+                                : std::string(3, ',');
   }
   if (header.hasCorrected) {
     text += sample.corrected ? ",1" : ",0";

@@ -67,7 +67,7 @@ Whereabouts whereaboutsOf(const Trajectory& trajectory, const CoveredFrames& fra
 
 } // namespace
 
-Trajectory inMeters(Trajectory trajectory, double unit) {
+Trajectory toMeters(Trajectory trajectory, double unit) {
   for (TrajectorySample& sample : trajectory.samples) {
     sample.position *= unit;
     sample.covariance *= unit * unit;

@@ -257,8 +257,9 @@ TEST(PeopleSession, SomebodyPutWhereNobodyIsGoesAgain) {
   constexpr std::int64_t kPlaced = 30;
   for (const double x : {0.0, 0.4}) { // the first visitor enters on the other side
     for (const double y : {-0.4, 0.0, 0.4}) {
-      project.people = {{.frame = kPlaced,
-                         .position = area.center + area.half.cwiseProduct(Eigen::Vector2d(x, y))}};
+      project.people = {
+          {.frame = kPlaced,
+           .position = area.center + area.halfSize.cwiseProduct(Eigen::Vector2d(x, y))}};
       Session session(office(project));
       playThrough(session);
       std::int64_t last = -1;

@@ -109,7 +109,7 @@ TEST(MotionLog, listsGapsWithTheirLength) {
   ASSERT_EQ(gaps.size(), 4U);
   // Not held at frames 2 and 3: from the last held one (1) to the next (4).
   EXPECT_EQ(gaps[0], (TrajectoryGap{"ball", 2, 3, 1 * kPeriod, 4 * kPeriod}));
-  EXPECT_EQ(gaps[0].frames(), 2);
+  EXPECT_EQ(gaps[0].frameCount(), 2);
   EXPECT_NEAR(gaps[0].seconds(), 3.0 * kPeriod, 1e-12);
   // Frames 5 to 7 are missing for both.
   EXPECT_EQ(gaps[1], (TrajectoryGap{"ball", 5, 7, 4 * kPeriod, 8 * kPeriod}));
@@ -130,7 +130,7 @@ TEST(MotionLog, aFrameThatComesAgainTakesThePlaceOfTheOld) {
   EXPECT_TRUE(std::isnan(log.rows()[5].speed));
   EXPECT_NEAR(log.rows()[4].speed, 1.0, 1e-9);
   ASSERT_EQ(log.gaps().size(), 1U);
-  EXPECT_EQ(log.gaps()[0].frames(), 1);
+  EXPECT_EQ(log.gaps()[0].frameCount(), 1);
 }
 
 TEST(MotionLog, isBounded) {

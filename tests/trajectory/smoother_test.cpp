@@ -176,7 +176,7 @@ TEST(FitPathModel, FindsStrengthAndNoise) {
   }
   const PathModel model = fitPathModel(std::vector<std::vector<PathPoint>>{drawn.path});
   EXPECT_EQ(model.order, 2);
-  EXPECT_NEAR(std::log(model.strength / 0.5), 0.0, 0.3);
+  EXPECT_NEAR(std::log(model.spectralDensity / 0.5), 0.0, 0.3);
   EXPECT_NEAR(model.noiseFactor, 0.25, 0.03);
 }
 

@@ -141,7 +141,7 @@ TEST(TrajectoryFile, HoldsTheParticleOfHighestWeight) {
   EXPECT_TRUE(read->header.hasBestParticles);
   ASSERT_EQ(read->samples.size(), 2U);
   EXPECT_EQ(read->samples[0].bestParticle, written.samples[0].bestParticle); // to the last bit
-  EXPECT_FALSE(read->samples[1].bestParticle);                       // its cells are empty
+  EXPECT_FALSE(read->samples[1].bestParticle);                               // its cells are empty
   std::filesystem::remove(path);
   const auto old = readText("frame,x_m,y_m,z_m\n0,1,2,3\n"); // of a version without the columns
   ASSERT_TRUE(old);

@@ -184,7 +184,8 @@ QString colorAutomaticsText(const std::vector<capture::ColorAutomatic>& automati
   return names.join(QStringLiteral(", "));
 }
 
-QString bandwidthShortageText(const capture::BandwidthShortage& shortage, const QStringList& names) {
+QString bandwidthShortageText(const capture::BandwidthShortage& shortage,
+                              const QStringList& names) {
   return CameraDeviceText::tr("USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, but "
                               "the bus has only %4 Mbit/s.")
       .arg(shortage.bus)

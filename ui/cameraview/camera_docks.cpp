@@ -52,8 +52,9 @@ CameraDocks::CameraDocks(const Workbench& bench)
 }
 
 void CameraDocks::connectActions() {
-  bench_.requireRun({"actionShowMask", "actionShowEvidence"},
-                    [document = &bench_.document] { return document->methodPresentation().hasOverlays; });
+  bench_.requireRun({"actionShowMask", "actionShowEvidence"}, [document = &bench_.document] {
+    return document->methodPresentation().hasOverlays;
+  });
   bench_.onToggled("actionShowMask", this, [this](bool shown) {
     if (Session* session = bench_.session.session()) {
       session->setMasksShown(shown);

@@ -30,7 +30,7 @@ struct CameraImageSource {
   int camera = 0;
   FramePtr frame; ///< null for no image
   cv::Mat mask;   ///< as in `TrackSnapshot::masks`; ignored if its size differs from the image size
-  bool isMotionMask = false;   ///< the mask shows moving pixels instead of targets
+  bool isMotionMask = false; ///< the mask shows moving pixels instead of targets
   std::vector<QColor> tints; ///< colors in which the mask is drawn, one per target
   QRect part;                ///< part of the image to draw, pixels
   QSize size;                ///< size of `part` on the screen, device pixels

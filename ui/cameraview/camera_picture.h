@@ -21,7 +21,7 @@ namespace dewpoint::ui {
 struct CameraViewOptions {
   bool maskShown = false;
   bool likelihoodShown = false;   ///< likelihood maps and candidate positions
-  bool bestParticleShown = false;         ///< each target's highest-weight particle
+  bool bestParticleShown = false; ///< each target's highest-weight particle
   bool magnifierShown = false;    ///< inset that enlarges a small particle cloud
   std::optional<WorldBox> volume; ///< volume of interest; empty: no outline is shown
   int chosenTarget = -1;          ///< selected target; -1: none

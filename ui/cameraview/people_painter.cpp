@@ -89,7 +89,7 @@ bool isPaintedAsPerson(const TargetSnapshot& target) {
 }
 
 void paintPeopleProblem(QPainter& painter, const TrackSnapshot& snapshot, int camera,
-                         const QRectF& room) {
+                        const QRectF& room) {
   QString text = peopleObstacleText(snapshot, camera);
   if (text.isEmpty()) {
     return;

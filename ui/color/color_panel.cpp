@@ -227,7 +227,8 @@ void ColorPanel::refresh() {
     picker_->setRange(colors_[static_cast<std::size_t>(choice_->chosen())]);
   }
   samples_->setSamples(document_.project(), target_);
-  modes_->setRefinementEnabled(any, any && !targets[static_cast<std::size_t>(target_)].samples.empty());
+  modes_->setRefinementEnabled(any,
+                               any && !targets[static_cast<std::size_t>(target_)].samples.empty());
   followAll_->offer(assessed_ ? &assessment_ : nullptr, target_);
   if (assessed_) {
     updateAssessment();

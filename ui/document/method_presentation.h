@@ -18,9 +18,9 @@ namespace dewpoint::ui {
 struct MethodPresentation {
   /// True if a click or a drag in an image sets a target's box; otherwise it sets the color.
   bool targetsAreBoxes = false;
-  bool resultsAreBoxes = false;     ///< plots, table and export use image boxes; otherwise positions
-  bool hasBirdsEyeView = true; ///< positions can be shown in a bird's-eye view
-  bool hasOverlays = true;     ///< masks and likelihood maps can be drawn over the images
+  bool resultsAreBoxes = false; ///< plots, table and export use image boxes; otherwise positions
+  bool hasBirdsEyeView = true;  ///< positions can be shown in a bird's-eye view
+  bool hasOverlays = true;      ///< masks and likelihood maps can be drawn over the images
   /// True if the method limits its search to the project's volume of interest, if there is one, and
   /// also continues from a position that the user sets for a target.
   bool searchesVolume = true;

@@ -57,7 +57,8 @@ void exportBoxes(const Workbench& bench) {
     connectMessages(bench, dialog);
     const auto reset = [dialog, destination] { dialog->resetFolder(destination->folder()); };
     QObject::connect(&bench.document, &Document::replaced, dialog, reset);
-    QObject::connect(dialog, &BoxExportDialog::fileWritten, destination, &ExportDestination::remember);
+    QObject::connect(dialog, &BoxExportDialog::fileWritten, destination,
+                     &ExportDestination::remember);
     reset();
   }
   dialog->proposeFolder(destination->folder());

@@ -68,7 +68,8 @@ QString exportSizeText(const ExportPreview& preview) {
   return translatedExport(
              QT_TRANSLATE_NOOP("Export", "Targets: %1, rows: %2 at %3 per second, %4."))
       .arg(locale.toString(static_cast<qulonglong>(preview.targetCount)),
-           locale.toString(static_cast<qulonglong>(preview.rowCount)), rateText(preview.rowsPerSecond), gaps);
+           locale.toString(static_cast<qulonglong>(preview.rowCount)),
+           rateText(preview.rowsPerSecond), gaps);
 }
 
 QString exportedText(const ExportSummary& summary) {

@@ -59,7 +59,8 @@ std::vector<VideoView> cameraViewsOf(const Workbench& bench) {
 
 void addSceneTo(VideoOffer& offer, const Workbench& bench) {
   const auto* scene = bench.window.findChild<BirdsEyeView*>();
-  if (scene == nullptr || !scene->hasImage() || !bench.document.methodPresentation().hasBirdsEyeView) {
+  if (scene == nullptr || !scene->hasImage() ||
+      !bench.document.methodPresentation().hasBirdsEyeView) {
     return;
   }
   const double aspect = static_cast<double>(scene->width()) / std::max(1, scene->height());

@@ -59,12 +59,12 @@ QString boundNote(const ParameterValues& used, const ParameterDeclaration& decla
   const auto declarations = used.declarations();
   if (tracking::exceedsUpperLimit(used, declaration)) {
     const auto bound =
-        std::ranges::find(declarations, declaration.bound, &ParameterDeclaration::key);
+        std::ranges::find(declarations, declaration.upperLimitKey, &ParameterDeclaration::key);
     return ParameterPanel::tr("This value is larger than “%1”, so %2 is used instead.")
-        .arg(labelText(*bound), parameterValueText(used.at(declaration.bound)));
+        .arg(labelText(*bound), parameterValueText(used.at(declaration.upperLimitKey)));
   }
   const auto bounded = std::ranges::find_if(declarations, [&](const ParameterDeclaration& other) {
-    return other.bound == declaration.key && tracking::exceedsUpperLimit(used, other);
+    return other.upperLimitKey == declaration.key && tracking::exceedsUpperLimit(used, other);
   });
   return bounded == declarations.end()
              ? QString()

@@ -79,7 +79,7 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   case SigmaX:
   case SigmaY:
   case SigmaZ:
-    return lengthNumber(sigmaOf(sample, index.column() - SigmaX), LengthScale::Millimeters, 1,
+    return lengthNumber(positionSigma(sample, index.column() - SigmaX), LengthScale::Millimeters, 1,
                         NumberForm::Table);
   case Speed:
     return tableText(row.speed, 2);

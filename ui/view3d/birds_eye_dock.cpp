@@ -39,7 +39,8 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   QObject::connect(&bench.document, &Document::replaced, view, &BirdsEyeView::resetForNewProject);
   QObject::connect(&bench.selection, &Selection::targetSelected, view,
                    &BirdsEyeView::setChosenTarget);
-  bench.onToggled("actionShowBest", view, [view](bool shown) { view->setBestParticleShown(shown); });
+  bench.onToggled("actionShowBest", view,
+                  [view](bool shown) { view->setBestParticleShown(shown); });
   bench.onToggled("actionShowRays", view, [view](bool shown) { view->setRaysShown(shown); });
   bench.onToggled("actionShowImagesInScene", view,
                   [view](bool shown) { view->setImagesShown(shown); });

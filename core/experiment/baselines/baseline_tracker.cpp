@@ -215,7 +215,7 @@ ExpectedPosition BaselineTracker::expectedPositionOf(const Tracked& tracked) con
     const double sigma = std::max(kLeastStepSigma, kSpeedSigma * tracked.sinceSeen);
     return {*tracked.last, squared(Eigen::Vector3d::Constant(sigma)), std::nullopt};
   }
-  const Eigen::Vector3d sigmas = (kStartShare * start_.half).cwiseMax(kLeastStartSigma);
+  const Eigen::Vector3d sigmas = (kStartShare * start_.halfSize).cwiseMax(kLeastStartSigma);
   return {start_.center, squared(sigmas), std::nullopt};
 }
 

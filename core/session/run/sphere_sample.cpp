@@ -19,7 +19,8 @@ TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& targe
   sample.ambiguous = sphere.ambiguous;
   sample.extent = sphere.extent;
   if (sphere.measurement) {
-    sample.measurement = PositionMeasurement{sphere.measurement->mean, sphere.measurement->covariance};
+    sample.measurement =
+        PositionMeasurement{sphere.measurement->mean, sphere.measurement->covariance};
   }
   return sample;
 }

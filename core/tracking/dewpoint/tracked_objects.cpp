@@ -158,7 +158,8 @@ bool TrackedObjects::allTargetsVisible() const {
                      });
 }
 
-void TrackedObjects::markPixelsOfOthers(SphereObservation& observation, const TrackedObject& own) const {
+void TrackedObjects::markPixelsOfOthers(SphereObservation& observation,
+                                        const TrackedObject& own) const {
   const TrackHypothesis* mine = own.track.confidentHypothesis();
   for (const TrackedObject& object : objects_) {
     const TrackHypothesis* other = &object != &own ? object.track.confidentHypothesis() : nullptr;

@@ -69,9 +69,9 @@ public:
   /// not evidence for `own`. Only objects that are mostly visible and have the color of `own` are
   /// considered. `own` need not be tracked yet.
   void markPixelsOfOthers(SphereObservation& observation, const TrackedObject& own) const;
-  /// Marks pixels of other targets as explained, like markPixelsOfOthers(), in the images from which the
-  /// shape of a target is learned. Distractors are not considered, because a supposed distractor
-  /// may be a part of this target.
+  /// Marks pixels of other targets as explained, like markPixelsOfOthers(), in the images from
+  /// which the shape of a target is learned. Distractors are not considered, because a supposed
+  /// distractor may be a part of this target.
   void markPixelsOfOtherTargets(std::size_t target);
   /// Starts a search for an object in the images of this frame; the work is spread over several
   /// frames. Pixels of other objects are first marked as explained. The object need not be tracked

@@ -35,10 +35,10 @@ std::string positionCells(const Eigen::Vector3d& p) {
 
 std::string tidyRow(const ExportCell& cell, const ExportTable& table) {
   std::string text =
-      cell.hasPosition
-          ? fmt::format("{}{},{},{},1,{}", positionCells(cell.position), covarianceCells(cell),
-                        cell.cameraCount, covarianceText(cell.effectiveSampleSize), cell.filled ? 1 : 0)
-          : std::string(13, ',') + "0,,0,0";
+      cell.hasPosition ? fmt::format("{}{},{},{},1,{}", positionCells(cell.position),
+                                     covarianceCells(cell), cell.cameraCount,
+                                     covarianceText(cell.effectiveSampleSize), cell.filled ? 1 : 0)
+                       : std::string(13, ',') + "0,,0,0";
   if (table.hasBest) {
     text += cell.bestParticle ? positionCells(*cell.bestParticle) : std::string(3, ',');
   }
@@ -66,9 +66,9 @@ EncodedFiles encodeTidyCsv(const ExportTable& table, const std::string& /*name*/
   text += table.hasCorrected ? ",corrected" : "";
   text += table.hasAmbiguous ? ",ambiguous" : "";
   text += table.hasExtent ? fmt::format(",extent_xx_{0}2,extent_xy_{0}2,extent_xz_{0}2,"
-                                     "extent_yy_{0}2,extent_yz_{0}2,extent_zz_{0}2",
-                                     table.unitName())
-                       : "";
+                                        "extent_yy_{0}2,extent_yz_{0}2,extent_zz_{0}2",
+                                        table.unitName())
+                          : "";
   text += '\n';
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
     for (std::size_t target = 0; target < table.targets.size(); ++target) {

@@ -34,11 +34,11 @@ struct RangeBound {
 
 /// The user's choices for an export. Values that are not set take the default of the format.
 struct ExportOptions {
-  std::string format = "csv";       ///< id of one of exportFormats()
-  std::vector<std::string> targets; ///< names of the targets to export; empty: all targets
-  std::optional<RangeBound> from;   ///< first row; not set: from the beginning
-  std::optional<RangeBound> to;     ///< last row; not set: to the end
-  std::optional<double> rowsPerSecond;       ///< not set: as recorded
+  std::string format = "csv";          ///< id of one of exportFormats()
+  std::vector<std::string> targets;    ///< names of the targets to export; empty: all targets
+  std::optional<RangeBound> from;      ///< first row; not set: from the beginning
+  std::optional<RangeBound> to;        ///< last row; not set: to the end
+  std::optional<double> rowsPerSecond; ///< not set: as recorded
   GapRule gaps = GapRule::LeaveEmpty;
   std::optional<WorldAxes> axes;
   std::optional<LengthUnit> unit;

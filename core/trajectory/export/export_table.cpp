@@ -222,8 +222,8 @@ private:
     ExportCell cell;
     cell.hasPosition = true;
     cell.filled = b > a + 1 || cells_[a].filled || cells_[b].filled;
-    cell.position =
-        interpolatedPosition(neighbor(before, a), positionAt(a), positionAt(b), neighbor(after, b), time);
+    cell.position = interpolatedPosition(neighbor(before, a), positionAt(a), positionAt(b),
+                                         neighbor(after, b), time);
     const double share = (time - times_[a]) / (times_[b] - times_[a]);
     // Within a gap nobody knows how far it is off; between neighboring frames, whose errors are
     // alike, no more than they are.
@@ -341,9 +341,9 @@ std::size_t ExportTable::gapCount() const {
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
                                     const TableDefaults& defaults,
                                     const std::function<bool(double)>& progress) {
-  const Trajectory after = options.smooth
-                               ? smoothedTrajectory(trajectory, SmootherOptions{options.longestGap, progress})
-                               : Trajectory();
+  const Trajectory after =
+      options.smooth ? smoothedTrajectory(trajectory, SmootherOptions{options.longestGap, progress})
+                     : Trajectory();
   auto table = recordedTable(trajectory, options.smooth ? after : trajectory, options);
   if (!table) {
     return table;
@@ -352,8 +352,8 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
   table->recordedRowsPerSecond = table->rowsPerSecond;
   const double span = table->times.back() - table->times.front();
   table->recordedRowCount = 1 + static_cast<std::size_t>(std::lround(span * table->rowsPerSecond));
-  const bool mustBeEven =
-      defaults.requiresEvenRows && table->rowsPerSecond > 0.0 && !isEven(table->times, table->rowsPerSecond);
+  const bool mustBeEven = defaults.requiresEvenRows && table->rowsPerSecond > 0.0 &&
+                          !isEven(table->times, table->rowsPerSecond);
   if (options.rowsPerSecond || mustBeEven) {
     table = resampled(*table, options.rowsPerSecond.value_or(table->rowsPerSecond), options);
   } else if (options.gaps == GapRule::Fill) {

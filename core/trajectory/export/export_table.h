@@ -23,8 +23,8 @@ struct ExportCell {
   bool corrected = false; ///< the user corrected the position in this frame
   bool ambiguous = false; ///< another object is about as likely to be the target
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Matrix3d> covariance; ///< covariance of the position; empty: not known
-  std::optional<Eigen::Vector3d> bestParticle;       ///< particle of highest weight; empty: not known
+  std::optional<Eigen::Matrix3d> covariance;   ///< covariance of the position; empty: not known
+  std::optional<Eigen::Vector3d> bestParticle; ///< particle of highest weight; empty: not known
   /// Extent of a target that is not a ball, see TrajectorySample::extent. Empty if the target is a
   /// ball or the extent is not known.
   std::optional<Eigen::Matrix3d> extent;
@@ -39,7 +39,7 @@ struct ExportTable {
   std::vector<std::int64_t> frames;           ///< frame number of each row
   std::vector<std::vector<ExportCell>> cells; ///< cells, indexed by [target][row]
   double rowsPerSecond = 0.0;
-  double recordedRowsPerSecond = 0.0;                  ///< rows per second before resampling
+  double recordedRowsPerSecond = 0.0; ///< rows per second before resampling
   /// Number of rows before resampling, including rows of dropped frames.
   std::size_t recordedRowCount = 0;
   bool hasCovariance = false; ///< at least one cell has a covariance

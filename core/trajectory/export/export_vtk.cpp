@@ -80,7 +80,8 @@ std::string textArray(const char* name, const std::vector<std::string>& values) 
 /// Meters (or the unit) per second at a node, from its neighbors in the row before and behind.
 double speedAt(const ExportTable& table, const Node& node) {
   const auto& column = table.cells[node.target];
-  const std::size_t before = node.row > 0 && column[node.row - 1].hasPosition ? node.row - 1 : node.row;
+  const std::size_t before =
+      node.row > 0 && column[node.row - 1].hasPosition ? node.row - 1 : node.row;
   const std::size_t after =
       node.row + 1 < column.size() && column[node.row + 1].hasPosition ? node.row + 1 : node.row;
   return before == after ? kNoValue

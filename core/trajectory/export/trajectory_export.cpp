@@ -275,11 +275,12 @@ Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOp
   preview.gapCount = encoded->table.gapCount();
   preview.rowsPerSecond = encoded->table.rowsPerSecond;
   const std::string& bytes = encoded->files.back().bytes;
-  preview.text = (*format)->isBinary ? described(**format, encoded->table, bytes.size(), lineCount)
-                                   : firstLines(encoded->files.size() > 1 && (*format)->id == "tum"
-                                                    ? encoded->files.front().bytes
-                                                    : bytes,
-                                                lineCount);
+  preview.text = (*format)->isBinary
+                     ? described(**format, encoded->table, bytes.size(), lineCount)
+                     : firstLines(encoded->files.size() > 1 && (*format)->id == "tum"
+                                      ? encoded->files.front().bytes
+                                      : bytes,
+                                  lineCount);
   preview.noteLineCount = (*format)->isBinary ? 0 : noteLineCount(preview.text);
   return preview;
 }

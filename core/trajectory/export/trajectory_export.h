@@ -32,7 +32,7 @@ struct ExportSummary {
 struct ExportPreview {
   std::string unitsSentence; ///< units and axes in one sentence
   std::string sizeSentence;  ///< numbers of targets, rows and gaps, and the rate, in one sentence
-  std::string text;  ///< first lines of a text file, or a description of a binary one
+  std::string text;          ///< first lines of a text file, or a description of a binary one
   // The same information as values, for messages in other languages.
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;

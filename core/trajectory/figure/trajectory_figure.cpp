@@ -78,7 +78,7 @@ FigurePanel fromAbove(const ExportTable& table) {
   FigurePanel panel; // of the two axes that lie on the floor
   panel.horizontalAxis = table.axes == WorldAxes::ZUp ? 0 : 2;
   panel.verticalAxis = table.axes == WorldAxes::ZUp ? 1 : 0;
-  std::tie(panel.horizontal, panel.vertical) = withEqualScale(
+  std::tie(panel.horizontalRange, panel.verticalRange) = withEqualScale(
       rangeOf(table, panel.horizontalAxis), rangeOf(table, panel.verticalAxis), 1.0, 1.0);
   for (std::size_t target = 0; target < table.targets.size(); ++target) {
     const auto& cells = table.cells[target];

@@ -24,13 +24,13 @@ struct GatheredJob {
 /// jobs were given or finished has no effect.
 struct GatheredJobs {
   std::vector<GatheredJob> jobs;
-  std::vector<std::string> missing;    ///< folders that do not exist
-  std::vector<std::string> unfinished; ///< folders whose job did not finish
+  std::vector<std::string> missingFolders;    ///< folders that do not exist
+  std::vector<std::string> unfinishedFolders; ///< folders whose job did not finish
   /// Pairs of folders that contain the same result of the same job: the folder that is used, and
   /// the folder that is ignored.
-  std::vector<std::pair<std::string, std::string>> repeated;
+  std::vector<std::pair<std::string, std::string>> repeatedFolders;
 
-  bool isComplete() const { return missing.empty() && unfinished.empty(); }
+  bool isComplete() const { return missingFolders.empty() && unfinishedFolders.empty(); }
 };
 
 /// Reads the output folders of jobs. Returns Mismatch if two folders contain different results of

@@ -85,7 +85,8 @@ TEST(ExportOptions, ResamplingLeavesGaps) {
 TEST(ExportOptions, InterpolatesWithoutNeighborsAlongTheChord) {
   const TimedPosition a{1.0, {0, 0, 0}};
   const TimedPosition b{3.0, {2, 4, 6}};
-  EXPECT_LT((interpolatedPosition({}, a, b, {}, 1.5) - Eigen::Vector3d(0.5, 1.0, 1.5)).norm(), 1e-15);
+  EXPECT_LT((interpolatedPosition({}, a, b, {}, 1.5) - Eigen::Vector3d(0.5, 1.0, 1.5)).norm(),
+            1e-15);
 }
 
 TEST(ExportOptions, UnitsAndAxesTurnTheCovarianceToo) {

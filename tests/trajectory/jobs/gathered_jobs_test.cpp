@@ -36,8 +36,8 @@ protected:
     JobRecord record;
     record.identity = identity;
     record.key = name;
-    record.frames = 10;
-    record.seconds = 0.5;
+    record.frameCount = 10;
+    record.trackingSeconds = 0.5;
     record.targets = {{"ball", valid}};
     ASSERT_TRUE(job->finish(record, {"trajectory.csv"}));
   }
@@ -115,8 +115,8 @@ TEST_F(GatherTest, EachResultCountsOnce) {
   ASSERT_TRUE(gathered);
   ASSERT_EQ(gathered->jobs.size(), 1u);
   EXPECT_EQ(gathered->jobs.front().folder, folder("two")); // the one that was evaluated
-  ASSERT_EQ(gathered->repeated.size(), 1u);
-  EXPECT_EQ(gathered->repeated.front(), std::make_pair(folder("two"), folder("one")));
+  ASSERT_EQ(gathered->repeatedFolders.size(), 1u);
+  EXPECT_EQ(gathered->repeatedFolders.front(), std::make_pair(folder("two"), folder("one")));
 
   // The same job with another result is an error, whichever comes first.
   makeJob("three", identityOf("a"), 10, "other rows\n");
@@ -140,8 +140,8 @@ TEST_F(GatherTest, NamesWhatIsMissingOrUnfinished) {
   ASSERT_TRUE(gathered);
   EXPECT_FALSE(gathered->isComplete());
   EXPECT_EQ(gathered->jobs.size(), 1u);
-  EXPECT_EQ(gathered->missing, std::vector{folder("nowhere")});
-  EXPECT_EQ(gathered->unfinished, (std::vector{folder("cut"), folder("killed")}));
+  EXPECT_EQ(gathered->missingFolders, std::vector{folder("nowhere")});
+  EXPECT_EQ(gathered->unfinishedFolders, (std::vector{folder("cut"), folder("killed")}));
   const std::string report = gatheredReport(*gathered);
   EXPECT_NE(report.find("1 runs of 1 recordings; 1 missing, 2 unfinished."), std::string::npos)
       << report;

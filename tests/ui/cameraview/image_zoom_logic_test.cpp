@@ -54,7 +54,8 @@ TEST(ImageZoom, PixelsAreNotLargerThanTheMost) {
   ImageZoom zoom;
   zoom.zoomBy(1e6, {200.0, 150.0}, kSizes);
   EXPECT_DOUBLE_EQ(zoom.placement(kSizes).scale, ImageZoom::kMaxScale);
-  const QSize size = zoom.visiblePartSize(kSizes); // what is seen, and at most a pixel more on each side
+  const QSize size =
+      zoom.visiblePartSize(kSizes); // what is seen, and at most a pixel more on each side
   EXPECT_LE(size.width(), 400 + 64);
   EXPECT_LE(size.height(), 300 + 64);
   const ZoomSizes tiny{{4, 3}, {400, 300}, 1.0};

@@ -110,7 +110,8 @@ Q_SIGNALS:
   void mirroredVideosFound(); ///< some cameras show the board mirrored; see mirrored()
   void boardConfirmed(int images, int searched); ///< the images show the board in the settings
   void playRequested();                          ///< live images are needed
-  void boardVisibilityChanged(bool shown); ///< whether the board is currently being shown to live cameras
+  void boardVisibilityChanged(
+      bool shown); ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
   /// Emitted after saved() if the printed board is split over several sheets of paper.
   void splitOnSheets(const QString& file, int sheets);

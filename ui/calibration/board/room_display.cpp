@@ -88,7 +88,8 @@ void RoomDisplay::refresh() {
   double held = 0.0;
   if (!calibrator_.isGuiding()) {
     camera_->clear();
-    advice_->setText(calibrator_.hasCapturedViews() ? tr("Done.") : tr("Press Start on the page Board."));
+    advice_->setText(calibrator_.hasCapturedViews() ? tr("Done.")
+                                                    : tr("Press Start on the page Board."));
   } else if (state->frame < 0 || state->cameras.empty()) {
     camera_->clear();
     advice_->setText(tr("Waiting for images…"));

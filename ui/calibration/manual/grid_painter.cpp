@@ -128,9 +128,9 @@ void paintPointNames(QPainter& painter, const std::vector<PaintedPoint>& points)
   for (const PaintedPoint& point : points) {
     const auto& at = point.click ? point.click : point.seen;
     const QSizeF size = gridLabelSize(painter, point.name);
-    const auto place = !at                 ? std::nullopt
+    const auto place = !at                     ? std::nullopt
                        : point.isInOtherFrames ? places.reserveInDirectionOnly(*at, size, upRight)
-                                           : places.reserveEvenOverLines(*at, size, upRight);
+                                               : places.reserveEvenOverLines(*at, size, upRight);
     if (place) {
       painter.setOpacity(point.isInOtherFrames ? kElsewhereOpacity : 1.0);
       paintText(painter, *place, point.name, pointColor(point));

@@ -36,7 +36,7 @@ struct PaintedPoint {
   std::optional<QPointF> click;
   std::optional<QPointF> seen;
   bool chosen = false;
-  bool isMisfit = false;    ///< does not fit the other points
+  bool isMisfit = false;        ///< does not fit the other points
   bool isInOtherFrames = false; ///< was clicked only in other frames
 };
 /// Draws measured points. The selected point and a point that does not fit the others are

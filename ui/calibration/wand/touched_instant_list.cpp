@@ -76,7 +76,8 @@ void TouchedInstantList::refresh() {
     const QSignalBlocker quiet(list_);
     list_->clear();
     for (const MarkedInstant& instant : calibrator_.touchedInstants()) {
-      list_->addItem(tr("%1 – %2").arg(secondsText(instant.seconds, 3), wandEventText(instant.role)));
+      list_->addItem(
+          tr("%1 – %2").arg(secondsText(instant.seconds, 3), wandEventText(instant.role)));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));
   }

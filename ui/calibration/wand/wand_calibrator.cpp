@@ -233,7 +233,7 @@ void WandCalibrator::apply() {
 
 void WandCalibrator::setBeforeRefinementShown(bool flipped) {
   dependencies_.manual.showEarlierCameras(flipped ? std::optional(EarlierCameras::WandRefinement)
-                                           : std::nullopt);
+                                                  : std::nullopt);
 }
 
 void WandCalibrator::saveReport(const QString& file) {

@@ -99,8 +99,10 @@ void WandOutcome::connectParts() {
   connect(refine_, &QPushButton::clicked, &calibrator_, &WandCalibrator::refine);
   connect(cancel_, &QPushButton::clicked, &calibrator_, &WandCalibrator::cancel);
   connect(apply_, &QPushButton::clicked, &calibrator_, &WandCalibrator::apply);
-  connect(flip_, &QPushButton::pressed, this, [this] { calibrator_.setBeforeRefinementShown(true); });
-  connect(flip_, &QPushButton::released, this, [this] { calibrator_.setBeforeRefinementShown(false); });
+  connect(flip_, &QPushButton::pressed, this,
+          [this] { calibrator_.setBeforeRefinementShown(true); });
+  connect(flip_, &QPushButton::released, this,
+          [this] { calibrator_.setBeforeRefinementShown(false); });
   connect(report_, &QPushButton::clicked, this, &WandOutcome::chooseReport);
 }
 

@@ -56,7 +56,8 @@ void WorldMarkTool::attach(int camera, CameraView* view) {
   connect(overlay, &QObject::destroyed, this, [this, overlay] {
     std::erase_if(layers_, [overlay](const Layer& one) { return one.overlay == overlay; });
   });
-  connect(overlay, &ImagePickOverlay::cancelled, &marks_, [this] { marks_.setClicksPlacePoint(false); });
+  connect(overlay, &ImagePickOverlay::cancelled, &marks_,
+          [this] { marks_.setClicksPlacePoint(false); });
   connect(overlay, &ImagePickOverlay::picked, &marks_,
           [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {
             bench_.selection.selectCamera(camera);

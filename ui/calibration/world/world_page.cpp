@@ -306,7 +306,8 @@ void WorldPage::refresh() {
   filling_ = false;
   mark_->setChecked(marks_.clicksPlacePoint());
   // A shape as well: dark themes hardly show a pressed button.
-  mark_->setText((marks_.clicksPlacePoint() ? QStringLiteral("● ") : QString()) + tr("Mark in images"));
+  mark_->setText((marks_.clicksPlacePoint() ? QStringLiteral("● ") : QString()) +
+                 tr("Mark in images"));
   mark_->setAccessibleName(tr("Mark in images"));
   mark_->setToolTip(
       tr("Click the selected point in two or more images. Near a corner, the click moves exactly "

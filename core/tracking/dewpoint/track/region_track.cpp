@@ -63,7 +63,7 @@ int viewsInView(const std::vector<RegionMeasurement>& views) {
 } // namespace
 
 void RegionTrack::restart(const StartVolume& start) {
-  searchPrior_.restart(bounds_ ? within(start, *bounds_) : start);
+  searchPrior_.restart(bounds_ ? startVolumeWithin(start, *bounds_) : start);
   numbers_.restart();
   discardHypothesis();
 }
