@@ -27,7 +27,7 @@ constexpr std::string_view kExtentColumns =
 std::string headerText(const TrajectoryHeader& header) {
   std::string text = "# dewpoint trajectory\n# units: time s, position m, covariance m^2\n";
   for (const auto& [key, value] : header.entries)
-    text += fmt::format("# {}: {}\n", toSingleLine(key), toSingleLine(value));
+    text += fmt::format("# {}: {}\n", withoutLineBreaks(key), withoutLineBreaks(value));
   for (const TrajectoryCamera& camera : header.cameras) {
     const auto& c = camera.center;
     const auto& a = camera.opticalAxis;

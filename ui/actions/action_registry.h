@@ -47,7 +47,7 @@ public:
   QAction* add(const ActionDeclaration& declaration);
   /// Returns the action with this id, or null if it has not been added yet.
   QAction* action(ActionId id) const { return byId_[id.index()]; }
-  std::vector<QAction*> all() const;
+  std::vector<QAction*> allActions() const;
   /// Returns the translated heading under which an action is listed.
   QString groupOf(const QAction* action) const;
   QString hintOf(const QAction* action) const;

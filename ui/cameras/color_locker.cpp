@@ -103,7 +103,7 @@ void ColorLocker::lock(int camera) {
     return;
   }
   job_->start([this, chosen, access = watch_.access(),
-               project = bench_.document.state()](const BackgroundJob::Progress&) {
+               project = bench_.document.sharedProject()](const BackgroundJob::Progress&) {
     auto outcomes = std::make_shared<std::vector<LockOutcome>>();
     for (const Locked& one : chosen) {
       auto before = access->controls(one.path);

@@ -32,8 +32,8 @@ CameraDocks::CameraDocks(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), pick_(new ImagePickTool(bench.cameras, this)),
       menu_(new ImageMenu(bench)) {
   connect(pick_, &ImagePickTool::cameraChosen, &bench_.selection, &Selection::selectCamera);
-  connect(&bench_.session, &SessionController::runStarted, this, &CameraDocks::make);
-  connect(&bench_.session, &SessionController::closed, this, &CameraDocks::make);
+  connect(&bench_.session, &SessionController::runStarted, this, &CameraDocks::makeDocks);
+  connect(&bench_.session, &SessionController::closed, this, &CameraDocks::makeDocks);
   connect(&bench_.session, &SessionController::snapshotChanged, this, &CameraDocks::updateTitles);
   connect(&bench_.selection, &Selection::targetSelected, this, [this](int target) {
     for (CameraView* view : views_) {
@@ -128,7 +128,7 @@ void CameraDocks::zoom(double factor) {
   }
 }
 
-void CameraDocks::make() {
+void CameraDocks::makeDocks() {
   bench_.docks.restoreMaximized();
   for (ViewDock* dock : docks_) {
     bench_.docks.remove(dock);

@@ -81,10 +81,10 @@ void paintInset(QPainter& painter, const CameraImageSource& source, const TrackS
   paintCloudInset(painter, {.overlay = shownOverlay(snapshot, source.camera, chosen, look),
                             .image = image,
                             .placement = place.placement,
-                            .area = place.seen,
+                            .area = place.visibleArea,
                             .color = color,
                             .ramp = rampOf(snapshot, color),
-                            .taken = taken});
+                            .occupiedAreas = taken});
 }
 
 } // namespace
@@ -109,16 +109,16 @@ CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera,
           .mask = mask,
           .isMotionMask = snapshot->masksShowMotion,
           .tints = mask.empty() ? std::vector<QColor>() : overlayColors(*snapshot),
-          .part = QRect(0, 0, frame->image.cols, frame->image.rows),
+          .imagePart = QRect(0, 0, frame->image.cols, frame->image.rows),
           .size = size,
           .isZoomed = false,
-          .maps = look.likelihoodShown ? snapshot : nullptr};
+          .mapSnapshot = look.likelihoodShown ? snapshot : nullptr};
 }
 
 void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnapshotPtr& snapshot,
                     const CameraViewOptions& look, const CameraImageArea& place) {
   const int camera = image.source.camera;
-  const bool hasMaps = image.source.maps == snapshot;
+  const bool hasMaps = image.source.mapSnapshot == snapshot;
   if (hasMaps && !image.motionMap.isNull()) {
     paintLikelihoodMap(painter, {{0, 0}, image.motionMap.size()}, image.motionMap, {},
                        place.placement);
@@ -127,8 +127,8 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
     paintVolume(painter, (*snapshot->rig)[static_cast<std::size_t>(camera)], *look.volume,
                 place.placement);
   }
-  paintPeople(painter, *snapshot, camera, place.placement, place.seen, look.chosenTarget);
-  paintPeopleProblem(painter, *snapshot, camera, place.seen);
+  paintPeople(painter, *snapshot, camera, place.placement, place.visibleArea, look.chosenTarget);
+  paintPeopleProblem(painter, *snapshot, camera, place.visibleArea);
   const std::vector<QColor> colors = overlayColors(*snapshot);
   for (std::size_t i = 0; i < snapshot->targets.size(); ++i) {
     const TargetSnapshot& target = snapshot->targets[i];
@@ -136,7 +136,7 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
       continue;
     }
     if (hasMaps) {
-      paintLikelihoodMap(painter, mapPlace(target, camera), image.maps[i],
+      paintLikelihoodMap(painter, mapPlace(target, camera), image.likelihoodMaps[i],
                          proposedOutlines(*snapshot, camera, target), place.placement);
     }
     const QColor& color = colors[i];
@@ -145,11 +145,11 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
   }
   std::vector<QRectF> taken;
   if (place.isZoomed) {
-    taken.push_back(paintZoomLabel(painter, place.seen, place.placement.scale));
+    taken.push_back(paintZoomLabel(painter, place.visibleArea, place.placement.scale));
   }
   paintInset(painter, image.source, *snapshot, colors, look, place, taken);
-  paintCameraMotionMarker(painter, place.seen, cameraMotionText(cameraMotionOf(*snapshot, camera)),
-                          look.palette);
+  paintCameraMotionMarker(painter, place.visibleArea,
+                          cameraMotionText(cameraMotionOf(*snapshot, camera)), look.palette);
 }
 
 QString missingImageText(const TrackSnapshotPtr& snapshot, int camera) {
@@ -189,9 +189,9 @@ QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraV
       drawCameraImage(imageSource(snapshot, camera, look, fitted.visiblePartSize(sizes)));
   CameraImageArea place;
   place.placement = fitted.placement(sizes);
-  place.seen = place.placement.areaOf(pixels) & QRectF(picture.rect());
+  place.visibleArea = place.placement.areaOf(pixels) & QRectF(picture.rect());
   painter.drawImage(place.placement.corner, image.image);
-  painter.setClipRect(place.seen);
+  painter.setClipRect(place.visibleArea);
   paintEstimates(painter, image, snapshot, look, place);
   return picture;
 }

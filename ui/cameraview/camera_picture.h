@@ -39,7 +39,7 @@ CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera,
 /// Position and visible part of a camera image in its view.
 struct CameraImageArea {
   ImagePlacement placement;
-  QRectF seen; ///< visible part of the image
+  QRectF visibleArea; ///< visible part of the image
   bool isZoomed = false;
 };
 

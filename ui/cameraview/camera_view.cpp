@@ -78,7 +78,7 @@ CameraImageSource CameraView::source() const {
   CameraImageSource wanted = imageSource(snapshot_, camera_, look_, {});
   if (wanted.frame) {
     const ZoomSizes room = zoomSizesFor(*wanted.frame);
-    wanted.part = zoom_.part(room);
+    wanted.imagePart = zoom_.visiblePart(room);
     wanted.size = zoom_.visiblePartSize(room);
     wanted.isZoomed = !zoom_.isFitted(room);
   }
@@ -122,9 +122,9 @@ void CameraView::zoomBy(double factor, const QPointF& position) {
   }
 }
 
-void CameraView::panBy(const QPointF& way) {
+void CameraView::panBy(const QPointF& offset) {
   if (updatePlacement()) {
-    zoom_.panBy(way, {imageSize_, size(), devicePixelRatioF()});
+    zoom_.panBy(offset, {imageSize_, size(), devicePixelRatioF()});
     onZoomChanged();
   }
 }
@@ -241,7 +241,7 @@ void CameraView::paintEvent(QPaintEvent*) {
   painter.drawImage(drawnArea(), picture_.image);
   painter.setClipRect(shownArea());
   paintEstimates(painter, picture_, shown_, options(),
-                 {.placement = placement_, .seen = shownArea(), .isZoomed = isZoomed()});
+                 {.placement = placement_, .visibleArea = shownArea(), .isZoomed = isZoomed()});
   paintCameraProblem(painter, shownArea(), problemText(), palette());
   reportPainted();
 }
@@ -261,9 +261,9 @@ QRectF CameraView::drawnArea() const {
   const double ratio = devicePixelRatioF();
   const CameraImageSource& source = picture_.source;
   const QPointF corner =
-      (placement_.corner + QPointF(source.part.topLeft()) * placement_.scale) * ratio;
+      (placement_.corner + QPointF(source.imagePart.topLeft()) * placement_.scale) * ratio;
   // Without a fraction of a pixel, so that it is drawn one to one.
-  const QSizeF wanted = QSizeF(source.part.size()) * (placement_.scale * ratio);
+  const QSizeF wanted = QSizeF(source.imagePart.size()) * (placement_.scale * ratio);
   const bool isThatSize = std::abs(wanted.width() - source.size.width()) < 1.0 &&
                           std::abs(wanted.height() - source.size.height()) < 1.0;
   return {QPointF(std::round(corner.x()), std::round(corner.y())) / ratio,

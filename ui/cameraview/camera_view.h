@@ -59,8 +59,8 @@ public:
   /// Enlarges the image by `factor` (see `ImageZoom`). The pixel at `position` (widget coordinates)
   /// stays in place.
   void zoomBy(double factor, const QPointF& position);
-  /// Moves the zoomed image by the offset `way`, in widget units.
-  void panBy(const QPointF& way);
+  /// Moves the zoomed image by `offset`, in widget units.
+  void panBy(const QPointF& offset);
   /// Moves the zoomed image until `pixel` is visible.
   void reveal(const QPointF& pixel);
   /// Fits the whole image into the view again.

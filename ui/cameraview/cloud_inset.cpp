@@ -92,7 +92,7 @@ void paintCloudInset(QPainter& painter, const CloudInset& subject) {
   if (!factor || !subject.area.contains(target)) {
     return;
   }
-  const QRectF square = insetRect(subject.area, *side, target, subject.taken);
+  const QRectF square = insetRect(subject.area, *side, target, subject.occupiedAreas);
   const double scale = *factor / ratio;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

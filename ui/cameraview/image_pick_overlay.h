@@ -62,8 +62,8 @@ Q_SIGNALS:
   void cancelled();
   /// Emitted when the user presses the mouse button on the image, or picks a pixel with the
   /// keyboard. The camera of this view must then be selected.
-  void chosen();
-  /// Emitted after chosen() for a plain click outside picking mode, with its position in image
+  void viewChosen();
+  /// Emitted after viewChosen() for a plain click outside picking mode, with its position in image
   /// pixels.
   void imageClicked(const QPointF& pixel);
 

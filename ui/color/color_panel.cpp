@@ -70,7 +70,7 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
     mode_ = mode.value_or(ColorLearner::SampleAction::Replace);
     setPicking(mode.has_value());
   });
-  connect(choice_, &ColorChoice::chosenColorChanged, this, &ColorPanel::refresh);
+  connect(choice_, &ColorChoice::selectedColorChanged, this, &ColorPanel::refresh);
   connect(choice_, &ColorChoice::removeRequested, this, &ColorPanel::removeColor);
   connect(picker_, &ColorPicker::rangeEdited, this, &ColorPanel::editRange);
   connect(picker_, &ColorPicker::editingFinished, this, [this] {
@@ -99,10 +99,10 @@ void ColorPanel::connectLearner() {
       setPicking(false);
     }
     refresh();
-    Q_EMIT learned(target, isNew);
+    Q_EMIT colorLearned(target, isNew);
   };
-  connect(learner_, &ColorLearner::learned, this, showLearned);
-  connect(boxes_, &BoxPicker::learned, this, showLearned);
+  connect(learner_, &ColorLearner::colorLearned, this, showLearned);
+  connect(boxes_, &BoxPicker::boxSet, this, showLearned);
   connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
   connect(learner_, &ColorLearner::learningResultReady, this,
           [this](const setup::ClickLearningResult& lesson) {
@@ -161,7 +161,7 @@ void ColorPanel::setPicking(bool picking) {
   if (std::exchange(wasAdding_, isAdding) != isAdding || isOther) {
     Q_EMIT pickingChanged();
   }
-  if (!picking || !modes_->offers(mode_)) {
+  if (!picking || !modes_->offersMode(mode_)) {
     mode_ = ColorLearner::SampleAction::Replace;
   }
   modes_->setMode(picking ? LearnModes::Mode(mode_) : LearnModes::Mode());
@@ -224,7 +224,7 @@ void ColorPanel::refresh() {
       assessed_ = false;
     }
     choice_->setColors(colors_);
-    picker_->setRange(colors_[static_cast<std::size_t>(choice_->chosen())]);
+    picker_->setRange(colors_[static_cast<std::size_t>(choice_->selectedColor())]);
   }
   samples_->setSamples(document_.project(), target_);
   modes_->setRefinementEnabled(any,
@@ -282,7 +282,7 @@ void ColorPanel::removeSample(int sample) {
 
 void ColorPanel::editRange(const ColorRange& range) {
   const auto index = static_cast<std::size_t>(target_);
-  const auto color = static_cast<std::size_t>(choice_->chosen());
+  const auto color = static_cast<std::size_t>(choice_->selectedColor());
   (void)document_.edit(
       tr("Change color range"),
       [&](Project& project) { setup::setColor(color, range, project.targets.at(index)); },
@@ -312,7 +312,7 @@ void ColorPanel::updateAssessment() {
     cameras.push_back(cameraName(camera.camera.name, cameras.size()));
   }
   ColorAssessment shown = assessment_;
-  if (shown.suggestion == Suggestion::FollowAll && !followAll_->offers()) {
+  if (shown.suggestion == Suggestion::FollowAll && !followAll_->isOffering()) {
     shown.suggestion = Suggestion::None; // each has its target
   }
   QString text = colorAssessmentText(shown, cameras);

@@ -57,7 +57,7 @@ Q_SIGNALS:
   /// Emitted when isPicking() or clickAddsTarget() has changed.
   void pickingChanged();
   /// Emitted when a color was learned from images and tracking can start.
-  void learned(int target, bool isNew);
+  void colorLearned(int target, bool isNew);
   void failed(const QString& sentence);
 
 private:

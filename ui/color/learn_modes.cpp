@@ -50,7 +50,7 @@ void LearnModes::setRefinementEnabled(bool canAdd, bool canExclude) {
   }
 }
 
-bool LearnModes::offers(ColorLearner::SampleAction mode) const {
+bool LearnModes::offersMode(ColorLearner::SampleAction mode) const {
   return mode == SampleAction::Replace ||
          (!targetsAreBoxes_ && (mode == SampleAction::Add ? canAdd_ : canExclude_));
 }

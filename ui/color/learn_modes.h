@@ -27,7 +27,7 @@ public:
   /// Enables or disables the buttons. `canAdd` is true if there is a target to which samples can be
   /// added, `canExclude` if this target already has samples.
   void setRefinementEnabled(bool canAdd, bool canExclude);
-  bool offers(ColorLearner::SampleAction mode) const;
+  bool offersMode(ColorLearner::SampleAction mode) const;
   /// Sets whether a click sets a target's box. If so, the buttons for adding and excluding are not
   /// available.
   void setTargetsAreBoxes(bool targetsAreBoxes);

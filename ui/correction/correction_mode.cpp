@@ -40,7 +40,7 @@ CorrectionMode::CorrectionMode(const Workbench& bench, const CameraDocks& camera
   connect(&bench_.selection, &Selection::targetSelected, tool_, &CorrectionTool::refresh);
   connect(&trajectory, &TrajectoryPanel::correctionRemovalRequested, this,
           [this](qint64 frame, int target) { remove(frame, target); });
-  cameras.menu().addSection(
+  cameras.imageMenu().addSection(
       [this](int camera, const QPointF& pixel) { return menuEntries(camera, pixel); });
   connectActions();
 }

@@ -61,7 +61,7 @@ void CorrectionTool::attach(int camera, CameraView* view) {
     std::erase_if(layers_, [overlay](const Layer& one) { return one.overlay == overlay; });
   });
   connect(overlay, &ImagePickOverlay::cancelled, this, &CorrectionTool::cancelled);
-  connect(overlay, &ImagePickOverlay::chosen, this,
+  connect(overlay, &ImagePickOverlay::viewChosen, this,
           [this, camera] { bench_.selection.selectCamera(camera); });
   connect(overlay, &ImagePickOverlay::grabbed, this,
           [this, layer](const QPointF& pixel) { grab(layer, pixel); });

@@ -44,7 +44,7 @@ MethodFamily Document::methodFamily() const {
   return tracking::methodFamily(project_->method);
 }
 
-void Document::replace(Project project, bool unsaved) {
+void Document::replaceProject(Project project, bool unsaved) {
   project_ = std::make_shared<Project>(std::move(project));
   usedParameters_ = effectiveParameters(*project_);
   defaultParameters_ = setup::defaultParameters(*project_);

@@ -34,7 +34,7 @@ public:
   /// keep.
   const Project& project() const { return *project_; }
   /// Returns the project as an immutable object that can be kept.
-  std::shared_ptr<const Project> state() const { return project_; }
+  std::shared_ptr<const Project> sharedProject() const { return project_; }
   /// Returns the parameters used for tracking, including those derived from the cameras.
   const ParameterValues& usedParameters() const { return usedParameters_; }
   /// Returns the values of these parameters when the project sets none: the method's defaults and
@@ -51,7 +51,7 @@ public:
   QUndoStack* undoStack() const { return undoStack_; }
   /// Replaces the project by another one and clears the history. `unsaved` is true if no file
   /// contains this state of the project, because it was recovered or just created.
-  void replace(Project project, bool unsaved = false);
+  void replaceProject(Project project, bool unsaved = false);
   /// Returns whether there are changes that no file contains.
   bool isUnsaved() const;
 

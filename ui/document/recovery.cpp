@@ -79,8 +79,8 @@ void Recovery::write() {
     schedule(); // the disk is slow: what is newest then
     return;
   }
-  Q_EMIT writing();
-  queue_.add([this, own = folder_, project = document_.state()] {
+  Q_EMIT backupStarting();
+  queue_.add([this, own = folder_, project = document_.sharedProject()] {
     const Status written = (*own)->writeOwnBackup(*project);
     const QString failure = written ? QString() : errorText(written.error());
     return std::function<void()>([this, failure] {
@@ -122,7 +122,8 @@ void Recovery::findBackups(std::function<void(const std::vector<RecoverableWork>
 void Recovery::recover(const RecoverableWork& work,
                        std::function<void(const Result<Project>&)> then) {
   queue_.add([work, then = std::move(then)] {
-    return std::function<void()>([then, project = RecoveryFolder::read(work)] { then(project); });
+    return std::function<void()>(
+        [then, project = RecoveryFolder::readBackup(work)] { then(project); });
   });
 }
 

@@ -52,7 +52,7 @@ public:
 Q_SIGNALS:
   /// Emitted before a copy is written. Receivers must now apply their pending changes to the
   /// document.
-  void writing();
+  void backupStarting();
   /// Emitted when a copy is safely on the disk.
   void backedUp();
   /// Emitted with the reason when the copy cannot be written. Each reason is reported once.

@@ -122,7 +122,7 @@ std::vector<RecoverableWork> RecoveryFolder::orphanedBackups() const {
   return all;
 }
 
-Result<Project> RecoveryFolder::read(const RecoverableWork& work) {
+Result<Project> RecoveryFolder::readBackup(const RecoverableWork& work) {
   auto project = loadProject(work.file);
   if (project) {
     project->file = readTextFile(originOf(work.file)).value_or(std::string());

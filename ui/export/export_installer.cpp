@@ -43,11 +43,11 @@ void connectMessages(const Workbench& bench, BoxExportDialog* dialog) {
 }
 
 QString trajectoryFile(const ExportDestination& destination) {
-  return destination.file(QStringLiteral("trajectory"));
+  return destination.proposedFile(QStringLiteral("trajectory"));
 }
 
 void exportBoxes(const Workbench& bench) {
-  ExportDestination* destination = ExportDestination::of(bench);
+  ExportDestination* destination = ExportDestination::forWorkbench(bench);
   auto* dialog = bench.window.findChild<BoxExportDialog*>();
   if (dialog == nullptr) {
     const auto boxes = [run = &bench.session] {
@@ -58,7 +58,7 @@ void exportBoxes(const Workbench& bench) {
     const auto reset = [dialog, destination] { dialog->resetFolder(destination->folder()); };
     QObject::connect(&bench.document, &Document::replaced, dialog, reset);
     QObject::connect(dialog, &BoxExportDialog::fileWritten, destination,
-                     &ExportDestination::remember);
+                     &ExportDestination::rememberFolder);
     reset();
   }
   dialog->proposeFolder(destination->folder());
@@ -66,7 +66,7 @@ void exportBoxes(const Workbench& bench) {
 }
 
 void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
-  ExportDestination* destination = ExportDestination::of(bench);
+  ExportDestination* destination = ExportDestination::forWorkbench(bench);
   auto* dialog = bench.window.findChild<ExportDialog*>();
   if (dialog == nullptr) {
     const auto trajectory = [run = &bench.session] {
@@ -78,7 +78,8 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
       dialog->resetChoices(trajectoryFile(*destination));
     };
     QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
-    QObject::connect(dialog, &ExportDialog::fileWritten, destination, &ExportDestination::remember);
+    QObject::connect(dialog, &ExportDialog::fileWritten, destination,
+                     &ExportDestination::rememberFolder);
     resetChoices();
     const auto sayOld = [dialog, results = &bench.session.results()] {
       dialog->setHasOldResults(!results->oldResults().frames.empty());

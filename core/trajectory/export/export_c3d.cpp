@@ -111,7 +111,7 @@ private:
 std::vector<std::string> labels(const ExportTable& table) {
   std::vector<std::string> result;
   for (const std::string& target : table.targets) {
-    result.push_back(toSingleLine(target).substr(0, kMostInByte));
+    result.push_back(withoutLineBreaks(target).substr(0, kMostInByte));
   }
   return result;
 }

@@ -13,7 +13,7 @@ std::string commentHeader(const ExportTable& table) {
   }
   std::string text = "# dewpoint trajectory\n# " + unitsSentence(table) + '\n';
   for (const auto& [key, value] : table.headerEntries) {
-    text += fmt::format("# {}: {}\n", toSingleLine(key), toSingleLine(value));
+    text += fmt::format("# {}: {}\n", withoutLineBreaks(key), withoutLineBreaks(value));
   }
   return text;
 }

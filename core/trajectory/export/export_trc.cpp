@@ -14,11 +14,11 @@ EncodedFiles encodeTrc(const ExportTable& table, const std::string& name) {
                   "DataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\tOrigDataRate\t"
                   "OrigDataStartFrame\tOrigNumFrames\n"
                   "{:.6g}\t{:.6g}\t{}\t{}\t{}\t{:.6g}\t1\t{}\n",
-                  toSingleLine(name), rate, rate, rows, table.targets.size(), table.unitName(),
+                  withoutLineBreaks(name), rate, rate, rows, table.targets.size(), table.unitName(),
                   table.recordedRowsPerSecond, table.recordedRowCount);
   text += "Frame#\tTime";
   for (const std::string& target : table.targets) {
-    text += fmt::format("\t{}\t\t", toSingleLine(target));
+    text += fmt::format("\t{}\t\t", withoutLineBreaks(target));
   }
   text += "\n\t";
   for (std::size_t k = 1; k <= table.targets.size(); ++k) {

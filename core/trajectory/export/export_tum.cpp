@@ -43,7 +43,7 @@ EncodedFiles encodeTum(const ExportTable& table, const std::string& /*name*/) {
         files.emplace_back(ExportFile{nameSuffix(table, target), commentHeader(table)});
     if (table.writesHeader) {
       file.bytes += fmt::format("# target: {}\n# timestamp tx ty tz qx qy qz qw\n",
-                                toSingleLine(table.targets[target]));
+                                withoutLineBreaks(table.targets[target]));
     }
     for (std::size_t row = 0; row < table.rowCount(); ++row) {
       const ExportCell& cell = table.cells[target][row];

@@ -249,7 +249,7 @@ void SlowWorldTest::aBoardThatIsLookedForHoldsNobodyUp() {
   project.cameras.resize(1);
   project.cameras[0].camera.intrinsics = {4000, 3000, 4000.0, 4000.0, 1999.5, 1499.5};
   Document document;
-  document.replace(project);
+  document.replaceProject(project);
   const auto opener = [](const SessionRequest&) -> Result<SessionInputs> {
     return failure(ErrorCode::FileMissing, "", "", "");
   };
@@ -262,7 +262,7 @@ void SlowWorldTest::aBoardThatIsLookedForHoldsNobodyUp() {
   TrackSnapshot snapshot; // of live cameras: their frames are not counted
   snapshot.frame = 0;
   snapshot.frames = std::make_shared<const FrameSet>(std::move(set));
-  calibrator->start();
+  calibrator->startGuidance();
   calibrator->setSnapshot(std::make_shared<const TrackSnapshot>(std::move(snapshot)));
   QVERIFY(calibrator->isGuiding());
   calibrator.reset();

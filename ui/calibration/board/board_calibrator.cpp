@@ -31,7 +31,7 @@ BoardCalibrator::BoardCalibrator(Document& document, Opener open, QObject* paren
       failure_ = tr("Stopped. The previous calibration is kept.");
     }
     Q_EMIT changed();
-    Q_EMIT calibrated();
+    Q_EMIT calibrationEnded();
     finishWhenGuided(); // the guidance may have ended while a board was being found
   });
   connect(&document_, &Document::replaced, this, &BoardCalibrator::discardResults);
@@ -54,7 +54,7 @@ void BoardCalibrator::setRequest(const BoardGuideRequest& request) {
   request_ = request;
   Preferences().setBoard(preferences());
   if (watching_) {
-    start(); // what was taken is of another board, or for another lens
+    startGuidance(); // what was taken is of another board, or for another lens
   }
   Q_EMIT requestChanged();
 }
@@ -261,7 +261,7 @@ void BoardCalibrator::cancel() {
   job_->cancel();
 }
 
-void BoardCalibrator::start() {
+void BoardCalibrator::startGuidance() {
   outcome_.reset();
   failure_.clear();
   lastWatchedFrames_.reset();
@@ -279,13 +279,13 @@ void BoardCalibrator::setWatching(bool watching) {
   }
 }
 
-void BoardCalibrator::stop() {
+void BoardCalibrator::stopGuidance() {
   setWatching(false);
   Q_EMIT changed();
 }
 
 bool BoardCalibrator::hasCapturedViews() const {
-  const auto state = guide();
+  const auto state = guideState();
   return state->seen && std::ranges::any_of(state->seen->cameras, [](const auto& camera) {
            return !camera.views.empty();
          });
@@ -296,7 +296,7 @@ void BoardCalibrator::finish() {
     return;
   }
   setWatching(false);
-  const auto state = guide();
+  const auto state = guideState();
   compute(
       [project = project(), seen = state->seen, request = requestForCaptured(request_, *state),
        goal = request_.goal](const CalibrationProgress& progress) {
@@ -321,7 +321,7 @@ std::function<void()> BoardCalibrator::wakeUp() {
 }
 
 void BoardCalibrator::finishWhenGuided() {
-  if (watching_ && guide()->phase == BoardGuideState::Phase::Finished) {
+  if (watching_ && guideState()->phase == BoardGuideState::Phase::Finished) {
     finish();
   }
 }
@@ -357,7 +357,7 @@ void BoardCalibrator::write(const std::function<Status()>& task, const QString& 
         return [this, sentence, file, sheets] {
           sentence.isEmpty() ? Q_EMIT saved(file) : Q_EMIT failed(sentence);
           if (sentence.isEmpty() && sheets > 1) {
-            Q_EMIT splitOnSheets(file, sheets);
+            Q_EMIT printedOnSeveralSheets(file, sheets);
           }
         };
       });

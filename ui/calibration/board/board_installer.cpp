@@ -61,7 +61,7 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
   QObject::connect(board, &BoardCalibrator::saved, messages, [messages](const QString& file) {
     messages->showNotice(BoardCalibrationPage::tr("Saved %1.").arg(file));
   });
-  QObject::connect(board, &BoardCalibrator::splitOnSheets, messages,
+  QObject::connect(board, &BoardCalibrator::printedOnSeveralSheets, messages,
                    [messages](const QString& file, int sheets) {
                      messages->showNotice(
                          BoardCalibrationPage::tr("Saved %1: the board is larger than the paper. "

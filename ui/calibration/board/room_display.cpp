@@ -48,7 +48,7 @@ std::size_t shownCamera(const BoardGuideState& state) {
 RoomDisplay::RoomDisplay(BoardCalibrator& calibrator, QWidget* parent)
     : QWidget(parent, Qt::Window), calibrator_(calibrator), camera_(new QLabel(this)),
       advice_(new QLabel(this)), count_(new QLabel(this)), held_(new QProgressBar(this)),
-      captured_(viewsIn(*calibrator.guide())) {
+      captured_(viewsIn(*calibrator.guideState())) {
   setObjectName(QStringLiteral("roomDisplay"));
   setAttribute(Qt::WA_DeleteOnClose);
   camera_->setObjectName(QStringLiteral("roomCamera"));
@@ -78,7 +78,7 @@ RoomDisplay::RoomDisplay(BoardCalibrator& calibrator, QWidget* parent)
 }
 
 void RoomDisplay::refresh() {
-  const BoardGuideStatePtr state = calibrator_.guide();
+  const BoardGuideStatePtr state = calibrator_.guideState();
   const std::size_t views = viewsIn(*state);
   if (views > captured_) {
     QApplication::beep(); // the person looks at the board, not at the screen

@@ -60,7 +60,7 @@ CalibrationExportDialog::CalibrationExportDialog(Document& document, QWidget* pa
     }
   });
   proposeFile(proposedFile());
-  begin();
+  finishLayout();
 }
 
 const CalibrationFormat& CalibrationExportDialog::format() const {
@@ -203,7 +203,7 @@ void CalibrationExportDialog::applyResult(const Result<CalibrationConversion>& o
   }
 }
 
-void CalibrationExportDialog::accepted() {
+void CalibrationExportDialog::performExchange() {
   if (!isReady()) {
     return;
   }

@@ -55,7 +55,7 @@ CalibrationImportDialog::CalibrationImportDialog(Document& document, const Camer
     fillNames({});
     refresh(); // what is taken has the names, too
   });
-  begin();
+  finishLayout();
 }
 
 void CalibrationImportDialog::chooseFile() {
@@ -278,7 +278,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   showPreview(lines.join(QLatin1Char('\n')), true);
 }
 
-void CalibrationImportDialog::accepted() {
+void CalibrationImportDialog::performExchange() {
   if (!isReady() || !import_) {
     return;
   }

@@ -45,12 +45,12 @@ protected:
   /// preview, and runs in the GUI thread.
   using Preview = std::function<std::function<void()>()>;
   virtual Preview preview() = 0;
-  virtual void accepted() = 0;
+  virtual void performExchange() = 0;
   virtual void chooseFile() = 0;
   virtual void retranslateFields() = 0;
 
   /// Completes the layout of the dialog. Call this after adding all questions.
-  void begin();
+  void finishLayout();
   /// Sets the proposed file without computing a preview.
   void proposeFile(const QString& file);
   /// Recomputes the preview after an answer has changed.

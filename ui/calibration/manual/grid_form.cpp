@@ -114,10 +114,11 @@ void GridForm::connectFields() {
           [this](int percent) { manual_.setGridOpacity(percent / 100.0); });
   connect(edges_, &QCheckBox::toggled, &manual_, &ManualCalibration::setEdgesShown);
   connect(compare_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    manual_.setComparison(index == 1 ? EarlierCameras::LastChange : EarlierCameras::PanelOpened);
+    manual_.setComparedCameras(index == 1 ? EarlierCameras::LastChange
+                                          : EarlierCameras::PanelOpened);
   });
   connect(flip_, &QPushButton::pressed, this,
-          [this] { manual_.showEarlierCameras(manual_.comparison()); });
+          [this] { manual_.showEarlierCameras(manual_.comparedCameras()); });
   connect(flip_, &QPushButton::released, this, [this] { manual_.showEarlierCameras({}); });
 }
 

@@ -211,7 +211,7 @@ void GridLayer::keyPressEvent(QKeyEvent* event) {
     return;
   }
   if (event->key() == Qt::Key_B) {
-    manual_.showEarlierCameras(manual_.comparison());
+    manual_.showEarlierCameras(manual_.comparedCameras());
     return;
   }
   if (event->key() == Qt::Key_Delete) {
@@ -220,8 +220,8 @@ void GridLayer::keyPressEvent(QKeyEvent* event) {
   }
   if (const auto nudge = nudgeOf(*event, manual_.keyMode()); nudge && !manual_.isDragging()) {
     manual_.selectCamera(camera_);
-    nudge->axis < 0 ? manual_.nudgeFocalLength(nudge->factor, event->isAutoRepeat())
-                    : manual_.nudge(nudge->axis, nudge->factor, event->isAutoRepeat());
+    nudge->axis < 0 ? manual_.nudgeFocalLength(nudge->amount, event->isAutoRepeat())
+                    : manual_.nudge(nudge->axis, nudge->amount, event->isAutoRepeat());
     return;
   }
   QWidget::keyPressEvent(event);
@@ -292,15 +292,15 @@ void GridLayer::drawPoints(QPainter& painter) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     PaintedPoint& painted = shown.emplace_back();
     painted.name = QString::fromStdString(all[k].name);
-    painted.chosen = static_cast<int>(k) == points_.chosen();
+    painted.isSelected = static_cast<int>(k) == points_.selectedPoint();
     painted.isInOtherFrames =
-        !painted.chosen && snapshot_ && isClickedElsewhere(all[k], snapshot_->frame);
-    painted.isMisfit = points_.misfit() == static_cast<int>(k);
+        !painted.isSelected && snapshot_ && isClickedElsewhere(all[k], snapshot_->frame);
+    painted.isMisfit = points_.misfitPoint() == static_cast<int>(k);
     if (const PointClick* click = clickIn(all[k], camera_)) {
       painted.click = widgetPosition(click->pixel, placement);
     }
     if (const auto seen = projector.project(all[k].world); seen && isInside(*seen)) {
-      painted.seen = widgetPosition(*seen, placement);
+      painted.projection = widgetPosition(*seen, placement);
     }
   }
   paintPoints(painter, shown);

@@ -34,8 +34,8 @@ void paintGrip(QPainter& painter, QPointF place);
 struct PaintedPoint {
   QString name;
   std::optional<QPointF> click;
-  std::optional<QPointF> seen;
-  bool chosen = false;
+  std::optional<QPointF> projection;
+  bool isSelected = false;
   bool isMisfit = false;        ///< does not fit the other points
   bool isInOtherFrames = false; ///< was clicked only in other frames
 };

@@ -77,7 +77,7 @@ std::optional<QRectF> LabelPlacer::reserved(const std::optional<QRectF>& box) {
   return box;
 }
 
-std::optional<QRectF> LabelPlacer::reserve(QPointF point, QSizeF size, QPointF outward) {
+std::optional<QRectF> LabelPlacer::reservePlace(QPointF point, QSizeF size, QPointF outward) {
   return reserved(find(point, size, outward, false));
 }
 

@@ -65,14 +65,14 @@ void PointCalibrator::discardSolution() {
   proposal_.reset();
 }
 
-void PointCalibrator::choose(int point) {
+void PointCalibrator::selectPoint(int point) {
   if (point != chosen_) {
     chosen_ = point;
     Q_EMIT changed();
   }
 }
 
-void PointCalibrator::add() {
+void PointCalibrator::addPoint() {
   const auto isUsed = [this](const std::string& name) {
     return std::ranges::any_of(points(),
                                [&](const MeasuredPoint& point) { return point.name == name; });
@@ -88,17 +88,17 @@ void PointCalibrator::add() {
     point.name = name.toStdString();
     point.world = grid.origin;
   });
-  choose(static_cast<int>(points().size()) - 1);
+  selectPoint(static_cast<int>(points().size()) - 1);
 }
 
-void PointCalibrator::remove() {
+void PointCalibrator::removePoint() {
   if (chosen_ >= 0 && chosen_ < static_cast<int>(points().size())) {
     edit(tr("Remove measured point"),
          [this](Project& project) { project.points.erase(project.points.begin() + chosen_); });
   }
 }
 
-bool PointCalibrator::rename(int point, const QString& name) {
+bool PointCalibrator::renamePoint(int point, const QString& name) {
   return edit(tr("Rename measured point"), [&](Project& project) {
     project.points[static_cast<std::size_t>(point)].name = name.trimmed().toStdString();
   });

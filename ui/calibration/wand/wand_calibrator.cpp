@@ -151,7 +151,7 @@ void WandCalibrator::detachFromSession() {
   }
 }
 
-std::optional<WandCollector::State> WandCalibrator::collected() const {
+std::optional<WandCollector::State> WandCalibrator::collectorState() const {
   return collector_ ? std::optional(collector_->state()) : std::nullopt;
 }
 

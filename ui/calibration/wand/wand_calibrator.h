@@ -65,7 +65,7 @@ public:
   void startWaving();
   void stopWaving();
   /// Returns the views collected so far, or nothing if there are none.
-  std::optional<WandCollector::State> collected() const;
+  std::optional<WandCollector::State> collectorState() const;
 
   // Refinement.
   /// Returns the reason why the refinement cannot start, or an empty string if it can.

@@ -78,7 +78,7 @@ void WandWaving::makeCameraRows(std::size_t count) {
 }
 
 void WandWaving::showCameras() {
-  const auto collected = calibrator_.collected();
+  const auto collected = calibrator_.collectorState();
   makeCameraRows(collected ? collected->cameras.size() : 0);
   if (!collected) {
     state_->setText(tr("Nothing collected yet."));

@@ -28,7 +28,7 @@ void installWorldPage(const Workbench& bench, CalibrationMode& mode, const Camer
   bench.connectImageView(tool);
   QObject::connect(&cameras, &CameraDocks::viewCreated, tool, &WorldMarkTool::attach);
   // The images are free for the grid while another page is in front.
-  QObject::connect(&mode, &CalibrationMode::shown, marks, [marks](const QString& page) {
+  QObject::connect(&mode, &CalibrationMode::pageShown, marks, [marks](const QString& page) {
     marks->setClicksPlacePoint(page == kWorldPage);
   });
   QObject::connect(&mode, &CalibrationMode::imageClicksTakenOver, marks,

@@ -44,8 +44,8 @@ void WorldMarkTool::attach(int camera, CameraView* view) {
   const Layer layer{camera, overlay};
   layers_.push_back(layer);
   const auto name = [this, overlay, camera] {
-    overlay->setHint(
-        tr("Click point %1 in two images · Esc: stop").arg(WorldMarks::letter(marks_.chosen())));
+    overlay->setHint(tr("Click point %1 in two images · Esc: stop")
+                         .arg(WorldMarks::letter(marks_.selectedMark())));
     overlay->setAccessibleName(
         tr("Image of %1: arrow keys move a cross, Enter marks the point there")
             .arg(bench_.cameras.nameOf(camera)));
@@ -102,7 +102,7 @@ void WorldMarkTool::showMarks(const Layer& layer) const {
   }
   layer.overlay->setRegions(std::move(regions));
   std::vector<QPolygonF> rays;
-  for (const PointClick& click : marks_.clicks(marks_.chosen())) {
+  for (const PointClick& click : marks_.clicks(marks_.selectedMark())) {
     for (const ImageLine& line : clickedRay(*snapshot_, click, layer.camera)) {
       QPolygonF& drawn = rays.emplace_back();
       for (const Eigen::Vector2d& pixel : line) {
@@ -110,7 +110,7 @@ void WorldMarkTool::showMarks(const Layer& layer) const {
       }
     }
   }
-  const auto position = marks_.position(marks_.chosen());
+  const auto position = marks_.position(marks_.selectedMark());
   const auto seen = position ? pixelOf(*snapshot_, layer.camera, position->mean) : std::nullopt;
   layer.overlay->setGuides(std::move(rays),
                            seen ? std::optional(QPointF(seen->x(), seen->y())) : std::nullopt);

@@ -26,7 +26,7 @@ WorldMarks::WorldMarks(Document& document, QObject* parent) : QObject(parent), d
   });
   connect(&document_, &Document::replaced, this, [this] {
     resultText_.clear();
-    clear();
+    clearClicks();
   });
 }
 
@@ -42,13 +42,13 @@ Result<Gaussian3> WorldMarks::position(int mark) const {
   return pointInRoom(rigOf(document_.project()), marks_.at(static_cast<std::size_t>(mark)));
 }
 
-std::optional<double> WorldMarks::distance() const {
+std::optional<double> WorldMarks::distanceAB() const {
   const auto a = position(0);
   const auto b = position(1);
   return a && b ? std::optional((b->mean - a->mean).norm()) : std::nullopt;
 }
 
-void WorldMarks::choose(int mark) {
+void WorldMarks::selectMark(int mark) {
   mark = std::clamp(mark, 0, kCount - 1);
   if (mark != chosen_) {
     chosen_ = mark;
@@ -69,7 +69,7 @@ void WorldMarks::setClick(int camera, const Eigen::Vector2d& pixel) {
   Q_EMIT changed();
 }
 
-void WorldMarks::clear() {
+void WorldMarks::clearClicks() {
   for (MeasuredPoint& mark : marks_) {
     mark.clicks.clear();
   }

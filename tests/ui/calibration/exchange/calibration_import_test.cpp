@@ -141,7 +141,7 @@ void CalibrationImportTest::goldenFilesAreTaken() {
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     project.cameras[k].camera.name = "eye " + std::to_string(k);
   }
-  document.replace(project);
+  document.replaceProject(project);
   const CameraListModel cameraList(document);
   CalibrationImportDialog dialog(document, cameraList);
   dialog.show();
@@ -344,7 +344,7 @@ void CalibrationImportTest::aCameraWithoutANameCanBeMeant() {
   Project nameless = window_->document().project();
   nameless.cameras[0].camera.name = "left";
   nameless.cameras[1].camera.name.clear();
-  document.replace(nameless);
+  document.replaceProject(nameless);
   const CameraListModel cameras(document);
   CalibrationImportDialog dialog(document, cameras);
   auto* meant = dialog.findChild<QComboBox*>("calibrationImportCamera");
