@@ -27,8 +27,8 @@ struct SphereEstimate {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< m²
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  int seeingCameraCount =
-      0;              ///< number of cameras that show the target's color at the projected mean
+  /// Number of cameras that show the color of the target at the projected mean.
+  int seeingCameraCount = 0;
   bool valid = false; ///< confirmed by at least two cameras, or by the only camera
   /// True if another object is about as likely to be the target, or if the estimate moved to
   /// another object in this frame. The covariance then also covers the other candidates.

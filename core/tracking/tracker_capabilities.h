@@ -169,8 +169,8 @@ public:
   virtual ~BoxTracking() = default;
   /// Starts tracking the content of a box in an image (CV_8UC3), in place of the previous content
   /// of this target. Error: BadValue with the field "image" or "box"; nothing changes then.
-  virtual Status follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
-                        std::uint64_t seed) = 0;
+  virtual Status startFollowing(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
+                                std::uint64_t seed) = 0;
   /// Returns an even selection of at most `limit` particles of a target, or no particles while the
   /// target is absent.
   virtual BoxParticles boxParticles(std::size_t target, int limit) const = 0;

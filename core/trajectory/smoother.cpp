@@ -368,8 +368,8 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 
 Trajectory smoothedTrajectory(const Trajectory& live, const SmootherOptions& options) {
   Trajectory result = live;
-  result.header.hasBestParticles =
-      false; // particles are of the run; what is known after it has none
+  // Particles are of the run; what is known after it has none.
+  result.header.hasBestParticles = false;
   std::map<std::string, std::vector<TrajectorySample*>> targets;
   for (TrajectorySample& sample : result.samples) {
     sample.bestParticle.reset();

@@ -34,8 +34,8 @@ struct TrajectorySample {
   /// Measurement in this frame; empty: the target was not seen, or the measurement is not known.
   std::optional<PositionMeasurement> measurement;
   double existenceProbability = 0.0; ///< probability that the target exists; not stored in files
-  std::optional<Eigen::Vector3d>
-      bestParticle;       ///< particle of highest weight (MAP); empty: not known
+  /// Particle of highest weight (MAP); empty: not known.
+  std::optional<Eigen::Vector3d> bestParticle;
   bool corrected = false; ///< the user corrected the position in this frame
   bool ambiguous = false; ///< another object is about as likely to be the target
   /// Extent (m²) of a target that is not a ball. It describes an ellipsoid whose semi-axes lie

@@ -228,7 +228,7 @@ ExportOptions ExportForm::options() const {
   if (rate_->value() > 0.0) {
     options.rowsPerSecond = rate_->value();
   }
-  options.gaps = gaps_->currentIndex() == 1 ? GapRule::Fill : GapRule::LeaveEmpty;
+  options.gapRule = gaps_->currentIndex() == 1 ? GapRule::Fill : GapRule::LeaveEmpty;
   options.longestGap = longestGap_->value();
   if (axes_->currentIndex() > 0) {
     options.axes = axes_->currentIndex() == 1 ? WorldAxes::ZUp : WorldAxes::YUp;

@@ -100,7 +100,7 @@ Status completeOptions(ExportCommand& command) {
   ExportOptions& options = command.options;
   options.from = *from;
   options.to = *to;
-  options.gaps = command.gaps == "fill" ? GapRule::Fill : GapRule::LeaveEmpty;
+  options.gapRule = command.gaps == "fill" ? GapRule::Fill : GapRule::LeaveEmpty;
   if (!command.axes.empty()) {
     options.axes = command.axes == "y-up" ? WorldAxes::YUp : WorldAxes::ZUp;
   }

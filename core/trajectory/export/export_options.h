@@ -39,7 +39,7 @@ struct ExportOptions {
   std::optional<RangeBound> from;      ///< first row; not set: from the beginning
   std::optional<RangeBound> to;        ///< last row; not set: to the end
   std::optional<double> rowsPerSecond; ///< not set: as recorded
-  GapRule gaps = GapRule::LeaveEmpty;
+  GapRule gapRule = GapRule::LeaveEmpty;
   std::optional<WorldAxes> axes;
   std::optional<LengthUnit> unit;
   bool writesHeader = true; ///< true to write metadata even if the format does not require it

@@ -142,7 +142,7 @@ Result<ExportTable> recordedTable(const Trajectory& live, const Trajectory& afte
     ExportCell& cell = table.cells[column->second][row];
     cell = cellOf(sample);
     cell.filled = cell.hasPosition && !live.samples[k].valid;
-    if (cell.filled && options.gaps == GapRule::LeaveEmpty) {
+    if (cell.filled && options.gapRule == GapRule::LeaveEmpty) {
       cell = ExportCell();
     }
   }
@@ -252,7 +252,7 @@ ExportTable atTimes(const ExportTable& table, std::vector<double> times,
   result.times = std::move(times);
   result.frames = std::move(frames);
   const double usualStep = table.rowsPerSecond > 0.0 ? 1.0 / table.rowsPerSecond : 0.0;
-  const double longest = options.gaps == GapRule::Fill
+  const double longest = options.gapRule == GapRule::Fill
                              ? std::max(options.longestGap + 1e-6, kUneven * usualStep)
                              : 1.5 * usualStep;
   for (std::size_t target = 0; target < table.targets.size(); ++target) {
@@ -316,7 +316,7 @@ void rotateAndScale(ExportTable& table) {
 void describe(ExportTable& table, const Trajectory& trajectory, const ExportOptions& options) {
   table.headerEntries = trajectory.header.entries;
   table.headerEntries.emplace_back("estimates", options.smooth ? "smoothed after the run" : "live");
-  if (options.gaps == GapRule::Fill) {
+  if (options.gapRule == GapRule::Fill) {
     table.headerEntries.emplace_back("gaps", fmt::format("filled up to {} s", options.longestGap));
   }
   if (options.rowsPerSecond) {
@@ -356,7 +356,7 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
                           !isEven(table->times, table->rowsPerSecond);
   if (options.rowsPerSecond || mustBeEven) {
     table = resampled(*table, options.rowsPerSecond.value_or(table->rowsPerSecond), options);
-  } else if (options.gaps == GapRule::Fill) {
+  } else if (options.gapRule == GapRule::Fill) {
     table = atTimes(*table, table->times, table->frames, options);
   }
   if (!table) {

@@ -33,7 +33,7 @@ TEST(ExportOptions, GapsAreLeftOrFilledAndMarked) {
   ASSERT_TRUE(table);
   EXPECT_EQ(table->gapCount(), 1U);
   EXPECT_FALSE(table->cells[0][2].hasPosition);
-  options.gaps = GapRule::Fill;
+  options.gapRule = GapRule::Fill;
   table = tableOf(options);
   ASSERT_TRUE(table);
   EXPECT_EQ(table->gapCount(), 0U);
