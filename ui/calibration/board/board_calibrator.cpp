@@ -161,7 +161,7 @@ void BoardCalibrator::calibrateRecording(bool suggestBoardFirst) {
               .and_then([&](const BoardDetections& seen) {
                 computed.otherBoard = seen.otherBoard;
                 computed.searchedAllFrames = seen.searchedAllFrames;
-                computed.mirrored = mirroredVideos(seen);
+                computed.mirrored = setup::mirroredVideos(seen);
                 return calibrateFromBoards(inputs.project, seen, request.board, request.goal,
                                            progress);
               });
