@@ -19,7 +19,7 @@ QString actionReference() {
       "name. Change a shortcut with *Edit › Shortcuts…*; keys of single views are described with "
       "them in [The window](window.md).\n");
   QString group;
-  for (const QAction* action : registry.all()) {
+  for (const QAction* action : registry.allActions()) {
     if (registry.groupOf(action) != group) {
       group = registry.groupOf(action);
       page += QStringLiteral("\n## %1\n\n| action | key | what it does |\n| --- | --- | --- |\n")

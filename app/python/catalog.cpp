@@ -34,7 +34,7 @@ void bindParameter(py::module_& module) {
             return declaration.kind == ParameterKind::Integer;
           },
           "Whether only whole numbers are allowed.")
-      .def_readonly("sentence", &ParameterDeclaration::sentence, "What it does.")
+      .def_readonly("sentence", &ParameterDeclaration::description, "What it does.")
       .def("__repr__", [](const ParameterDeclaration& declaration) {
         return fmt::format("<dewpoint.Parameter {}: {}>", declaration.key,
                            parameterText(declaration));

@@ -128,8 +128,9 @@ template <class Part> auto ofSample(Part part) {
 }
 
 py::object bestOf(const Estimate& estimate) {
-  return estimate.sample && estimate.sample->best ? py::object(arrayOf(*estimate.sample->best))
-                                                  : py::object(py::none());
+  return estimate.sample && estimate.sample->bestParticle
+             ? py::object(arrayOf(*estimate.sample->bestParticle))
+             : py::object(py::none());
 }
 
 py::object boxOfEstimate(const Estimate& estimate) {
@@ -164,7 +165,7 @@ void bindEstimate(py::module_& module) {
           "Whether the cameras confirm the target.")
       .def_property_readonly("ambiguous", ofSample([](const Sample& s) { return s.ambiguous; }),
                              "Whether another object may equally well be the target.")
-      .def_property_readonly("cameras", ofSample([](const Sample& s) { return s.cameras; }),
+      .def_property_readonly("cameras", ofSample([](const Sample& s) { return s.cameraCount; }),
                              "How many cameras show the target.")
       .def_property_readonly("effective_sample_size",
                              ofSample([](const Sample& s) { return s.effectiveSampleSize; }),

@@ -74,21 +74,25 @@ void bindTrack(py::module_& module) {
           "Frames x 3 x 3: of the positions, m².")
       .def_property_readonly(
           "best",
-          [](const TrackHandle& track) { return columnOf(track, track.columns().best, {3}); },
+          [](const TrackHandle& track) {
+            return columnOf(track, track.columns().bestParticles, {3});
+          },
           "Frames x 3: the particle of highest weight, meters.")
       .def_property_readonly(
           "existence",
-          [](const TrackHandle& track) { return columnOf(track, track.columns().existence); },
+          [](const TrackHandle& track) {
+            return columnOf(track, track.columns().existenceProbabilities);
+          },
           "Probability that the target is where the estimate says; 0 when read from a file.")
       .def_property_readonly(
           "effective_sample_size",
           [](const TrackHandle& track) {
-            return columnOf(track, track.columns().effectiveSampleSize);
+            return columnOf(track, track.columns().effectiveSampleSizes);
           },
           "Effective sample size of the particles.")
       .def_property_readonly(
           "cameras",
-          [](const TrackHandle& track) { return columnOf(track, track.columns().cameras); },
+          [](const TrackHandle& track) { return columnOf(track, track.columns().cameraCounts); },
           "How many cameras show the target.")
       .def_property_readonly(
           "valid", [](const TrackHandle& track) { return truthsOf(track, track.columns().valid); },
@@ -110,14 +114,15 @@ void bindEvaluation(py::module_& module) {
       .def_readonly("median", &Evaluation::median, "Median error.")
       .def_readonly("p95", &Evaluation::p95, "95 % of the errors are smaller.")
       .def_readonly("max", &Evaluation::max, "The largest error.")
-      .def_readonly("rmse_all", &Evaluation::rmseAll, "Root mean square error of all frames.")
+      .def_readonly("rmse_all", &Evaluation::rmseOfAllFrames,
+                    "Root mean square error of all frames.")
       .def_property_readonly(
           "bias", [](const Evaluation& evaluation) { return arrayOf(evaluation.bias); },
           "Mean of estimate minus truth.")
-      .def_readonly("frames_compared", &Evaluation::framesCompared, "Frames with both.")
+      .def_readonly("frames_compared", &Evaluation::comparedFrameCount, "Frames with both.")
       .def_readonly("frames_to_converge", &Evaluation::framesToConverge,
                     "Frames before the estimate stays near the truth, or None.")
-      .def_readonly("lost_frames", &Evaluation::lostFrames,
+      .def_readonly("lost_frames", &Evaluation::lostFrameCount,
                     "Frames after convergence in which the target was lost.")
       .def("__repr__", [](const Evaluation& evaluation) {
         return fmt::format("<dewpoint.Evaluation {}, rmse {:.4g} m>", evaluation.target,

@@ -222,7 +222,7 @@ Trajectory truthOfScene(const Scene& scene) {
       sample.frame = frame;
       sample.target = scene.balls[k].name;
       sample.position = ballPosition(scene, static_cast<int>(k), frameTime(scene, frame));
-      sample.cameras = static_cast<int>(scene.cameras.size());
+      sample.cameraCount = static_cast<int>(scene.cameras.size());
       truth.samples.push_back(std::move(sample));
     }
   }

@@ -180,7 +180,7 @@ std::vector<cv::Mat> motionMasks(const TrackingRun& run, const PeopleFinding& fi
 
 /// The maps of a method's last frame, in the sizes of the images.
 std::vector<LikelihoodMap> motionMaps(const TrackingRun& run, const MotionMapping& mapping) {
-  std::vector<LikelihoodMap> maps = mapping.motionLikelihoods();
+  std::vector<LikelihoodMap> maps = mapping.motionLikelihoodMaps();
   for (std::size_t camera = 0; camera < std::min(maps.size(), run.rig().size()); ++camera) {
     LikelihoodMap& map = maps[camera];
     const Intrinsics& intrinsics = run.rig()[camera].intrinsics;

@@ -34,7 +34,7 @@ void resetParameter(Project& project, std::string_view key) {
   const bool isAllAsSeen = std::ranges::all_of(declarations, [&](const ParameterDeclaration& one) {
     return !one.derivedFromCameras || parameters.at(one.key) == defaults.at(one.key);
   });
-  isAllAsSeen ? parameters.resetDerivable() : parameters.markAllGiven();
+  isAllAsSeen ? parameters.resetDerivableValues() : parameters.markAllGiven();
   project.parameters = parameters;
 }
 

@@ -62,8 +62,9 @@ void putInGroup(ParameterGroup group, std::initializer_list<std::string_view> ke
   }
 }
 
-bool exceedsBound(const ParameterValues& values, const ParameterDeclaration& declaration) {
-  return !declaration.bound.empty() && values.at(declaration.key) > values.at(declaration.bound);
+bool exceedsUpperLimit(const ParameterValues& values, const ParameterDeclaration& declaration) {
+  return !declaration.upperLimitKey.empty() &&
+         values.at(declaration.key) > values.at(declaration.upperLimitKey);
 }
 
 ParameterValues::ParameterValues(std::span<const ParameterDeclaration> declarations)
@@ -95,7 +96,7 @@ Status ParameterValues::set(std::string_view key, double value) {
   return {};
 }
 
-Status ParameterValues::setText(std::string_view key, std::string_view text) {
+Status ParameterValues::setFromText(std::string_view key, std::string_view text) {
   const ParameterDeclaration* declaration = find(declarations_, key);
   if (declaration == nullptr) {
     return tl::make_unexpected(unknownKey(declarations_, key));
@@ -125,12 +126,12 @@ void ParameterValues::markAllGiven() {
   }
 }
 
-void ParameterValues::resetDerivable() {
+void ParameterValues::resetDerivableValues() {
   given_.clear();
-  setDerived({});
+  setDerivedValues({});
 }
 
-void ParameterValues::setDerived(const ByKey& values) {
+void ParameterValues::setDerivedValues(const ValuesByKey& values) {
   for (const auto& declaration : declarations_) {
     if (!isGiven(declaration.key)) {
       const auto found = values.find(declaration.key);

@@ -42,15 +42,15 @@ struct ParameterDeclaration {
   double maximum = 0.0; ///< inclusive
   double step = 0.0;    ///< step size in editors
   double defaultValue = 0.0;
-  std::string sentence;     ///< description for a tooltip
-  bool logarithmic = false; ///< sliders have a logarithmic scale
+  std::string description;           ///< for tooltips and the reference
+  bool hasLogarithmicSlider = false; ///< sliders have a logarithmic scale
   /// If true and the user gives no value, the value is derived from the cameras
   /// (effectiveParameters()), or is the default if the cameras do not determine it.
   bool derivedFromCameras = false;
   ParameterGroup group = ParameterGroup::Essential;
   /// Key of another parameter of the method, whose value is an upper limit for the value of this
   /// parameter. A larger value is replaced by the limit. Empty if there is no such limit.
-  std::string bound = {};
+  std::string upperLimitKey = {};
 };
 
 /// Assigns the declarations with these keys to a group. All keys must exist (asserted).
@@ -62,7 +62,7 @@ void putInGroup(ParameterGroup group, std::initializer_list<std::string_view> ke
 /// (ParameterDeclaration::derivedFromCameras).
 class ParameterValues {
 public:
-  using ByKey = std::map<std::string, double, std::less<>>;
+  using ValuesByKey = std::map<std::string, double, std::less<>>;
 
   ParameterValues() = default;
   explicit ParameterValues(std::span<const ParameterDeclaration> declarations);
@@ -73,7 +73,7 @@ public:
   /// is not an integer although the parameter requires one. Nothing changes on an error.
   Status set(std::string_view key, double value);
   /// Sets a value from its text, as on the command line. Errors are those of set().
-  Status setText(std::string_view key, std::string_view text);
+  Status setFromText(std::string_view key, std::string_view text);
   /// Returns whether the value of a key is given, which means that the value is not derived from
   /// the cameras. The result is false only for a key with ParameterDeclaration::derivedFromCameras
   /// that nobody has set.
@@ -83,11 +83,11 @@ public:
   /// Marks the current values of all keys as given (isGiven()).
   void markAllGiven();
   /// Resets all values that can be derived from the cameras to their defaults, and marks them as
-  /// not given. setDerived() then replaces them.
-  void resetDerivable();
+  /// not given. setDerivedValues() then replaces them.
+  void resetDerivableValues();
   /// Replaces the values that are not given (isGiven()). The new values come from `values`, limited
   /// to their ranges. Keys that are not in `values` get their defaults.
-  void setDerived(const ByKey& values);
+  void setDerivedValues(const ValuesByKey& values);
   /// Returns whether both objects have the same values, and the same values are given (isGiven()).
   bool operator==(const ParameterValues& other) const {
     return values_ == other.values_ && given_ == other.given_;
@@ -95,13 +95,13 @@ public:
 
 private:
   std::span<const ParameterDeclaration> declarations_;
-  ByKey values_;
+  ValuesByKey values_;
   /// Given keys whose values can be derived from the cameras.
   std::set<std::string, std::less<>> given_;
 };
 
 /// Returns whether the value of a declared parameter exceeds the limit set by another parameter
-/// (ParameterDeclaration::bound). The limit is then used instead.
-bool exceedsBound(const ParameterValues& values, const ParameterDeclaration& declaration);
+/// (ParameterDeclaration::upperLimitKey). The limit is then used instead.
+bool exceedsUpperLimit(const ParameterValues& values, const ParameterDeclaration& declaration);
 
 } // namespace dewpoint::tracking

@@ -20,10 +20,10 @@ struct BodyCloud {
 
 /// State of one camera's background model.
 struct PeopleCameraState {
-  double learned = 0.0;         ///< progress of the learning phase, 0 to 1
-  double foregroundShare = 0.0; ///< fraction of the image that is foreground, 0 to 1
+  double learningProgress = 0.0;   ///< progress of the learning phase, 0 to 1
+  double foregroundFraction = 0.0; ///< fraction of the image that is foreground, 0 to 1
   /// True if there is an image, learning is complete, and the image is not entirely foreground.
-  bool usable = false;
+  bool isUsable = false;
 };
 
 /// Returns the name of a person in files and views: "person 3".

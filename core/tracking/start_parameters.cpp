@@ -65,21 +65,21 @@ std::optional<StartVolume> startFromCameras(const CameraRig& rig,
                             : std::nullopt;
   }
   const StartVolume start{seen->center(), seen->halfSize()};
-  return volumeOfInterest ? within(start, *volumeOfInterest) : start;
+  return volumeOfInterest ? startVolumeWithin(start, *volumeOfInterest) : start;
 }
 
 /// The values of a start volume under their keys, and the search size that goes with it. Halves and
 /// the size are rounded up, so that they take in the volume.
-ParameterValues::ByKey valuesOf(const StartVolume& start) {
+ParameterValues::ValuesByKey valuesOf(const StartVolume& start) {
   // In steps of the declarations: a centimeter, and a decimeter of the search size.
   const auto centimeters = [](double value) { return std::round(inCentimeters(value)) / 100.0; };
-  ParameterValues::ByKey values;
+  ParameterValues::ValuesByKey values;
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
     const auto at = static_cast<Eigen::Index>(axis);
     values["start_" + kAxes[axis]] = centimeters(start.center[at]);
-    values["start_half_" + kAxes[axis]] = std::ceil(inCentimeters(start.half[at])) / 100.0;
+    values["start_half_" + kAxes[axis]] = std::ceil(inCentimeters(start.halfSize[at])) / 100.0;
   }
-  values[kSearchSizeKey] = std::ceil(10.0 * 2.0 * start.half.maxCoeff()) / 10.0;
+  values[kSearchSizeKey] = std::ceil(10.0 * 2.0 * start.halfSize.maxCoeff()) / 10.0;
   return values;
 }
 
@@ -91,7 +91,7 @@ std::vector<ParameterDeclaration> startParameters(const StartVolume& defaults) {
     all.push_back(startCoordinate(kAxes[axis], defaults.center[static_cast<Eigen::Index>(axis)]));
   }
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-    all.push_back(startHalfSize(kAxes[axis], defaults.half[static_cast<Eigen::Index>(axis)]));
+    all.push_back(startHalfSize(kAxes[axis], defaults.halfSize[static_cast<Eigen::Index>(axis)]));
   }
   return all;
 }
@@ -101,14 +101,14 @@ StartVolume startVolume(const ParameterValues& parameters) {
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
     const auto at = static_cast<Eigen::Index>(axis);
     volume.center[at] = parameters.at("start_" + kAxes[axis]);
-    volume.half[at] = parameters.at("start_half_" + kAxes[axis]);
+    volume.halfSize[at] = parameters.at("start_half_" + kAxes[axis]);
   }
   return volume;
 }
 
-StartVolume within(const StartVolume& start, const WorldBox& box) {
-  const Eigen::Vector3d low = (start.center - start.half).cwiseMax(box.min);
-  const Eigen::Vector3d high = (start.center + start.half).cwiseMin(box.max);
+StartVolume startVolumeWithin(const StartVolume& start, const WorldBox& box) {
+  const Eigen::Vector3d low = (start.center - start.halfSize).cwiseMax(box.min);
+  const Eigen::Vector3d high = (start.center + start.halfSize).cwiseMin(box.max);
   const bool apart = (low.array() > high.array()).any();
   const WorldBox common = apart ? box : WorldBox{low, high};
   return {common.center(), common.halfSize()};
@@ -122,7 +122,7 @@ ParameterValues effectiveParameters(ParameterValues parameters, const CameraRig&
   const auto start = isOpen && !isAnyStartGiven(parameters)
                          ? startFromCameras(rig, volumeOfInterest)
                          : std::nullopt;
-  parameters.setDerived(start ? valuesOf(*start) : ParameterValues::ByKey{});
+  parameters.setDerivedValues(start ? valuesOf(*start) : ParameterValues::ValuesByKey{});
   return parameters;
 }
 
@@ -132,8 +132,9 @@ Eigen::ArrayXXd drawUniformly(const StartVolume& volume, Eigen::Index count,
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto unit = stream.uniform3(static_cast<std::uint32_t>(i));
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      positions(i, axis) = volume.center[axis] +
-                           volume.half[axis] * (2.0 * unit[static_cast<std::size_t>(axis)] - 1.0);
+      positions(i, axis) =
+          volume.center[axis] +
+          volume.halfSize[axis] * (2.0 * unit[static_cast<std::size_t>(axis)] - 1.0);
     }
   }
   return positions;

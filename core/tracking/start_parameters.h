@@ -17,7 +17,7 @@ namespace dewpoint::tracking {
 /// frame.
 struct StartVolume {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  Eigen::Vector3d half = Eigen::Vector3d::Zero(); ///< half the edge lengths; 0: a single point
+  Eigen::Vector3d halfSize = Eigen::Vector3d::Zero(); ///< half the edge lengths; 0: a single point
 };
 
 /// Returns the declarations of the parameters of a start volume: start_x, start_half_x and so on.
@@ -27,7 +27,7 @@ std::vector<ParameterDeclaration> startParameters(const StartVolume& defaults);
 StartVolume startVolume(const ParameterValues& parameters);
 
 /// Returns the part of a start volume inside a box, or the whole box if they do not overlap.
-StartVolume within(const StartVolume& start, const WorldBox& box);
+StartVolume startVolumeWithin(const StartVolume& start, const WorldBox& box);
 
 /// Key of the parameter for the size of the room in which a target may appear. Not all methods have
 /// this parameter.

@@ -27,8 +27,9 @@ struct SphereEstimate {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< m²
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  int camerasSeeing = 0; ///< number of cameras that show the target's color at the projected mean
-  bool valid = false;    ///< confirmed by at least two cameras, or by the only camera
+  /// Number of cameras that show the color of the target at the projected mean.
+  int seeingCameraCount = 0;
+  bool valid = false; ///< confirmed by at least two cameras, or by the only camera
   /// True if another object is about as likely to be the target, or if the estimate moved to
   /// another object in this frame. The covariance then also covers the other candidates.
   bool ambiguous = false;
@@ -72,7 +73,7 @@ struct PersonEstimate {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();   ///< m/s
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
-  int camerasSeeing = 0;             ///< number of cameras with foreground of this person
+  int seeingCameraCount = 0;         ///< number of cameras with foreground of this person
   double existenceProbability = 1.0; ///< falls from 1 to 0 while no camera sees the person
   double age = 0.0;                  ///< seconds since the track was created
   /// True if another person is near. The method then learns nothing from image content that may

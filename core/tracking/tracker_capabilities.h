@@ -153,7 +153,7 @@ public:
   /// Returns one map per camera: log D of the last frame, where D is the motion likelihood of
   /// Mohedano et al. 2009, equation 8. Each map covers the whole image, which may be smaller than
   /// the camera image. The area of a map is empty if its camera has no mask.
-  virtual std::vector<LikelihoodMap> motionLikelihoods() const = 0;
+  virtual std::vector<LikelihoodMap> motionLikelihoodMaps() const = 0;
 };
 
 /// Centers of some particles of a box in the image: rows of x and y, pixels from the upper left
@@ -169,8 +169,8 @@ public:
   virtual ~BoxTracking() = default;
   /// Starts tracking the content of a box in an image (CV_8UC3), in place of the previous content
   /// of this target. Error: BadValue with the field "image" or "box"; nothing changes then.
-  virtual Status follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
-                        std::uint64_t seed) = 0;
+  virtual Status startFollowing(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
+                                std::uint64_t seed) = 0;
   /// Returns an even selection of at most `limit` particles of a target, or no particles while the
   /// target is absent.
   virtual BoxParticles boxParticles(std::size_t target, int limit) const = 0;

@@ -3,7 +3,7 @@
 
 namespace dewpoint::trajectory {
 
-std::string oneLine(std::string_view text) {
+std::string withoutLineBreaks(std::string_view text) {
   std::string line(text);
   for (char& c : line)
     if (static_cast<unsigned char>(c) < 0x20)
@@ -13,7 +13,7 @@ std::string oneLine(std::string_view text) {
 
 std::string quotedCsv(std::string_view text) {
   std::string result = "\"";
-  for (char c : oneLine(text))
+  for (char c : withoutLineBreaks(text))
     result += c == '"' ? std::string("\"\"") : std::string(1, c);
   return result + '"';
 }
@@ -21,7 +21,7 @@ std::string quotedCsv(std::string_view text) {
 std::string csvCell(std::string_view text) {
   const bool plain = text.find_first_of(",\"#") == std::string_view::npos &&
                      (text.empty() || (text.front() != ' ' && text.back() != ' '));
-  return plain ? oneLine(text) : quotedCsv(text);
+  return plain ? withoutLineBreaks(text) : quotedCsv(text);
 }
 
 } // namespace dewpoint::trajectory

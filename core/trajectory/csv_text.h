@@ -9,7 +9,7 @@
 namespace dewpoint::trajectory {
 
 /// Returns the text as a single line: line ends and other control characters become spaces.
-std::string oneLine(std::string_view text);
+std::string withoutLineBreaks(std::string_view text);
 /// Returns the text in quotes; quotes inside it are doubled.
 std::string quotedCsv(std::string_view text);
 /// Returns the text as a CSV cell, quoted only where RFC 4180 or the comment character `#` requires

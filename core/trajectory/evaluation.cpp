@@ -159,9 +159,9 @@ Result<Evaluation> evaluateTarget(const std::string& target, const Samples& esti
     const bool after = start && i >= *start;
     const bool present = pair.estimate != nullptr;
     if (after && (!present || !pair.estimate->valid || pair.error().norm() >= gate))
-      ++evaluation.lostFrames;
+      ++evaluation.lostFrameCount;
     if (!present) {
-      ++evaluation.missing;
+      ++evaluation.missingFrameCount;
       continue;
     }
     all.push_back(pair.error());
@@ -172,11 +172,11 @@ Result<Evaluation> evaluateTarget(const std::string& target, const Samples& esti
   }
   if (all.empty())
     return failure(ErrorCode::Mismatch, "", target, "no frame of the trajectory is in the truth");
-  evaluation.framesCompared = static_cast<std::int64_t>(all.size());
-  evaluation.rmseAll = rootMeanSquare(all);
+  evaluation.comparedFrameCount = static_cast<std::int64_t>(all.size());
+  evaluation.rmseOfAllFrames = rootMeanSquare(all);
   if (start)
     evaluation.framesToConverge = static_cast<std::int64_t>(*start);
-  evaluation.inside95 = static_cast<double>(inside) / static_cast<double>(settled.size());
+  evaluation.fractionInside95 = static_cast<double>(inside) / static_cast<double>(settled.size());
   fillStatistics(evaluation, settled, cameras);
   return evaluation;
 }

@@ -17,29 +17,29 @@ namespace dewpoint::trajectory {
 /// Comparison of an estimate with the truth for one target, in meters. The gate is the largest
 /// error at which an estimate counts as being on the target. The estimate has converged after
 /// kConvergedFrames successive frames with errors within the gate. The statistics cover the frames
-/// from convergence on, or all frames if the estimate never converged. Only `rmseAll` covers every
-/// compared frame.
+/// from convergence on, or all frames if the estimate never converged. Only `rmseOfAllFrames`
+/// covers every compared frame.
 struct Evaluation {
   std::string target;
-  double rmse = 0.0;    ///< root mean square error
-  double median = 0.0;  ///< median error
-  double p95 = 0.0;     ///< 95th percentile, interpolated linearly between order statistics
-  double max = 0.0;     ///< largest error
-  double rmseAll = 0.0; ///< root mean square error of all compared frames
+  double rmse = 0.0;            ///< root mean square error
+  double median = 0.0;          ///< median error
+  double p95 = 0.0;             ///< 95th percentile, interpolated linearly between order statistics
+  double max = 0.0;             ///< largest error
+  double rmseOfAllFrames = 0.0; ///< root mean square error of all compared frames
   /// Fraction of the frames in which the true position lies inside the estimated 95 % ellipsoid, 0
   /// to 1. Only frames that the statistics cover are counted.
-  double inside95 = 0.0;
+  double fractionInside95 = 0.0;
   Eigen::Vector3d bias = Eigen::Vector3d::Zero(); ///< mean of estimate minus truth
   std::vector<CameraBias> cameras;
-  std::int64_t framesCompared = 0; ///< number of ground-truth frames that have an estimate
+  std::int64_t comparedFrameCount = 0; ///< number of ground-truth frames that have an estimate
   /// Number of frames before the first kConvergedFrames successive frames with errors within the
   /// gate. 0 if the estimate converged immediately; empty if it never converged.
   std::optional<std::int64_t> framesToConverge;
   /// Number of frames after convergence in which the error exceeds the gate, or the estimate is
   /// missing or not valid.
-  std::int64_t lostFrames = 0;
+  std::int64_t lostFrameCount = 0;
   /// Number of ground-truth frames within the range of the estimate that have no estimate.
-  std::int64_t missing = 0;
+  std::int64_t missingFrameCount = 0;
 };
 
 /// Number of successive frames with errors within the gate that count as convergence.

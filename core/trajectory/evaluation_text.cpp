@@ -11,18 +11,19 @@ namespace {
 
 std::string targetText(const Evaluation& e) {
   std::string text = fmt::format("target {}\n", e.target.empty() ? "(unnamed)" : e.target);
-  text +=
-      fmt::format("  frames             {} compared, {} missing\n", e.framesCompared, e.missing);
+  text += fmt::format("  frames             {} compared, {} missing\n", e.comparedFrameCount,
+                      e.missingFrameCount);
   if (e.framesToConverge)
     text += fmt::format("  converged          after {} frames, then {} lost\n", *e.framesToConverge,
-                        e.lostFrames);
+                        e.lostFrameCount);
   else
     text += "  converged          never\n";
   text += fmt::format(
       "  error              RMSE {:.1f} mm, median {:.1f}, p95 {:.1f}, max {:.1f}\n",
       inMillimeters(e.rmse), inMillimeters(e.median), inMillimeters(e.p95), inMillimeters(e.max));
-  text += fmt::format("  RMSE, all frames   {:.1f} mm\n", inMillimeters(e.rmseAll));
-  text += fmt::format("  truth inside 95 %  {:.1f} % of the frames\n", inPercent(e.inside95));
+  text += fmt::format("  RMSE, all frames   {:.1f} mm\n", inMillimeters(e.rmseOfAllFrames));
+  text +=
+      fmt::format("  truth inside 95 %  {:.1f} % of the frames\n", inPercent(e.fractionInside95));
   text +=
       fmt::format("  bias x y z         {:+.1f} {:+.1f} {:+.1f} mm\n", inMillimeters(e.bias.x()),
                   inMillimeters(e.bias.y()), inMillimeters(e.bias.z()));
@@ -41,13 +42,13 @@ nlohmann::json targetJson(const Evaluation& e) {
                          {"median", e.median},
                          {"p95", e.p95},
                          {"max", e.max},
-                         {"rmse_all", e.rmseAll},
-                         {"inside_95", e.inside95},
+                         {"rmse_all", e.rmseOfAllFrames},
+                         {"inside_95", e.fractionInside95},
                          {"bias", {e.bias.x(), e.bias.y(), e.bias.z()}},
-                         {"frames_compared", e.framesCompared},
+                         {"frames_compared", e.comparedFrameCount},
                          {"frames_to_converge", nullptr},
-                         {"lost_frames", e.lostFrames},
-                         {"missing", e.missing},
+                         {"lost_frames", e.lostFrameCount},
+                         {"missing", e.missingFrameCount},
                          {"cameras", nlohmann::json::array()}};
   if (e.framesToConverge)
     json["frames_to_converge"] = *e.framesToConverge;

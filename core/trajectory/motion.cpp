@@ -20,7 +20,7 @@ bool isUsable(const TrajectorySample& sample) {
 
 } // namespace
 
-double sigmaOf(const TrajectorySample& sample, int axis) {
+double positionSigma(const TrajectorySample& sample, int axis) {
   return std::sqrt(std::max(0.0, sample.covariance(axis, axis)));
 }
 
@@ -85,11 +85,11 @@ MotionLog::Change MotionLog::replaceFrom(std::size_t first,
   Change change{0, rows_.size()};
   for (; skipped < samples.size(); ++skipped) {
     append(samples[skipped]);
-    updateSpeeds(tracks_[samples[skipped].target], change.firstChanged);
+    updateSpeeds(tracks_[samples[skipped].target], change.firstChangedRow);
   }
   if (rows_.size() > kMaxRows) {
-    change.droppedRows = dropOldRows();
-    change.firstChanged -= std::min(change.firstChanged, change.droppedRows);
+    change.droppedRowCount = dropOldRows();
+    change.firstChangedRow -= std::min(change.firstChangedRow, change.droppedRowCount);
   }
   return change;
 }
@@ -105,22 +105,22 @@ void MotionLog::append(const TrajectorySample& sample) {
 void MotionLog::extendGaps(Track& track, const TrajectorySample* before,
                            const TrajectorySample& sample) {
   const bool missing = before != nullptr && sample.frame > before->frame + 1;
-  if (!track.open && (missing || !isUsable(sample))) {
+  if (!track.isGapOpen && (missing || !isUsable(sample))) {
     const std::int64_t first = missing ? before->frame + 1 : sample.frame;
     const double from = before != nullptr ? before->time : sample.time;
     track.gaps.push_back({sample.target, first, first, from, from});
-    track.open = true;
+    track.isGapOpen = true;
   }
-  if (track.open) {
+  if (track.isGapOpen) {
     TrajectoryGap& gap = track.gaps.back();
-    track.open = !isUsable(sample);
-    gap.lastFrame = track.open ? sample.frame : sample.frame - 1;
-    gap.to = sample.time;
+    track.isGapOpen = !isUsable(sample);
+    gap.lastFrame = track.isGapOpen ? sample.frame : sample.frame - 1;
+    gap.endTime = sample.time;
   }
 }
 
 /// A new sample changes the speeds of those before it that it is a neighbor of.
-void MotionLog::updateSpeeds(const Track& track, std::size_t& firstChanged) {
+void MotionLog::updateSpeeds(const Track& track, std::size_t& firstChangedRow) {
   const std::size_t wanted = std::min(track.rows.size(), 2 * kReach + 1);
   std::vector<TrajectorySample> end;
   std::vector<std::size_t> rowIndices;
@@ -136,7 +136,7 @@ void MotionLog::updateSpeeds(const Track& track, std::size_t& firstChanged) {
     Row& row = rows_[rowIndices[i]];
     if (speed != row.speed && !(speed != speed && row.speed != row.speed)) {
       row.speed = speed;
-      firstChanged = std::min(firstChanged, rowIndices[i]);
+      firstChangedRow = std::min(firstChangedRow, rowIndices[i]);
     }
   }
 }

@@ -22,13 +22,13 @@ struct TrajectoryGap {
   std::int64_t lastFrame = 0;
   /// Time of the last usable sample before the gap, in seconds. If there is none, time of the first
   /// sample in the gap.
-  double from = 0.0;
+  double startTime = 0.0;
   /// Time of the first usable sample after the gap, in seconds. If there is none yet, time of the
   /// last sample in the gap.
-  double to = 0.0;
+  double endTime = 0.0;
 
-  std::int64_t frames() const { return lastFrame - firstFrame + 1; }
-  double seconds() const { return to - from; }
+  std::int64_t frameCount() const { return lastFrame - firstFrame + 1; }
+  double seconds() const { return endTime - startTime; }
   bool operator==(const TrajectoryGap&) const = default;
 };
 
@@ -43,7 +43,7 @@ std::optional<Eigen::Vector3d> velocityAt(std::span<const TrajectorySample> trac
 
 /// Returns the standard deviation of a sample's position along a world axis (0: x, 1: y, 2: z), in
 /// meters.
-double sigmaOf(const TrajectorySample& sample, int axis);
+double positionSigma(const TrajectorySample& sample, int axis);
 
 /// Largest difference between the frame numbers of two successive samples at which a track is still
 /// drawn as one line. It is above 1 because live cameras may skip frames.
@@ -65,9 +65,9 @@ public:
   };
   /// Change to rows() made by a call to replaceFrom().
   struct Change {
-    std::size_t droppedRows = 0; ///< number of rows removed at the front
+    std::size_t droppedRowCount = 0; ///< number of rows removed at the front
     /// Index of the first new or changed row, counted after the removal.
-    std::size_t firstChanged = 0;
+    std::size_t firstChangedRow = 0;
   };
 
   /// Removes all rows, gaps and targets.
@@ -83,12 +83,12 @@ private:
   struct Track {
     std::vector<std::size_t> rows; ///< row indices counted since the start
     std::vector<TrajectoryGap> gaps;
-    bool open = false; ///< the last gap has not ended
+    bool isGapOpen = false; ///< the last gap has not ended
   };
   void append(const TrajectorySample& sample);
   void truncate(std::size_t size);
   void extendGaps(Track& track, const TrajectorySample* before, const TrajectorySample& sample);
-  void updateSpeeds(const Track& track, std::size_t& firstChanged);
+  void updateSpeeds(const Track& track, std::size_t& firstChangedRow);
   /// Removes the older half of the rows. Returns the number of rows removed.
   std::size_t dropOldRows();
 

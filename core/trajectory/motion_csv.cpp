@@ -16,10 +16,10 @@ std::string motionCsv(std::span<const MotionLog::Row> rows) {
       line.put(sample.position[axis]);
     }
     for (int axis = 0; axis < 3; ++axis) {
-      line.put(sigmaOf(sample, axis));
+      line.put(positionSigma(sample, axis));
     }
     line.put(row.speed)
-        .put(sample.cameras)
+        .put(sample.cameraCount)
         .put(sample.existenceProbability)
         .put(sample.valid ? 1 : 0);
   }

@@ -51,7 +51,7 @@ public:
         unit_(path.size() > 1
                   ? (path.back().time - path.front().time) / static_cast<double>(path.size() - 1)
                   : 1.0) {
-    strength_ = model.strength * std::pow(unit_, 2 * order_ - 1);
+    strength_ = model.spectralDensity * std::pow(unit_, 2 * order_ - 1);
   }
 
   State first(const Eigen::Vector3d& position) const {
@@ -140,23 +140,23 @@ constexpr double kNoGate = std::numeric_limits<double>::infinity();
 template <class Visit>
 void forward(std::span<const PathPoint> path, const PathModel& model, double gate, Visit visit) {
   const auto found =
-      std::ranges::find_if(path, [](const auto& point) { return point.seen.has_value(); });
+      std::ranges::find_if(path, [](const auto& point) { return point.measurement.has_value(); });
   if (found == path.end()) {
     return;
   }
   const Motion motion(path, model);
-  State state = motion.first(found->seen->position);
+  State state = motion.first(found->measurement->position);
   double time = found->time;
   int measurements = 0;
   for (auto k = static_cast<std::size_t>(found - path.begin()); k < path.size(); ++k) {
-    if (!path[k].seen) {
+    if (!path[k].measurement) {
       continue;
     }
     motion.predict(state, path[k].time - time);
     time = path[k].time;
     const bool begins = measurements++ < kBeginning;
     const Innovation innovation =
-        update(state, *path[k].seen, model.noiseFactor, begins ? kNoGate : gate);
+        update(state, *path[k].measurement, model.noiseFactor, begins ? kNoGate : gate);
     if (!visit(k, innovation, begins)) {
       return;
     }
@@ -208,14 +208,14 @@ std::vector<PathEstimate> smoothPath(std::span<const PathPoint> path, const Path
   const Motion motion(path, model);
   std::vector<State> filtered(count);
   std::vector<State> predicted(count);
-  State state = motion.first(path.front().seen->position);
+  State state = motion.first(path.front().measurement->position);
   for (std::size_t k = 0; k < count && wanted(k, shouldContinue); ++k) {
     if (k > 0) {
       motion.predict(state, path[k].time - path[k - 1].time);
     }
     predicted[k] = state;
-    if (path[k].seen) {
-      update(state, *path[k].seen, model.noiseFactor, kNoGate);
+    if (path[k].measurement) {
+      update(state, *path[k].measurement, model.noiseFactor, kNoGate);
     }
     filtered[k] = state;
   }
@@ -247,10 +247,10 @@ std::vector<Eigen::Matrix3d> sharedErrorCovariances(std::span<const PathPoint> p
   std::vector<PathPoint> errors(path.begin(), path.end());
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t k = 0; k < path.size(); ++k) {
-      if (path[k].seen) {
+      if (path[k].measurement) {
         // The symmetric root changes little where the covariance does.
-        errors[k].seen->position =
-            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(path[k].seen->covariance)
+        errors[k].measurement->position =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(path[k].measurement->covariance)
                 .operatorSqrt()
                 .col(axis);
       }

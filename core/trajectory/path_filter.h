@@ -13,11 +13,12 @@
 namespace dewpoint::trajectory {
 
 /// Motion model of a path. The derivative of order `order` (2: acceleration, 3: jerk) is white
-/// noise with spectral density `strength`, the same along each axis (Bar-Shalom, Li and Kirubarajan
-/// 2001, section 6.2). The smoothed path is a spline of degree 2 * order - 1 (Wahba 1990).
+/// noise with spectral density `spectralDensity`, the same along each axis (Bar-Shalom, Li and
+/// Kirubarajan 2001, section 6.2). The smoothed path is a spline of degree 2 * order - 1 (Wahba
+/// 1990).
 struct PathModel {
-  int order = 2;         ///< order of the derivative that is white noise, 2 to kMaxPathOrder
-  double strength = 1.0; ///< spectral density, m² / s^(2 * order - 1)
+  int order = 2;                ///< order of the derivative that is white noise, 2 to kMaxPathOrder
+  double spectralDensity = 1.0; ///< m² / s^(2 * order - 1)
   /// Factor by which the covariance of each measured position is multiplied.
   double noiseFactor = 1.0;
 };
@@ -27,7 +28,7 @@ inline constexpr int kMaxPathOrder = 5;
 /// One time on a path, and the position measured at this time, if any.
 struct PathPoint {
   double time = 0.0; ///< seconds, ascending
-  std::optional<PositionMeasurement> seen;
+  std::optional<PositionMeasurement> measurement;
 };
 
 /// Gaussian estimate of the position at one point of a path, in meters and square meters.

@@ -98,12 +98,13 @@ bool isUsable(const PositionMeasurement& seen) {
 }
 
 /// What one sample says of its frame alone.
-std::optional<PositionMeasurement> measurementOf(const TrajectorySample& sample, bool hasSeen) {
+std::optional<PositionMeasurement> measurementOf(const TrajectorySample& sample,
+                                                 bool hasMeasurements) {
   if (!sample.valid) {
     return std::nullopt;
   }
-  std::optional<PositionMeasurement> measurement = sample.seen;
-  if (!hasSeen) {
+  std::optional<PositionMeasurement> measurement = sample.measurement;
+  if (!hasMeasurements) {
     measurement = PositionMeasurement{sample.position, sample.covariance};
     measurement->covariance.diagonal().array() += kLeastSigma * kLeastSigma;
   }
@@ -120,16 +121,16 @@ public:
         shouldContinue_(std::move(shouldContinue)), wanted_(std::move(wanted)) {
     std::erase_if(samples_, [](const auto* sample) { return !std::isfinite(sample->time); });
     std::ranges::stable_sort(samples_, {}, [](const auto* sample) { return sample->time; });
-    const bool hasSeen =
-        std::ranges::any_of(samples_, [](const auto* sample) { return sample->seen.has_value(); });
+    const bool hasMeasurements = std::ranges::any_of(
+        samples_, [](const auto* sample) { return sample->measurement.has_value(); });
     for (const auto* sample : samples_) {
-      points_.push_back({sample->time, measurementOf(*sample, hasSeen)});
+      points_.push_back({sample->time, measurementOf(*sample, hasMeasurements)});
     }
   }
 
   void run() {
-    const auto measurements =
-        std::ranges::count_if(points_, [](const auto& point) { return point.seen.has_value(); });
+    const auto measurements = std::ranges::count_if(
+        points_, [](const auto& point) { return point.measurement.has_value(); });
     if (measurements < static_cast<std::ptrdiff_t>(kFewestMeasurements)) {
       return;
     }
@@ -147,7 +148,7 @@ private:
     std::vector<std::size_t> begins;
     double last = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < points_.size(); ++k) {
-      if (points_[k].seen) {
+      if (points_[k].measurement) {
         if (points_[k].time - last > longestGap_) {
           begins.push_back(k);
         }
@@ -221,15 +222,15 @@ private:
     std::vector<PathPoint> without(points_.begin() + static_cast<std::ptrdiff_t>(begin),
                                    points_.begin() + static_cast<std::ptrdiff_t>(end));
     for (std::size_t k = first; k < jump; ++k) {
-      without[k - begin].seen.reset();
+      without[k - begin].measurement.reset();
     }
     for (std::size_t k = jump; k < std::min(end, jump + kMistakeInstants) && wanted_(); ++k) {
       if (agrees(without, model, k - begin)) {
         const auto path = smoothPath(without, model, wanted_);
         std::vector<std::size_t> mistakes;
         for (std::size_t measurement = first; measurement < k; ++measurement) {
-          if (points_[measurement].seen &&
-              !isOnPath(*points_[measurement].seen, path[measurement - begin], model)) {
+          if (points_[measurement].measurement &&
+              !isOnPath(*points_[measurement].measurement, path[measurement - begin], model)) {
             mistakes.push_back(measurement);
           }
         }
@@ -237,7 +238,7 @@ private:
         drop(mistakes);
         return any;
       }
-      without[k - begin].seen.reset();
+      without[k - begin].measurement.reset();
     }
     return false;
   }
@@ -248,11 +249,11 @@ private:
     std::size_t unseen = 0;
     std::size_t first = jump;
     for (std::size_t k = jump; k-- > begin && first + kMistakeInstants > jump;) {
-      if (points_[k].seen && unseen >= kGapInstants) {
+      if (points_[k].measurement && unseen >= kGapInstants) {
         return first;
       }
-      first = points_[k].seen ? k : first;
-      unseen = points_[k].seen ? 0 : unseen + 1;
+      first = points_[k].measurement ? k : first;
+      unseen = points_[k].measurement ? 0 : unseen + 1;
     }
     return begin;
   }
@@ -280,7 +281,7 @@ private:
 
   void drop(std::vector<std::size_t>& measurements) {
     for (const std::size_t measurement : measurements) {
-      points_[measurement].seen.reset();
+      points_[measurement].measurement.reset();
     }
     measurements.clear();
   }
@@ -296,7 +297,7 @@ private:
     const double share = std::max(0.0, 1.0 - model.noiseFactor);
     std::size_t last = 0;
     for (std::size_t k = 0; k < part.size(); ++k) {
-      last = part[k].seen ? k : last;
+      last = part[k].measurement ? k : last;
     }
     for (std::size_t k = 0; k < part.size(); ++k) {
       TrajectorySample& sample = *samples_[begin + k];
@@ -315,10 +316,10 @@ private:
                            const PathModel& model) {
     std::vector<double> squares(part.size());
     for (std::size_t k = 1; k < part.size(); ++k) { // the first one begins the path
-      if (part[k].seen) {
-        const Eigen::Vector3d off = part[k].seen->position - estimates[k].position;
-        squares[k] =
-            off.dot(part[k].seen->covariance.llt().solve(off)) / std::max(1.0, model.noiseFactor);
+      if (part[k].measurement) {
+        const Eigen::Vector3d off = part[k].measurement->position - estimates[k].position;
+        squares[k] = off.dot(part[k].measurement->covariance.llt().solve(off)) /
+                     std::max(1.0, model.noiseFactor);
       }
     }
     bool dropped = false;
@@ -327,7 +328,7 @@ private:
       const std::size_t count = std::min(part.size() - from, 2 * kNeighbors + 1);
       if (squares[k] > kGate &&
           squares[k] >= std::ranges::max(std::span(squares).subspan(from, count))) {
-        part[k].seen.reset();
+        part[k].measurement.reset();
         dropped = true;
       }
     }
@@ -365,12 +366,13 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
   return best.model;
 }
 
-Trajectory smoothed(const Trajectory& live, const SmootherOptions& options) {
+Trajectory smoothedTrajectory(const Trajectory& live, const SmootherOptions& options) {
   Trajectory result = live;
-  result.header.hasBest = false; // particles are of the run; what is known after it has none
+  // Particles are of the run; what is known after it has none.
+  result.header.hasBestParticles = false;
   std::map<std::string, std::vector<TrajectorySample*>> targets;
   for (TrajectorySample& sample : result.samples) {
-    sample.best.reset();
+    sample.bestParticle.reset();
     targets[sample.target].push_back(&sample);
   }
   bool stopped = false;

@@ -11,7 +11,7 @@
 
 namespace dewpoint::trajectory {
 
-/// Options of smoothed().
+/// Options of smoothedTrajectory().
 struct SmootherOptions {
   /// Longest gap that is filled, in seconds. After a longer gap, a new path begins.
   double longestGap = 1.0;
@@ -30,12 +30,12 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 /// and after it, and has the corresponding covariance.
 ///
 /// Live estimates depend only on the past, and errors of neighboring estimates are correlated.
-/// Smoothing therefore uses the independent measurement of each frame (TrajectorySample::seen)
-/// exactly once. If the trajectory was read from a file without these measurements, the valid
-/// estimates are used as measurements, and their errors are treated as independent. Between two
-/// measurements, the uncertainty increases and then decreases again. A sample without a measurement
-/// becomes `valid` if its smoothed position has a standard deviation below 0.1 m in every
-/// direction.
+/// Smoothing therefore uses the independent measurement of each frame
+/// (TrajectorySample::measurement) exactly once. If the trajectory was read from a file without
+/// these measurements, the valid estimates are used as measurements, and their errors are treated
+/// as independent. Between two measurements, the uncertainty increases and then decreases again. A
+/// sample without a measurement becomes `valid` if its smoothed position has a standard deviation
+/// below 0.1 m in every direction.
 ///
 /// If the measurements scatter less than their covariance predicts, the difference is attributed to
 /// an error that all measurements share, for example because of light from one side or a slightly
@@ -45,6 +45,6 @@ PathModel fitPathModel(std::span<const std::vector<PathPoint>> paths,
 /// neither with the earlier nor with the later measurements. Estimates before the first
 /// measurement, and those of targets with fewer than five measurements, are left unchanged. All
 /// estimates are left unchanged if `progress` ended the smoothing.
-Trajectory smoothed(const Trajectory& live, const SmootherOptions& options = {});
+Trajectory smoothedTrajectory(const Trajectory& live, const SmootherOptions& options = {});
 
 } // namespace dewpoint::trajectory

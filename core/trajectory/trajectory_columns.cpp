@@ -25,10 +25,10 @@ TargetColumns emptyColumns(const std::string& target, std::size_t rows) {
   columns.target = target;
   columns.positions.assign(3 * rows, kNothing);
   columns.covariances.assign(9 * rows, kNothing);
-  columns.best.assign(3 * rows, kNothing);
-  columns.existence.assign(rows, kNothing);
-  columns.effectiveSampleSize.assign(rows, kNothing);
-  columns.cameras.assign(rows, 0);
+  columns.bestParticles.assign(3 * rows, kNothing);
+  columns.existenceProbabilities.assign(rows, kNothing);
+  columns.effectiveSampleSizes.assign(rows, kNothing);
+  columns.cameraCounts.assign(rows, 0);
   columns.valid.assign(rows, 0);
   columns.ambiguous.assign(rows, 0);
   return columns;
@@ -43,12 +43,12 @@ void putSample(const TrajectorySample& sample, std::size_t row, TargetColumns& c
   // Symmetric: it is the same by rows and by columns.
   std::copy_n(sample.covariance.data(), 9,
               columns.covariances.begin() + static_cast<std::ptrdiff_t>(9 * row));
-  if (sample.best) {
-    put(*sample.best, row, columns.best);
+  if (sample.bestParticle) {
+    put(*sample.bestParticle, row, columns.bestParticles);
   }
-  columns.existence[row] = sample.existenceProbability;
-  columns.effectiveSampleSize[row] = sample.effectiveSampleSize;
-  columns.cameras[row] = sample.cameras;
+  columns.existenceProbabilities[row] = sample.existenceProbability;
+  columns.effectiveSampleSizes[row] = sample.effectiveSampleSize;
+  columns.cameraCounts[row] = sample.cameraCount;
   columns.valid[row] = sample.valid ? 1 : 0;
   columns.ambiguous[row] = sample.ambiguous ? 1 : 0;
 }

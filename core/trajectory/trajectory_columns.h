@@ -16,12 +16,14 @@ struct TargetColumns {
   std::string target;
   std::vector<double> positions;   ///< x, y and z of each row; meters, world frame
   std::vector<double> covariances; ///< 9 values (3 x 3) of each row; m²
-  std::vector<double> best; ///< x, y and z of the particle of highest weight, for each row; meters
-  std::vector<double> existence; ///< existence probability; 0 for a trajectory from a file
-  std::vector<double> effectiveSampleSize;
-  std::vector<std::int32_t> cameras;   ///< number of cameras that show the target
-  std::vector<std::uint8_t> valid;     ///< 1: the target is tracked, and its position is usable
-  std::vector<std::uint8_t> ambiguous; ///< 1: another object is about as likely to be the target
+  /// x, y and z of the particle of highest weight, for each row; meters.
+  std::vector<double> bestParticles;
+  /// One per row; 0 for a trajectory from a file.
+  std::vector<double> existenceProbabilities;
+  std::vector<double> effectiveSampleSizes;
+  std::vector<std::int32_t> cameraCounts; ///< number of cameras that show the target
+  std::vector<std::uint8_t> valid;        ///< 1: the target is tracked, and its position is usable
+  std::vector<std::uint8_t> ambiguous;    ///< 1: another object is about as likely to be the target
 };
 
 /// A trajectory as columns, for programs that work with arrays.

@@ -156,8 +156,8 @@ private:
 
   Status readColumns(Cells cells) {
     columns_ = std::move(cells);
-    trajectory_.header.hasSeen = column("seen_x_m").has_value();
-    trajectory_.header.hasBest = column("best_x_m").has_value();
+    trajectory_.header.hasMeasurements = column("seen_x_m").has_value();
+    trajectory_.header.hasBestParticles = column("best_x_m").has_value();
     trajectory_.header.hasCorrected = column("corrected").has_value();
     trajectory_.header.hasAmbiguous = column("ambiguous").has_value();
     trajectory_.header.hasExtent = column("extent_xx_m2").has_value();
@@ -210,16 +210,16 @@ private:
     };
     readPosition("", sample.position, sample.covariance);
     number("ess", sample.effectiveSampleSize);
-    number("cameras", sample.cameras);
+    number("cameras", sample.cameraCount);
     number("valid", valid);
     number("corrected", corrected);
     number("ambiguous", ambiguous);
     if (const auto index = column("seen_x_m"); index && !cells[*index].empty()) {
-      PositionMeasurement& seen = sample.seen.emplace();
+      PositionMeasurement& seen = sample.measurement.emplace();
       readPosition("seen_", seen.position, seen.covariance);
     }
     if (const auto index = column("best_x_m"); index && !cells[*index].empty()) {
-      Eigen::Vector3d& best = sample.best.emplace();
+      Eigen::Vector3d& best = sample.bestParticle.emplace();
       number("best_x_m", best.x());
       number("best_y_m", best.y());
       number("best_z_m", best.z());

@@ -27,15 +27,15 @@ constexpr std::string_view kExtentColumns =
 std::string headerText(const TrajectoryHeader& header) {
   std::string text = "# dewpoint trajectory\n# units: time s, position m, covariance m^2\n";
   for (const auto& [key, value] : header.entries)
-    text += fmt::format("# {}: {}\n", oneLine(key), oneLine(value));
+    text += fmt::format("# {}: {}\n", withoutLineBreaks(key), withoutLineBreaks(value));
   for (const TrajectoryCamera& camera : header.cameras) {
     const auto& c = camera.center;
     const auto& a = camera.opticalAxis;
     text += fmt::format("# camera: {} center {} {} {} axis {} {} {}\n", quotedCsv(camera.name),
                         c.x(), c.y(), c.z(), a.x(), a.y(), a.z());
   }
-  text.append(kColumns).append(header.hasSeen ? kSeenColumns : "");
-  text.append(header.hasBest ? kBestColumns : "");
+  text.append(kColumns).append(header.hasMeasurements ? kSeenColumns : "");
+  text.append(header.hasBestParticles ? kBestColumns : "");
   text.append(header.hasCorrected ? kCorrectedColumn : "");
   text.append(header.hasAmbiguous ? kAmbiguousColumn : "");
   text.append(header.hasExtent ? kExtentColumns : "");
@@ -54,15 +54,16 @@ std::string rowText(const TrajectorySample& sample, const TrajectoryHeader& head
   std::string text =
       fmt::format("{},{},{},{},{},{},{}", sample.time, sample.frame, csvCell(sample.target),
                   numbersText(sample.position, sample.covariance), sample.effectiveSampleSize,
-                  sample.cameras, sample.valid ? 1 : 0);
-  if (header.hasSeen) {
-    text += sample.seen ? ',' + numbersText(sample.seen->position, sample.seen->covariance)
-                        : std::string(9, ',');
+                  sample.cameraCount, sample.valid ? 1 : 0);
+  if (header.hasMeasurements) {
+    text += sample.measurement
+                ? ',' + numbersText(sample.measurement->position, sample.measurement->covariance)
+                : std::string(9, ',');
   }
-  if (header.hasBest) {
-    text += sample.best
-                ? fmt::format(",{},{},{}", sample.best->x(), sample.best->y(), sample.best->z())
-                : std::string(3, ',');
+  if (header.hasBestParticles) {
+    text += sample.bestParticle ? fmt::format(",{},{},{}", sample.bestParticle->x(),
+                                              sample.bestParticle->y(), sample.bestParticle->z())
+                                : std::string(3, ',');
   }
   if (header.hasCorrected) {
     text += sample.corrected ? ",1" : ",0";

@@ -67,16 +67,16 @@ Whereabouts whereaboutsOf(const Trajectory& trajectory, const CoveredFrames& fra
 
 } // namespace
 
-Trajectory inMeters(Trajectory trajectory, double unit) {
+Trajectory toMeters(Trajectory trajectory, double unit) {
   for (TrajectorySample& sample : trajectory.samples) {
     sample.position *= unit;
     sample.covariance *= unit * unit;
-    if (sample.seen) {
-      sample.seen->position *= unit;
-      sample.seen->covariance *= unit * unit;
+    if (sample.measurement) {
+      sample.measurement->position *= unit;
+      sample.measurement->covariance *= unit * unit;
     }
-    if (sample.best) {
-      *sample.best *= unit;
+    if (sample.bestParticle) {
+      *sample.bestParticle *= unit;
     }
     if (sample.extent) {
       *sample.extent *= unit * unit;

@@ -10,7 +10,7 @@ namespace dewpoint::trajectory {
 /// Converts a trajectory to meters. `unit` is the length unit of the trajectory in meters, for
 /// example 0.001 for millimeters. Positions are multiplied by `unit`, and covariances and extents
 /// by its square.
-Trajectory inMeters(Trajectory trajectory, double unit);
+Trajectory toMeters(Trajectory trajectory, double unit);
 
 /// Returns the length unit of the truth, in meters, if the truth is probably given in millimeters
 /// or centimeters. This is the case if the center and spread of the true positions agree with those

@@ -22,7 +22,7 @@ void gatherFolder(const std::string& folder) {
     return;
   }
   (void)trajectory::gatheredTable(*gathered);
-  (void)trajectory::gatheredTimes(*gathered);
+  (void)trajectory::gatheredDurations(*gathered);
   (void)trajectory::gatheredReport(*gathered);
 }
 

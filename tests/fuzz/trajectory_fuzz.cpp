@@ -30,7 +30,7 @@ void fuzzTrajectory(std::string_view bytes) {
     expectPlainOf(evaluated.error());
   }
   ExportOptions options;
-  options.gaps = GapRule::Fill;
+  options.gapRule = GapRule::Fill;
   if (const auto table = makeExportTable(*read, options, {}); !table) {
     expectPlainOf(table.error());
   }

@@ -40,7 +40,7 @@ void expectSameBits(const Trajectory& a, const Trajectory& b) {
     const auto& y = b.samples[k];
     ASSERT_TRUE(x.frame == y.frame && x.time == y.time && x.target == y.target &&
                 x.position == y.position && x.covariance == y.covariance &&
-                x.effectiveSampleSize == y.effectiveSampleSize && x.cameras == y.cameras &&
+                x.effectiveSampleSize == y.effectiveSampleSize && x.cameraCount == y.cameraCount &&
                 x.valid == y.valid)
         << "frame " << k << ", " << (x.position - y.position).norm() << " m apart";
   }

@@ -43,7 +43,7 @@ TEST(Hand2Desk, FollowsTheArmInBothViewsAndNeverDivesBelowTheDesk) {
     }
     const auto estimate = std::get<SphereEstimate>(run->estimate(0));
     EXPECT_GT(estimate.mean.z(), kDeskZ) << "frame " << frames;
-    seenByBoth += estimate.camerasSeeing == 2 ? 1 : 0;
+    seenByBoth += estimate.seeingCameraCount == 2 ? 1 : 0;
     ++frames;
   }
   EXPECT_EQ(frames, 378); // README of the recording

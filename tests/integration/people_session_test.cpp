@@ -91,7 +91,7 @@ TEST(PeopleSession, TracksAsTheCommandLineDoes) {
     EXPECT_FALSE(target.shape->ground.back().empty());
   }
   ASSERT_EQ(last->peopleCameras.size(), 4U);
-  EXPECT_EQ(last->peopleCameras[0].learned, 1.0);
+  EXPECT_EQ(last->peopleCameras[0].learningProgress, 1.0);
   EXPECT_TRUE(test::sameBits(session.trajectory(), trackedAlone(officeProject())));
 }
 
@@ -106,7 +106,7 @@ TEST(PeopleSession, TellsHowFarTheRoomIsLearned) {
   const TrackSnapshotPtr shown = session.newest();
   // 6 frames at 15 per second, of the second that learning takes.
   ASSERT_EQ(shown->peopleCameras.size(), 4U);
-  EXPECT_NEAR(shown->peopleCameras[2].learned, 6.0 / 15.0, 1e-6);
+  EXPECT_NEAR(shown->peopleCameras[2].learningProgress, 6.0 / 15.0, 1e-6);
   EXPECT_TRUE(shown->targets.empty());
 }
 
@@ -122,7 +122,7 @@ TEST(PeopleSession, KnowsTheBackgroundImageWithoutLearning) {
   session.restart();
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.newest()->isTracked; }));
-  EXPECT_EQ(session.newest()->peopleCameras.at(0).learned, 1.0);
+  EXPECT_EQ(session.newest()->peopleCameras.at(0).learningProgress, 1.0);
 }
 
 TEST(PeopleSession, ShowsThePeopleOfThen) {
@@ -259,8 +259,9 @@ TEST(PeopleSession, SomebodyPutWhereNobodyIsGoesAgain) {
   constexpr std::int64_t kPlaced = 30;
   for (const double x : {0.0, 0.4}) { // the first visitor enters on the other side
     for (const double y : {-0.4, 0.0, 0.4}) {
-      project.people = {{.frame = kPlaced,
-                         .position = area.center + area.half.cwiseProduct(Eigen::Vector2d(x, y))}};
+      project.people = {
+          {.frame = kPlaced,
+           .position = area.center + area.halfSize.cwiseProduct(Eigen::Vector2d(x, y))}};
       Session session(office(project));
       playThrough(session);
       std::int64_t last = -1;

@@ -151,7 +151,7 @@ inline bool sameBits(const Trajectory& a, const Trajectory& b) {
     const auto& y = b.samples[k];
     same = x.frame == y.frame && x.target == y.target && x.time == y.time &&
            x.position == y.position && x.covariance == y.covariance &&
-           x.effectiveSampleSize == y.effectiveSampleSize && x.cameras == y.cameras &&
+           x.effectiveSampleSize == y.effectiveSampleSize && x.cameraCount == y.cameraCount &&
            x.valid == y.valid;
   }
   return same;

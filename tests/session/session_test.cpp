@@ -186,7 +186,7 @@ TEST(Session, TargetsActOnTheNextStep) {
   session.setTargets(targets);
   session.stepFrame();
   ASSERT_TRUE(eventually([&] { return session.newest()->iterations == 1; }));
-  EXPECT_EQ(std::get<SphereEstimate>(session.newest()->targets[0].estimate).camerasSeeing, 0);
+  EXPECT_EQ(std::get<SphereEstimate>(session.newest()->targets[0].estimate).seeingCameraCount, 0);
   EXPECT_EQ(session.newest()->targets[0].target.color, targets[0].color);
 }
 

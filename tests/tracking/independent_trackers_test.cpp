@@ -108,11 +108,11 @@ TEST(StartParameters, DeclareAVolumeAndGiveItBack) {
   ASSERT_EQ(declarations.size(), 6U);
   ParameterValues values{std::span<const ParameterDeclaration>(declarations)};
   EXPECT_EQ(startVolume(values).center, defaults.center);
-  EXPECT_EQ(startVolume(values).half, defaults.half);
+  EXPECT_EQ(startVolume(values).halfSize, defaults.halfSize);
   EXPECT_TRUE(values.set("start_y", 7.0));
   EXPECT_TRUE(values.set("start_half_x", 1.5));
   EXPECT_EQ(startVolume(values).center, Eigen::Vector3d(1.0, 7.0, 0.5));
-  EXPECT_EQ(startVolume(values).half, Eigen::Vector3d(1.5, 0.0, 3.0));
+  EXPECT_EQ(startVolume(values).halfSize, Eigen::Vector3d(1.5, 0.0, 3.0));
   EXPECT_FALSE(values.set("start_half_x", -0.1)); // a half size is not negative
 }
 

@@ -35,8 +35,9 @@ TEST(Parameters, EveryDeclarationIsSound) {
     for (const auto& declaration : methodParameters(name)) {
       EXPECT_LT(declaration.minimum, declaration.maximum) << declaration.key;
       EXPECT_GT(declaration.step, 0.0) << declaration.key;
-      EXPECT_FALSE(declaration.label.empty() || declaration.sentence.empty()) << declaration.key;
-      EXPECT_TRUE(!declaration.logarithmic || declaration.minimum > 0.0) << declaration.key;
+      EXPECT_FALSE(declaration.label.empty() || declaration.description.empty()) << declaration.key;
+      EXPECT_TRUE(!declaration.hasLogarithmicSlider || declaration.minimum > 0.0)
+          << declaration.key;
       ParameterValues values(methodParameters(name));
       EXPECT_TRUE(values.set(declaration.key, declaration.defaultValue));
       EXPECT_TRUE(values.set(declaration.key, declaration.minimum));
@@ -55,8 +56,9 @@ TEST(Parameters, AFewOfEachMethodComeFirst) {
     EXPECT_LE(first, 3) << method.name;
     for (const ParameterDeclaration& declaration : declarations) {
       EXPECT_FALSE(parameterGroupTitle(declaration.group).empty()) << declaration.key;
-      EXPECT_TRUE(declaration.bound.empty() || std::ranges::count(declarations, declaration.bound,
-                                                                  &ParameterDeclaration::key) == 1)
+      EXPECT_TRUE(declaration.upperLimitKey.empty() ||
+                  std::ranges::count(declarations, declaration.upperLimitKey,
+                                     &ParameterDeclaration::key) == 1)
           << declaration.key;
     }
   }
@@ -68,19 +70,19 @@ TEST(Parameters, AValueAboveItsBoundIsNoticed) {
       std::ranges::find(declarations, "fewest_particles", &ParameterDeclaration::key);
   ASSERT_NE(fewest, declarations.end());
   ParameterValues values(declarations);
-  EXPECT_FALSE(exceedsBound(values, *fewest));
+  EXPECT_FALSE(exceedsUpperLimit(values, *fewest));
   ASSERT_TRUE(values.set("particles", 100.0));
-  EXPECT_FALSE(exceedsBound(values, *fewest)); // as many
+  EXPECT_FALSE(exceedsUpperLimit(values, *fewest)); // as many
   ASSERT_TRUE(values.set("particles", 50.0));
-  EXPECT_TRUE(exceedsBound(values, *fewest));
-  EXPECT_FALSE(exceedsBound(values, declarations.front())); // has no bound
+  EXPECT_TRUE(exceedsUpperLimit(values, *fewest));
+  EXPECT_FALSE(exceedsUpperLimit(values, declarations.front())); // has no bound
 }
 
 TEST(Parameters, WhatWasGivenCanBeLeftToTheCamerasAgain) {
   ParameterValues values = barreraValues();
   ASSERT_TRUE(values.set("start_x", 3.0));
   ASSERT_TRUE(values.set("particles", 300.0));
-  values.resetDerivable();
+  values.resetDerivableValues();
   EXPECT_FALSE(values.isGiven("start_x"));
   EXPECT_EQ(values.at("start_x"), barreraValues().at("start_x"));
   EXPECT_EQ(values.at("particles"), 300.0);
@@ -148,15 +150,15 @@ TEST(Parameters, UnknownKeysAreNamedWithTheKnownOnes) {
   EXPECT_EQ(status.error().code, ErrorCode::UnknownKey);
   EXPECT_EQ(status.error().field, "partikel");
   EXPECT_NE(status.error().detail.find("particles, motion_sigma"), std::string::npos);
-  EXPECT_EQ(values.setText("partikel", "20").error().code, ErrorCode::UnknownKey);
+  EXPECT_EQ(values.setFromText("partikel", "20").error().code, ErrorCode::UnknownKey);
 }
 
 TEST(Parameters, TextIsTakenWholeOrNotAtAll) {
   ParameterValues values = barreraValues();
-  EXPECT_TRUE(values.setText("motion_sigma", "5e-2"));
+  EXPECT_TRUE(values.setFromText("motion_sigma", "5e-2"));
   EXPECT_EQ(values.at("motion_sigma"), 0.05);
   for (const char* bad : {"", "x", "0.05m", " 0.05", "0,05", "nan", "inf"}) {
-    EXPECT_FALSE(values.setText("motion_sigma", bad)) << bad;
+    EXPECT_FALSE(values.setFromText("motion_sigma", bad)) << bad;
   }
   EXPECT_EQ(values.at("motion_sigma"), 0.05);
   EXPECT_FALSE(values == barreraValues());

@@ -74,7 +74,7 @@ TEST_P(CorrectedPosition, HoldsAtOnce) {
   EXPECT_LE(estimate.covariance.trace(), 3.0 * 0.005 * 0.005 + 1e-12);
   EXPECT_TRUE(estimate.valid);
   EXPECT_GT(estimate.existenceProbability, 0.9);
-  EXPECT_EQ(estimate.camerasSeeing, 2);
+  EXPECT_EQ(estimate.seeingCameraCount, 2);
   Eigen::ArrayXXd positions;
   Eigen::ArrayXd weights;
   capability<ParticleCloud>(*tracker)->copyParticles(0, 1000, positions, weights);

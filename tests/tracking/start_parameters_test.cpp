@@ -28,8 +28,8 @@ TEST(StartParameters, OfEveryMethodComeFromTheCameras) {
     const StartVolume start = startVolume(inUse(defaultsOf(method)));
     // In steps of a centimeter; a half size is never too small by more than the center was moved.
     EXPECT_LT((start.center - seen->center()).cwiseAbs().maxCoeff(), 0.0051) << method;
-    EXPECT_LT((start.half - seen->halfSize()).maxCoeff(), 0.0101) << method;
-    EXPECT_GE((start.half - seen->halfSize()).minCoeff(), 0.0) << method;
+    EXPECT_LT((start.halfSize - seen->halfSize()).maxCoeff(), 0.0101) << method;
+    EXPECT_GE((start.halfSize - seen->halfSize()).minCoeff(), 0.0) << method;
     EXPECT_FALSE(inUse(defaultsOf(method)).isGiven("start_half_z")) << method;
   }
   const double size = inUse(defaultsOf("dewpoint")).at("search_size");
@@ -101,15 +101,15 @@ TEST(StartParameters, LieInTheVolumeOfInterest) {
 
 TEST(StartVolume, WithinABoxIsWhatBothHaveInCommon) {
   const WorldBox box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}};
-  const StartVolume half = within({{1.0, 0.5, 0.5}, {0.5, 0.25, 5.0}}, box);
+  const StartVolume half = startVolumeWithin({{1.0, 0.5, 0.5}, {0.5, 0.25, 5.0}}, box);
   EXPECT_EQ(half.center, Eigen::Vector3d(0.75, 0.5, 0.5));
-  EXPECT_EQ(half.half, Eigen::Vector3d(0.25, 0.25, 0.5));
-  const StartVolume point = within({{0.25, 0.5, 0.75}, Eigen::Vector3d::Zero()}, box);
+  EXPECT_EQ(half.halfSize, Eigen::Vector3d(0.25, 0.25, 0.5));
+  const StartVolume point = startVolumeWithin({{0.25, 0.5, 0.75}, Eigen::Vector3d::Zero()}, box);
   EXPECT_EQ(point.center, Eigen::Vector3d(0.25, 0.5, 0.75));
-  EXPECT_EQ(point.half, Eigen::Vector3d(0.0, 0.0, 0.0));
-  const StartVolume apart = within({{3.0, 0.5, 0.5}, {0.5, 0.5, 0.5}}, box);
+  EXPECT_EQ(point.halfSize, Eigen::Vector3d(0.0, 0.0, 0.0));
+  const StartVolume apart = startVolumeWithin({{3.0, 0.5, 0.5}, {0.5, 0.5, 0.5}}, box);
   EXPECT_EQ(apart.center, box.center());
-  EXPECT_EQ(apart.half, box.halfSize());
+  EXPECT_EQ(apart.halfSize, box.halfSize());
 }
 
 // Another method has defaults of its own; what was given stays given.

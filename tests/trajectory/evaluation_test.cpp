@@ -46,14 +46,14 @@ TEST(Evaluation, HandWorkedStatistics) {
   ASSERT_EQ(result->size(), 1u);
   const Evaluation& e = result->front();
   EXPECT_EQ(e.target, "ball");
-  EXPECT_EQ(e.framesCompared, 7);
+  EXPECT_EQ(e.comparedFrameCount, 7);
   EXPECT_EQ(e.framesToConverge, 2);
-  EXPECT_EQ(e.lostFrames, 0);
-  EXPECT_EQ(e.missing, 0);
+  EXPECT_EQ(e.lostFrameCount, 0);
+  EXPECT_EQ(e.missingFrameCount, 0);
   // (0 + 1 + 1 + 4 + 4) cm² / 5 = 2 cm²
   EXPECT_NEAR(e.rmse, std::sqrt(2e-4), 1e-12);
   // + (30² + 10²) cm² : 1010 cm² / 7
-  EXPECT_NEAR(e.rmseAll, std::sqrt(0.101 / 7.0), 1e-12);
+  EXPECT_NEAR(e.rmseOfAllFrames, std::sqrt(0.101 / 7.0), 1e-12);
   EXPECT_NEAR(e.median, 0.01, 1e-12);
   EXPECT_NEAR(e.p95, 0.02, 1e-12); // place 3.8 of 0..4 lies between 20 and 20 mm
   EXPECT_NEAR(e.max, 0.02, 1e-12);
@@ -92,18 +92,18 @@ TEST(Evaluation, CountsLostAndMissingFramesAfterConvergence) {
   const auto result = evaluate(estimate, restingTruth(12)); // frames 10, 11 were not run
   ASSERT_TRUE(result);
   EXPECT_EQ(result->front().framesToConverge, 0);
-  EXPECT_EQ(result->front().lostFrames, 4); // 5 far, 6 not valid, 7 not a number, 8 absent
-  EXPECT_EQ(result->front().missing, 2);
-  EXPECT_EQ(result->front().framesCompared, 8);
+  EXPECT_EQ(result->front().lostFrameCount, 4); // 5 far, 6 not valid, 7 not a number, 8 absent
+  EXPECT_EQ(result->front().missingFrameCount, 2);
+  EXPECT_EQ(result->front().comparedFrameCount, 8);
 }
 
 TEST(Evaluation, NeverConvergedUsesAllFrames) {
   const auto result = evaluate(estimateWith({0, 0, 0, 0, 0.1, 0, 0, 0, 0}), restingTruth(9));
   ASSERT_TRUE(result);
   EXPECT_FALSE(result->front().framesToConverge);
-  EXPECT_EQ(result->front().lostFrames, 0);
+  EXPECT_EQ(result->front().lostFrameCount, 0);
   EXPECT_NEAR(result->front().rmse, 0.1 / 3.0, 1e-12); // sqrt(0.01 / 9)
-  EXPECT_EQ(result->front().rmse, result->front().rmseAll);
+  EXPECT_EQ(result->front().rmse, result->front().rmseOfAllFrames);
   // A wider gate takes the outlier in.
   EXPECT_EQ(
       evaluate(estimateWith({0, 0, 0, 0, 0.1}), restingTruth(5), 0.2)->front().framesToConverge, 0);
@@ -120,11 +120,11 @@ TEST(Evaluation, MatchesByTimeWithinHalfAFrame) {
   }
   auto result = evaluate(estimate, truth);
   ASSERT_TRUE(result) << sentence(result.error());
-  EXPECT_EQ(result->front().framesCompared, 6);
+  EXPECT_EQ(result->front().comparedFrameCount, 6);
   estimate.samples[3].time += 0.03; // 0.37: nearer to frame 4 (0.4) than to frame 3 (0.3)
   result = evaluate(estimate, truth);
   ASSERT_TRUE(result);
-  EXPECT_EQ(result->front().missing, 1);
+  EXPECT_EQ(result->front().missingFrameCount, 1);
 }
 
 TEST(Evaluation, FindsTheTruthOfATarget) {
@@ -164,7 +164,7 @@ TEST(Evaluation, CountsTruthInsideTheStatedEllipsoid) {
   estimate.samples.back().covariance.setZero(); // no ellipsoid: outside
   const auto result = evaluate(estimate, restingTruth(5), 0.1);
   ASSERT_TRUE(result);
-  EXPECT_NEAR(result->front().inside95, 3.0 / 5.0, 1e-12);
+  EXPECT_NEAR(result->front().fractionInside95, 3.0 / 5.0, 1e-12);
 }
 
 TEST(Evaluation, TextIsInMillimetersAndJsonInMeters) {

@@ -24,7 +24,7 @@ inline TrajectorySample exportSample(std::int64_t frame, const std::string& targ
   sample.covariance = Eigen::Vector3d(1e-6, 4e-6, 9e-6).asDiagonal();
   sample.covariance(0, 1) = sample.covariance(1, 0) = 5e-7;
   sample.effectiveSampleSize = 120.0;
-  sample.cameras = 2;
+  sample.cameraCount = 2;
   return sample;
 }
 

@@ -109,7 +109,7 @@ TEST(MotionLog, listsGapsWithTheirLength) {
   ASSERT_EQ(gaps.size(), 4U);
   // Not held at frames 2 and 3: from the last held one (1) to the next (4).
   EXPECT_EQ(gaps[0], (TrajectoryGap{"ball", 2, 3, 1 * kPeriod, 4 * kPeriod}));
-  EXPECT_EQ(gaps[0].frames(), 2);
+  EXPECT_EQ(gaps[0].frameCount(), 2);
   EXPECT_NEAR(gaps[0].seconds(), 3.0 * kPeriod, 1e-12);
   // Frames 5 to 7 are missing for both.
   EXPECT_EQ(gaps[1], (TrajectoryGap{"ball", 5, 7, 4 * kPeriod, 8 * kPeriod}));
@@ -122,15 +122,15 @@ TEST(MotionLog, aFrameThatComesAgainTakesThePlaceOfTheOld) {
   auto track = straightLine(6, {1.0, 0.0, 0.0});
   log.replaceFrom(0, track);
   // The same once more changes nothing.
-  EXPECT_EQ(log.replaceFrom(5, {track[5]}).firstChanged, 6U);
+  EXPECT_EQ(log.replaceFrom(5, {track[5]}).firstChangedRow, 6U);
   track[5].valid = false;
   const auto change = log.replaceFrom(5, {track[5], sampleAt(6, {0.2, 0.0, 0.0})});
-  EXPECT_LE(change.firstChanged, 5U);
+  EXPECT_LE(change.firstChangedRow, 5U);
   ASSERT_EQ(log.rows().size(), 7U);
   EXPECT_TRUE(std::isnan(log.rows()[5].speed));
   EXPECT_NEAR(log.rows()[4].speed, 1.0, 1e-9);
   ASSERT_EQ(log.gaps().size(), 1U);
-  EXPECT_EQ(log.gaps()[0].frames(), 1);
+  EXPECT_EQ(log.gaps()[0].frameCount(), 1);
 }
 
 TEST(MotionLog, isBounded) {
@@ -143,7 +143,7 @@ TEST(MotionLog, isBounded) {
     for (std::size_t i = 0; i < kPiece; ++i) {
       piece.push_back(sampleAt(static_cast<std::int64_t>(first + i), Eigen::Vector3d::Zero()));
     }
-    dropped += log.replaceFrom(first, piece).droppedRows;
+    dropped += log.replaceFrom(first, piece).droppedRowCount;
     ASSERT_LE(log.rows().size(), MotionLog::kMaxRows + kPiece);
   }
   EXPECT_EQ(dropped + log.rows().size(), kSamples);
@@ -157,7 +157,7 @@ TEST(Motion, aTableIsReadAnywhere) {
   MotionLog::Row row{sampleAt(3, {1.5, -0.25, 0.0}, true, "ball, red"), 1.25};
   row.sample.time = 0.1;
   row.sample.covariance = Eigen::Vector3d(4e-6, 1e-6, -1e-20).asDiagonal();
-  row.sample.cameras = 2;
+  row.sample.cameraCount = 2;
   row.sample.existenceProbability = 0.5;
   MotionLog::Row unknown = row;
   unknown.sample.target = "ball";

@@ -42,7 +42,7 @@ std::vector<PathPoint> unevenPath() {
     if (k != 2 && k != 3) {
       PositionMeasurement seen = seenAt({0.1 * k, std::sin(k), 0.02 * k * k}, 0.01 * (k + 1));
       seen.covariance(0, 1) = seen.covariance(1, 0) = 0.5e-4 * (k + 1);
-      path.back().seen = seen;
+      path.back().measurement = seen;
     }
   }
   return path;
@@ -54,15 +54,15 @@ std::vector<PathEstimate> atOnce(const std::vector<PathPoint>& path, double stre
   const auto count = static_cast<Eigen::Index>(path.size());
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(6 * count, 6 * count);
   Eigen::VectorXd vector = Eigen::VectorXd::Zero(6 * count);
-  const Eigen::Vector3d first = path[0].seen->position;
+  const Eigen::Vector3d first = path[0].measurement->position;
   information.topLeftCorner(6, 6).diagonal().setConstant(1.0 / 100.0); // 10 m, 10 m/s
   vector.head(3) = first / 100.0;
   for (Eigen::Index k = 0; k < count; ++k) {
     const PathPoint& point = path[static_cast<std::size_t>(k)];
-    if (point.seen) {
-      const Eigen::Matrix3d inverse = point.seen->covariance.inverse();
+    if (point.measurement) {
+      const Eigen::Matrix3d inverse = point.measurement->covariance.inverse();
       information.block<3, 3>(6 * k, 6 * k) += inverse;
-      vector.segment<3>(6 * k) += inverse * point.seen->position;
+      vector.segment<3>(6 * k) += inverse * point.measurement->position;
     }
     if (k == 0) {
       continue;
@@ -143,7 +143,7 @@ TEST(SmoothPath, StatesWhatItsErrorsAre) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Drawn drawn = draw(seed, 100, 0.5, 0.002);
     for (std::size_t k = 40; k < 55; ++k) {
-      drawn.path[k].seen.reset();
+      drawn.path[k].measurement.reset();
     }
     const auto smooth = smoothPath(drawn.path, {2, 0.5, 1.0});
     const auto normalized = [&](std::size_t k) {
@@ -160,7 +160,7 @@ TEST(SmoothPath, StatesWhatItsErrorsAre) {
 TEST(SmoothPath, EllipsoidsGrowTowardsTheMiddleOfAGap) {
   Drawn drawn = draw(3, 60, 0.5, 0.002);
   for (std::size_t k = 20; k < 41; ++k) {
-    drawn.path[k].seen.reset();
+    drawn.path[k].measurement.reset();
   }
   const auto smooth = smoothPath(drawn.path, {2, 0.5, 1.0});
   for (std::size_t k = 20; k < 30; ++k) {
@@ -172,18 +172,18 @@ TEST(SmoothPath, EllipsoidsGrowTowardsTheMiddleOfAGap) {
 TEST(FitPathModel, FindsStrengthAndNoise) {
   Drawn drawn = draw(5, 2000, 0.5, 0.004);
   for (PathPoint& point : drawn.path) {
-    point.seen->covariance *= 4.0; // stated twice as large as they are
+    point.measurement->covariance *= 4.0; // stated twice as large as they are
   }
   const PathModel model = fitPathModel(std::vector<std::vector<PathPoint>>{drawn.path});
   EXPECT_EQ(model.order, 2);
-  EXPECT_NEAR(std::log(model.strength / 0.5), 0.0, 0.3);
+  EXPECT_NEAR(std::log(model.spectralDensity / 0.5), 0.0, 0.3);
   EXPECT_NEAR(model.noiseFactor, 0.25, 0.03);
 }
 
 TEST(FitPathModel, EndsWhereALikelihoodCannotBeComputed) {
   Drawn drawn = draw(5, 40, 0.5, 0.004);
-  drawn.path[20].seen->covariance.setIdentity();
-  drawn.path[20].seen->covariance *= 1e308; // overflows with any larger noise factor
+  drawn.path[20].measurement->covariance.setIdentity();
+  drawn.path[20].measurement->covariance *= 1e308; // overflows with any larger noise factor
   int asked = 0;
   const PathModel model =
       fitPathModel(std::vector<std::vector<PathPoint>>{drawn.path}, [&] { return ++asked < 1000; });
@@ -193,15 +193,15 @@ TEST(FitPathModel, EndsWhereALikelihoodCannotBeComputed) {
 
 Trajectory liveRun(const Drawn& drawn) {
   Trajectory live;
-  live.header.hasSeen = true;
+  live.header.hasMeasurements = true;
   for (std::size_t k = 0; k < drawn.path.size(); ++k) {
     TrajectorySample& sample = live.samples.emplace_back();
     sample.time = drawn.path[k].time;
     sample.frame = static_cast<std::int64_t>(k);
     sample.target = "ball";
-    sample.position = drawn.path[k].seen->position;
-    sample.covariance = drawn.path[k].seen->covariance;
-    sample.seen = drawn.path[k].seen;
+    sample.position = drawn.path[k].measurement->position;
+    sample.covariance = drawn.path[k].measurement->covariance;
+    sample.measurement = drawn.path[k].measurement;
   }
   return live;
 }
@@ -220,12 +220,12 @@ TEST(Smoothed, FillsShortGapsAndLeavesLongOnes) {
   const auto hide = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       live.samples[k].valid = false;
-      live.samples[k].seen.reset();
+      live.samples[k].measurement.reset();
     }
   };
   hide(20, 30);  // a third of a second
   hide(60, 100); // longer than a second
-  const Trajectory after = smoothed(live);
+  const Trajectory after = smoothedTrajectory(live);
   for (std::size_t k = 20; k < 30; ++k) {
     EXPECT_TRUE(after.samples[k].valid);
     EXPECT_LT((after.samples[k].position - drawn.truth[k]).norm(), 0.05);
@@ -239,13 +239,13 @@ TEST(Smoothed, FillsShortGapsAndLeavesLongOnes) {
 TEST(Smoothed, IsNearerToTheTruthThanTheLooks) {
   const Drawn drawn = draw(8, 300, 0.05, 0.004);
   const Trajectory live = liveRun(drawn);
-  EXPECT_LT(rmse(smoothed(live), drawn), 0.5 * rmse(live, drawn));
+  EXPECT_LT(rmse(smoothedTrajectory(live), drawn), 0.5 * rmse(live, drawn));
 }
 
 TEST(Smoothed, GivesTheSameBitsTwice) {
   const Trajectory live = liveRun(draw(9, 200, 0.3, 0.003));
-  const Trajectory first = smoothed(live);
-  const Trajectory second = smoothed(live);
+  const Trajectory first = smoothedTrajectory(live);
+  const Trajectory second = smoothedTrajectory(live);
   for (std::size_t k = 0; k < first.samples.size(); ++k) {
     EXPECT_EQ(std::memcmp(first.samples[k].position.data(), second.samples[k].position.data(), 24),
               0);
@@ -259,11 +259,11 @@ TEST(Smoothed, DropsAStrayLookAndFollowsAJump) {
   Drawn drawn = draw(10, 120, 0.1, 0.002);
   for (std::size_t k = 80; k < 120; ++k) {
     drawn.truth[k] += Eigen::Vector3d(0.5, 0.0, 0.0);
-    drawn.path[k].seen->position += Eigen::Vector3d(0.5, 0.0, 0.0);
+    drawn.path[k].measurement->position += Eigen::Vector3d(0.5, 0.0, 0.0);
   }
   Trajectory live = liveRun(drawn);
-  live.samples[40].seen->position += Eigen::Vector3d(0.2, 0.2, 0.0); // another thing
-  const Trajectory after = smoothed(live);
+  live.samples[40].measurement->position += Eigen::Vector3d(0.2, 0.2, 0.0); // another thing
+  const Trajectory after = smoothedTrajectory(live);
   EXPECT_LT((after.samples[40].position - drawn.truth[40]).norm(), 0.01);
   for (const std::size_t k : {78U, 79U, 80U, 81U}) {
     EXPECT_LT((after.samples[k].position - drawn.truth[k]).norm(), 0.01) << k;
@@ -275,15 +275,15 @@ TEST(Smoothed, DropsAMistakeBehindAGap) {
   Trajectory live = liveRun(drawn);
   for (std::size_t k = 60; k < 80; ++k) { // two thirds of a second: nearly any place is possible
     live.samples[k].valid = false;
-    live.samples[k].seen.reset();
+    live.samples[k].measurement.reset();
   }
   Trajectory without = live;
   for (std::size_t k = 80; k < 86; ++k) { // something beside it is taken for the target
-    live.samples[k].seen->position += Eigen::Vector3d(0.08, 0.0, 0.05);
-    without.samples[k].seen.reset();
+    live.samples[k].measurement->position += Eigen::Vector3d(0.08, 0.0, 0.05);
+    without.samples[k].measurement.reset();
   }
-  const Trajectory after = smoothed(live);
-  const Trajectory expected = smoothed(without);
+  const Trajectory after = smoothedTrajectory(live);
+  const Trajectory expected = smoothedTrajectory(without);
   for (std::size_t k = 0; k < 150; ++k) {
     const Eigen::Vector3d sigma = expected.samples[k].covariance.diagonal().cwiseSqrt();
     // Only the model was fitted to other looks.
@@ -302,7 +302,7 @@ TEST(Smoothed, CanBeEnded) {
     last = done;
     return ++calls < 5;
   };
-  const Trajectory after = smoothed(live, options);
+  const Trajectory after = smoothedTrajectory(live, options);
   EXPECT_EQ(calls, 5);
   for (std::size_t k = 0; k < live.samples.size(); ++k) {
     EXPECT_EQ(after.samples[k].position, live.samples[k].position);
@@ -327,7 +327,7 @@ TEST(SmoothPath, AsksNowAndThenWhetherToGoOn) {
 
 TEST(PathSurprises, AreToldOneByOneUntilItIsEnough) {
   Drawn drawn = draw(16, 300, 0.1, 0.002);
-  drawn.path[50].seen->position += Eigen::Vector3d(5.0, 0.0, 0.0);
+  drawn.path[50].measurement->position += Eigen::Vector3d(5.0, 0.0, 0.0);
   const PathModel model{2, 1.0, 1.0};
   const auto all = normalizedInnovations(drawn.path, model, 40.0);
   std::size_t told = 0;
@@ -342,17 +342,17 @@ TEST(PathSurprises, AreToldOneByOneUntilItIsEnough) {
 
 TEST(Smoothed, LeavesWhatItCannotSmooth) {
   Trajectory live = liveRun(draw(11, 4, 0.1, 0.002));
-  EXPECT_EQ(smoothed(live).samples[2].position, live.samples[2].position);
-  EXPECT_TRUE(smoothed(Trajectory()).samples.empty());
+  EXPECT_EQ(smoothedTrajectory(live).samples[2].position, live.samples[2].position);
+  EXPECT_TRUE(smoothedTrajectory(Trajectory()).samples.empty());
 }
 
 TEST(Smoothed, TakesEstimatesWhereAFileHasNoLooks) {
   const Drawn drawn = draw(12, 300, 0.05, 0.004);
   Trajectory live = liveRun(drawn);
   for (TrajectorySample& sample : live.samples) {
-    sample.seen.reset();
+    sample.measurement.reset();
   }
-  EXPECT_LT(rmse(smoothed(live), drawn), 0.6 * rmse(live, drawn));
+  EXPECT_LT(rmse(smoothedTrajectory(live), drawn), 0.6 * rmse(live, drawn));
 }
 
 } // namespace

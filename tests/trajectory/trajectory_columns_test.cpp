@@ -18,7 +18,7 @@ TrajectorySample fullSample(std::int64_t frame, const std::string& target, doubl
   sample.covariance = Eigen::Vector3d(1.0, 2.0, 3.0).asDiagonal();
   sample.covariance(0, 1) = sample.covariance(1, 0) = 0.25;
   sample.existenceProbability = 0.75;
-  sample.cameras = 2;
+  sample.cameraCount = 2;
   return sample;
 }
 
@@ -28,7 +28,7 @@ TEST(TrajectoryColumns, HasARowForEachFrame) {
                         fullSample(5, "b", 6.0)};
   trajectory.samples[1].valid = false;
   trajectory.samples[3].ambiguous = true;
-  trajectory.samples[3].best = Eigen::Vector3d(7.0, 8.0, 9.0);
+  trajectory.samples[3].bestParticle = Eigen::Vector3d(7.0, 8.0, 9.0);
   const TrajectoryColumns columns = columnsOf(trajectory);
   EXPECT_EQ(columns.frames, (std::vector<std::int64_t>{2, 3, 5}));
   EXPECT_EQ(columns.times, (std::vector<double>{1.0, 1.5, 2.5}));
@@ -44,10 +44,10 @@ TEST(TrajectoryColumns, HasARowForEachFrame) {
             (std::vector<double>{1.0, 0.25, 0.0, 0.25, 2.0, 0.0, 0.0, 0.0, 3.0}));
   EXPECT_EQ(a.valid, (std::vector<std::uint8_t>{1, 0, 0}));
   EXPECT_EQ(b.ambiguous, (std::vector<std::uint8_t>{0, 0, 1}));
-  EXPECT_EQ(b.cameras, (std::vector<std::int32_t>{0, 2, 2}));
-  EXPECT_EQ(b.existence[1], 0.75);
-  EXPECT_TRUE(std::isnan(b.best[3]));
-  EXPECT_EQ(b.best[8], 9.0);
+  EXPECT_EQ(b.cameraCounts, (std::vector<std::int32_t>{0, 2, 2}));
+  EXPECT_EQ(b.existenceProbabilities[1], 0.75);
+  EXPECT_TRUE(std::isnan(b.bestParticles[3]));
+  EXPECT_EQ(b.bestParticles[8], 9.0);
 }
 
 TEST(TrajectoryColumns, GoesByTimesWhereThereAreNoFrames) {

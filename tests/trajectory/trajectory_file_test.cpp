@@ -40,7 +40,7 @@ TrajectorySample sample() {
   s.position = {0.1, -2.5e-7, 3.0};
   s.covariance << 1e-6, 2e-7, 3e-7, 2e-7, 4e-6, 5e-7, 3e-7, 5e-7, 6e-6;
   s.effectiveSampleSize = 123.5;
-  s.cameras = 2;
+  s.cameraCount = 2;
   s.valid = false;
   return s;
 }
@@ -66,7 +66,7 @@ TEST(TrajectoryFile, ReadsBackExactlyWhatWasWritten) {
   EXPECT_EQ(s.position, sample().position);
   EXPECT_EQ(s.covariance, sample().covariance);
   EXPECT_EQ(s.effectiveSampleSize, 123.5);
-  EXPECT_EQ(s.cameras, 2);
+  EXPECT_EQ(s.cameraCount, 2);
   EXPECT_FALSE(s.valid);
   ASSERT_EQ(read->header.cameras.size(), 1u);
   EXPECT_EQ(read->header.cameras[0].name, "left \"a\"");
@@ -131,22 +131,22 @@ TEST(TrajectoryFile, AnOldFileStaysWholeWhenTheNewOneCannotBeWritten) {
 TEST(TrajectoryFile, HoldsTheParticleOfHighestWeight) {
   const auto path = temporary("best.csv");
   Trajectory written{{}, {sample(), sample()}};
-  written.header.hasBest = true;
-  written.samples[0].best = Eigen::Vector3d(0.1, 1.0 / 3.0, -2.5e-7);
+  written.header.hasBestParticles = true;
+  written.samples[0].bestParticle = Eigen::Vector3d(0.1, 1.0 / 3.0, -2.5e-7);
   ASSERT_TRUE(writeTrajectory(written, path));
   EXPECT_NE(contents(path).find(",ess,cameras,valid,best_x_m,best_y_m,best_z_m\n"),
             std::string::npos);
   const auto read = readTrajectory(path);
   ASSERT_TRUE(read) << sentence(read.error());
-  EXPECT_TRUE(read->header.hasBest);
+  EXPECT_TRUE(read->header.hasBestParticles);
   ASSERT_EQ(read->samples.size(), 2U);
-  EXPECT_EQ(read->samples[0].best, written.samples[0].best); // to the last bit
-  EXPECT_FALSE(read->samples[1].best);                       // its cells are empty
+  EXPECT_EQ(read->samples[0].bestParticle, written.samples[0].bestParticle); // to the last bit
+  EXPECT_FALSE(read->samples[1].bestParticle);                               // its cells are empty
   std::filesystem::remove(path);
   const auto old = readText("frame,x_m,y_m,z_m\n0,1,2,3\n"); // of a version without the columns
   ASSERT_TRUE(old);
-  EXPECT_FALSE(old->header.hasBest);
-  EXPECT_FALSE(old->samples[0].best);
+  EXPECT_FALSE(old->header.hasBestParticles);
+  EXPECT_FALSE(old->samples[0].bestParticle);
   EXPECT_EQ(
       readText("x_m,y_m,z_m,frame,best_x_m,best_y_m,best_z_m\n1,2,3,0,1,2o,3\n").error().field,
       "line 2, best_y_m");

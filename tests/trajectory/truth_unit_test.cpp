@@ -19,13 +19,13 @@ Trajectory moving() {
 }
 
 TEST(TruthUnit, MillimetersAreRecognized) {
-  const auto unit = likelyTruthUnit(moving(), inMeters(moving(), 1000.0));
+  const auto unit = likelyTruthUnit(moving(), toMeters(moving(), 1000.0));
   ASSERT_TRUE(unit);
   EXPECT_DOUBLE_EQ(*unit, 0.001);
 }
 
 TEST(TruthUnit, CentimetersAreRecognized) {
-  const auto unit = likelyTruthUnit(moving(), inMeters(moving(), 100.0));
+  const auto unit = likelyTruthUnit(moving(), toMeters(moving(), 100.0));
   ASSERT_TRUE(unit);
   EXPECT_DOUBLE_EQ(*unit, 0.01);
 }
@@ -43,10 +43,10 @@ TEST(TruthUnit, MetersAreLeftAlone) {
 TEST(TruthUnit, ScalesCovariancesWithPositions) {
   Trajectory truth = moving();
   truth.samples[1].covariance.setIdentity();
-  truth.samples[1].best = truth.samples[1].position;
-  const Trajectory scaled = inMeters(truth, 0.001);
+  truth.samples[1].bestParticle = truth.samples[1].position;
+  const Trajectory scaled = toMeters(truth, 0.001);
   EXPECT_DOUBLE_EQ(scaled.samples[1].position.x(), 1e-4);
-  EXPECT_DOUBLE_EQ(scaled.samples[1].best->x(), 1e-4);
+  EXPECT_DOUBLE_EQ(scaled.samples[1].bestParticle->x(), 1e-4);
   EXPECT_DOUBLE_EQ(scaled.samples[1].covariance(0, 0), 1e-6);
 }
 

@@ -85,7 +85,7 @@ QAction* ActionRegistry::add(const ActionDeclaration& declaration) {
   return action;
 }
 
-std::vector<QAction*> ActionRegistry::all() const {
+std::vector<QAction*> ActionRegistry::allActions() const {
   std::vector<QAction*> actions;
   std::ranges::transform(entries_, std::back_inserter(actions), &Entry::action);
   return actions;
@@ -186,7 +186,7 @@ void ActionRegistry::resetShortcuts() {
   Q_EMIT shortcutsChanged();
 }
 
-void ActionRegistry::addAlternative(ActionId id, const QKeySequence& shortcut) {
+void ActionRegistry::addAlternativeShortcut(ActionId id, const QKeySequence& shortcut) {
   alternatives_.emplace_back(id, shortcut);
   applyAlternatives();
 }

@@ -47,7 +47,7 @@ public:
   QAction* add(const ActionDeclaration& declaration);
   /// Returns the action with this id, or null if it has not been added yet.
   QAction* action(ActionId id) const { return byId_[id.index()]; }
-  std::vector<QAction*> all() const;
+  std::vector<QAction*> allActions() const;
   /// Returns the translated heading under which an action is listed.
   QString groupOf(const QAction* action) const;
   QString hintOf(const QAction* action) const;
@@ -71,7 +71,7 @@ public:
   /// Adds a second shortcut to an action. The second shortcut works only while the action has its
   /// default shortcut and no other action uses the second one. It is neither listed nor saved in
   /// the preferences.
-  void addAlternative(ActionId id, const QKeySequence& shortcut);
+  void addAlternativeShortcut(ActionId id, const QKeySequence& shortcut);
 
   /// Redraws the icons of all actions in the colors of `palette`.
   void drawIcons(const QPalette& palette);

@@ -130,7 +130,7 @@ CommandPalette::CommandPalette(ActionRegistry& registry, QWidget* window)
 
 std::vector<CommandPalette::Entry> CommandPalette::allEntries() const {
   std::vector<Entry> entries;
-  for (QAction* action : registry_.all()) {
+  for (QAction* action : registry_.allActions()) {
     if (action->isEnabled() && action->isVisible()) {
       entries.push_back({registry_.groupOf(action), plainText(*action), registry_.hintOf(action),
                          action->shortcut().toString(QKeySequence::NativeText), action->icon(),
@@ -190,7 +190,7 @@ void CommandPalette::filter(const QString& search) {
     auto* item = new QListWidgetItem(
         entry.icon.isNull() ? QIcon(nothingDrawn) : entry.icon,
         entry.group + QStringLiteral(" › ") + entry.name +
-            (entry.keys.isEmpty() ? QString() : QStringLiteral("   ") + entry.keys),
+            (entry.shortcutText.isEmpty() ? QString() : QStringLiteral("   ") + entry.shortcutText),
         list_);
     item->setSizeHint({0, kRowHeight});
     item->setToolTip(entry.hint);

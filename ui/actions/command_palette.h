@@ -29,7 +29,7 @@ public:
     QString group;
     QString name;
     QString hint;
-    QString keys = {};
+    QString shortcutText = {};
     QIcon icon = {};
     std::function<void()> run;
   };

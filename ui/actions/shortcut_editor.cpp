@@ -113,7 +113,7 @@ void ShortcutEditor::showHint(std::function<QString()> text) {
 void ShortcutEditor::fill() {
   const QAction* chosen = current();
   tree_->clear();
-  for (QAction* action : registry_.all()) {
+  for (QAction* action : registry_.allActions()) {
     const QString name =
         registry_.groupOf(action) + QStringLiteral(" › ") + registry_.labelOf(action);
     const QString hint = registry_.hintOf(action);

@@ -352,8 +352,8 @@ void declareWindowActions(ActionRegistry& registry) {
   registry.action("actionShowVolumes")->setChecked(true);
   registry.action("actionShowVolumeOfInterest")->setChecked(true);
   registry.action("actionShowMagnifier")->setChecked(true);
-  registry.addAlternative("actionRedo", Qt::CTRL | Qt::Key_Y);
-  registry.addAlternative("actionRedo", Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
+  registry.addAlternativeShortcut("actionRedo", Qt::CTRL | Qt::Key_Y);
+  registry.addAlternativeShortcut("actionRedo", Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
   auto* themes = new QActionGroup(&registry);
   themes->addAction(registry.action("actionThemeSystem"));
   themes->addAction(registry.action("actionThemeLight"));

@@ -181,7 +181,7 @@ void OutputController::receive(const broadcast::RemoteCommand& command) {
     }
     break;
   case broadcast::RemoteAction::StartRecording:
-    Q_EMIT recordRequested(QString::fromStdString(command.name));
+    Q_EMIT recordingRequested(QString::fromStdString(command.name));
     break;
   case broadcast::RemoteAction::StopRecording:
     if (QAction* record = bench_.action("actionRecord");

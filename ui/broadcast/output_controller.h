@@ -22,7 +22,7 @@ namespace dewpoint::ui {
 /// Sends the results of the run to other programs, through the outputs in the project's settings.
 /// Nothing is sent until the user switches sending on (actionSendResults). When the settings
 /// change, the outputs are opened again. Remote commands that contain the right token can play,
-/// pause and record (recordRequested()).
+/// pause and record (recordingRequested()).
 class OutputController : public QObject {
   Q_OBJECT
 public:
@@ -43,7 +43,7 @@ Q_SIGNALS:
   void changed();
   /// Emitted when another program requests the start of a take (a recording of all cameras). `name`
   /// describes the take; may be empty.
-  void recordRequested(const QString& name);
+  void recordingRequested(const QString& name);
 
 private:
   void toggle(bool send);

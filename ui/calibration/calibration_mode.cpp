@@ -112,7 +112,7 @@ void CalibrationMode::show(bool isShown) {
     if (isShown) {
       bench_.action("actionLearnColor")->setChecked(false);
     }
-    Q_EMIT shown(page);
+    Q_EMIT pageShown(page);
   }
 }
 

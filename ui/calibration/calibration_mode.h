@@ -36,7 +36,7 @@ Q_SIGNALS:
   void pageChanged();
   /// Emitted when the mode starts or ends, or another page is shown, with the objectName of the
   /// page; empty if the mode has ended.
-  void shown(const QString& page);
+  void pageShown(const QString& page);
   /// Emitted when another tool begins to use the clicks in the images. Pages must then stop using
   /// these clicks.
   void imageClicksTakenOver();
@@ -52,7 +52,7 @@ private:
   ViewDock* dock_;
   QPointer<ViewDock> dockBefore_; ///< dockInFront() before the panel was opened
   bool isReturning_ = false;      ///< true while a change of page switches the mode on again
-  QString page_;                  ///< last page that shown() was emitted for
+  QString page_;                  ///< last page that pageShown() was emitted for
 };
 
 } // namespace dewpoint::ui

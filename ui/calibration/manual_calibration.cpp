@@ -88,7 +88,7 @@ int ManualCalibration::cameraCount() const {
   return static_cast<int>(document_.project().cameras.size());
 }
 
-Camera ManualCalibration::cameraAt(int camera) const {
+Camera ManualCalibration::projectCamera(int camera) const {
   const auto& all = document_.project().cameras;
   const auto index = static_cast<std::size_t>(camera);
   return index < all.size() ? all[index].camera : Camera();
@@ -99,7 +99,7 @@ Camera ManualCalibration::shownCamera(int camera) const {
   if (earlier_ && index < camerasOf(*earlier_).size()) {
     return camerasOf(*earlier_)[index];
   }
-  return cameraAt(camera);
+  return projectCamera(camera);
 }
 
 QString ManualCalibration::nameOf(int camera) const {
@@ -128,13 +128,13 @@ void ManualCalibration::setEdgesShown(bool shown) {
   Q_EMIT changed();
 }
 
-void ManualCalibration::showEarlier(std::optional<EarlierCameras> earlier) {
+void ManualCalibration::showEarlierCameras(std::optional<EarlierCameras> earlier) {
   earlier_ = earlier;
   Q_EMIT changed();
 }
 
-void ManualCalibration::setComparison(EarlierCameras comparison) {
-  comparison_ = comparison;
+void ManualCalibration::setComparedCameras(EarlierCameras compared) {
+  comparison_ = compared;
   Q_EMIT settingsChanged();
 }
 
@@ -193,7 +193,7 @@ const std::vector<Eigen::Vector3d>& ManualCalibration::pins(int camera) const {
 }
 
 void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, double reach) {
-  const Camera seen = cameraAt(camera);
+  const Camera seen = projectCamera(camera);
   const Projector projector(seen);
   pins_.resize(std::max(pins_.size(), static_cast<std::size_t>(camera) + 1));
   auto& pins = pins_[static_cast<std::size_t>(camera)];
@@ -213,7 +213,7 @@ void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, doub
 }
 
 bool ManualCalibration::isCrossingAt(int camera, const Eigen::Vector2d& pixel, double reach) const {
-  return geometry::gridCrossingAt(cameraAt(camera), grid(), pixel, reach).has_value();
+  return geometry::gridCrossingAt(projectCamera(camera), grid(), pixel, reach).has_value();
 }
 
 bool ManualCalibration::hasPins() const {
@@ -229,7 +229,7 @@ void ManualCalibration::clearPins() {
 
 void ManualCalibration::beginDrag(int camera, const Eigen::Vector2d& pixel, double reach) {
   selectCamera(camera);
-  const Camera start = cameraAt(camera);
+  const Camera start = projectCamera(camera);
   const Projector projector(start);
   const auto point = gridPointAt(start, grid(), pixel, reach);
   const auto seen = point ? projector.project(*point) : std::nullopt;
@@ -239,19 +239,19 @@ void ManualCalibration::beginDrag(int camera, const Eigen::Vector2d& pixel, doub
   PointDrag drag{camera, start, *point, *seen - pixel, {}, {}};
   for (const Eigen::Vector3d& pin : pins(camera)) {
     if (const auto at = projector.project(pin); at && (pin - *point).norm() > 1e-9) {
-      drag.held.push_back({pin, *at});
+      drag.fixedAnchors.push_back({pin, *at});
     }
   }
   drag_ = drag;
-  document_.endMerging();
+  document_.endStepMerging();
 }
 
 void ManualCalibration::dragTo(const Eigen::Vector2d& pixel) {
   if (!drag_) {
     return;
   }
-  const Drag result =
-      dragPoint(drag_->start, drag_->held, {drag_->point, pixel + drag_->grip}, settings_);
+  const Drag result = dragPoint(drag_->cameraAtStart, drag_->fixedAnchors,
+                                {drag_->point, pixel + drag_->mouseOffset}, settings_);
   reportLimit(result);
   changeCamera(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), result.camera,
                "drag grid");
@@ -276,8 +276,8 @@ void ManualCalibration::reportLimit(const Drag& result) {
                   "focal length when three points are held”");
     break;
   }
-  if (sentence != drag_->limit) {
-    drag_->limit = sentence;
+  if (sentence != drag_->lastRemark) {
+    drag_->lastRemark = sentence;
     Q_EMIT messageRequested(sentence);
   }
 }
@@ -285,14 +285,15 @@ void ManualCalibration::reportLimit(const Drag& result) {
 void ManualCalibration::endDrag() {
   if (drag_) {
     drag_.reset();
-    document_.endMerging();
+    document_.endStepMerging();
     Q_EMIT changed();
   }
 }
 
 void ManualCalibration::cancelDrag() {
   if (drag_) {
-    changeCamera(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), drag_->start,
+    changeCamera(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)),
+                 drag_->cameraAtStart,
                  "drag grid"); // there and back is no step
     endDrag();
   }
@@ -318,8 +319,8 @@ void ManualCalibration::setNudgeFrame(NudgeFrame frame) {
 }
 
 double ManualCalibration::runningSum(const std::string& key, double amount, bool repeated) {
-  if (!repeated || running_.key != key) {
-    document_.endMerging();
+  if (!repeated || running_.mergeKey != key) {
+    document_.endStepMerging();
     running_ = {key, 0.0};
   }
   running_.sum += amount;
@@ -341,18 +342,18 @@ void ManualCalibration::nudge(int axis, double factor, bool repeated) {
   const QString sumText = moves ? lengthText(sum, LengthScale::Centimeters, 1, NumberForm::Signed)
                                 : angleText(sum, 2, NumberForm::Signed);
   const QString step = tr("%1 %2 %3").arg(nameOf(camera()), sumText, name);
-  const Camera now = cameraAt(camera());
+  const Camera now = projectCamera(camera());
   changeCamera(camera(), step,
                moves ? moved(now, amount * way, frame_) : rotated(now, amount * way, frame_), key);
 }
 
-void ManualCalibration::nudgeFocal(double percent, bool repeated) {
+void ManualCalibration::nudgeFocalLength(double percent, bool repeated) {
   const std::string key = fmt::format("nudge {} focal {}", camera(), percent > 0.0);
   const double sum = runningSum(key, percent, repeated);
   changeCamera(
       camera(),
       tr("%1 focal length %2 %").arg(nameOf(camera()), numberText(sum, 1, NumberForm::Signed)),
-      zoomed(cameraAt(camera()), 1.0 + percent / 100.0), key);
+      zoomed(projectCamera(camera()), 1.0 + percent / 100.0), key);
 }
 
 void ManualCalibration::changeCamera(int camera, const QString& step, const Camera& changed,
@@ -368,8 +369,8 @@ void ManualCalibration::changeCamera(int camera, const QString& step, const Came
       mergeKey.empty() ? mergeKey : fmt::format("{} {}", mergeKey, camera));
 }
 
-void ManualCalibration::endMerging() {
-  document_.endMerging();
+void ManualCalibration::endStepMerging() {
+  document_.endStepMerging();
 }
 
 } // namespace dewpoint::ui

@@ -53,7 +53,7 @@ public:
   /// Returns a camera as the views show it: the current camera of the project or, while an earlier
   /// state is shown, the earlier camera.
   Camera shownCamera(int camera) const;
-  Camera cameraAt(int camera) const;
+  Camera projectCamera(int camera) const;
   QString nameOf(int camera) const;
   /// Returns the project's reference grid, or the standard grid if the project has none.
   ReferenceGrid grid() const;
@@ -68,11 +68,11 @@ public:
   void setEdgesShown(bool shown);
   /// Shows the grid as earlier cameras see it, or, if `earlier` is empty, as the current cameras
   /// see it.
-  void showEarlier(std::optional<EarlierCameras> earlier);
-  bool isEarlierShown() const { return earlier_.has_value(); }
+  void showEarlierCameras(std::optional<EarlierCameras> earlier);
+  bool areEarlierCamerasShown() const { return earlier_.has_value(); }
   /// Returns which cameras the button and the key of the page "By hand" compare with.
-  EarlierCameras comparison() const { return comparison_; }
-  void setComparison(EarlierCameras comparison);
+  EarlierCameras comparedCameras() const { return comparison_; }
+  void setComparedCameras(EarlierCameras compared);
   /// Stores the current cameras for later comparison, as the state `earlier`.
   void storeEarlierCameras(EarlierCameras earlier);
 
@@ -108,13 +108,13 @@ public:
   /// frame. If `repeated` is true, the key is held down and the step grows.
   void nudge(int axis, double factor, bool repeated);
   /// Changes the focal length by `percent` percent.
-  void nudgeFocal(double percent, bool repeated);
+  void nudgeFocalLength(double percent, bool repeated);
 
   /// Replaces a camera of the project in an undoable step named `step`. Successive steps with the
   /// same nonempty `mergeKey` are merged.
   void changeCamera(int camera, const QString& step, const Camera& changed,
                     const std::string& mergeKey = {});
-  void endMerging();
+  void endStepMerging();
 
   Document& document() { return document_; }
 
@@ -132,16 +132,16 @@ Q_SIGNALS:
 private:
   struct PointDrag {
     int camera;
-    Camera start;
+    Camera cameraAtStart;
     Eigen::Vector3d point; ///< world coordinates, meters
     /// Projection of the point minus the mouse position at the start, so that the point does not
     /// jump.
-    Eigen::Vector2d grip;
-    std::vector<ImageAnchor> held;
-    QString limit; ///< last remark shown
+    Eigen::Vector2d mouseOffset;
+    std::vector<ImageAnchor> fixedAnchors;
+    QString lastRemark; ///< last remark shown to the user
   };
   struct RunningSum {
-    std::string key;
+    std::string mergeKey;
     double sum = 0.0;
   };
   double runningSum(const std::string& key, double amount, bool repeated);

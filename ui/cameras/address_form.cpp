@@ -150,7 +150,7 @@ void AddressForm::tryAddress() {
       size_ = QSize((*tried)->size.width, (*tried)->size.height);
       image_->setPixmap(QPixmap::fromImage(toImage((*tried)->image)));
       image_->show();
-      result_->setText(tr("✓ %1").arg(imageText(size_, (*tried)->framesPerSecond)));
+      result_->setText(tr("✓ %1").arg(imageFormatText(size_, (*tried)->framesPerSecond)));
     };
   });
 }

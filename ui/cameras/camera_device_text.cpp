@@ -95,7 +95,7 @@ QString imageSizeText(int width, int height) {
   return QStringLiteral("%1 × %2").arg(width).arg(height);
 }
 
-QString imageText(const QSize& size, double framesPerSecond) {
+QString imageFormatText(const QSize& size, double framesPerSecond) {
   const QString text = imageSizeText(size.width(), size.height());
   constexpr int kDecimals = 1;
   return framesPerSecond > 0.0 ? CameraDeviceText::tr("%1, %2 images per second")
@@ -163,7 +163,7 @@ QString menuItemText(const capture::DeviceControl& control, const capture::Contr
   return QString::fromStdString(item.name);
 }
 
-QString automaticsText(const std::vector<capture::ColorAutomatic>& automatics) {
+QString colorAutomaticsText(const std::vector<capture::ColorAutomatic>& automatics) {
   QStringList names;
   for (const capture::ColorAutomatic automatic : automatics) {
     switch (automatic) {
@@ -184,7 +184,8 @@ QString automaticsText(const std::vector<capture::ColorAutomatic>& automatics) {
   return names.join(QStringLiteral(", "));
 }
 
-QString shortageText(const capture::BandwidthShortage& shortage, const QStringList& names) {
+QString bandwidthShortageText(const capture::BandwidthShortage& shortage,
+                              const QStringList& names) {
   return CameraDeviceText::tr("USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, but "
                               "the bus has only %4 Mbit/s.")
       .arg(shortage.bus)

@@ -23,7 +23,7 @@ QString formatSummary(const capture::CameraDevice& device);
 QString formatDetails(const capture::CameraDevice& device);
 /// Returns the size and the frame rate of images, for example "640 × 480, 30 per second". Leaves
 /// out the rate if it is 0.
-QString imageText(const QSize& size, double framesPerSecond);
+QString imageFormatText(const QSize& size, double framesPerSecond);
 /// Returns an image size for a list, for example "1280 × 720".
 QString imageSizeText(int width, int height);
 /// Returns the translated name of a device control, or the driver's name if the control is not a
@@ -34,10 +34,10 @@ QString controlText(const capture::DeviceControl& control);
 QString menuItemText(const capture::DeviceControl& control, const capture::ControlMenuItem& item);
 /// Returns the names of automatic functions that change colors, separated by commas, for example
 /// "exposure, white balance".
-QString automaticsText(const std::vector<capture::ColorAutomatic>& automatics);
+QString colorAutomaticsText(const std::vector<capture::ColorAutomatic>& automatics);
 /// Returns a sentence about a bus whose bandwidth is too small for its cameras. `names` are the
 /// names of the project's cameras.
-QString shortageText(const capture::BandwidthShortage& shortage, const QStringList& names);
+QString bandwidthShortageText(const capture::BandwidthShortage& shortage, const QStringList& names);
 /// Returns the formats that `shortage` proposes so that the bandwidth suffices, for example "left:
 /// MJPG 1280x720 30". `names` are the names of the project's cameras.
 QString proposalText(const capture::BandwidthShortage& shortage, const QStringList& names);

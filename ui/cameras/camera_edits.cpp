@@ -114,7 +114,7 @@ void CameraEdits::replaceByLocation(int camera, const QString& location) {
   });
 }
 
-void CameraEdits::exchange(int camera, int other) {
+void CameraEdits::swapSources(int camera, int other) {
   edit(tr("Exchange cameras"), [&](Project& project) {
     swapSources(project, static_cast<std::size_t>(camera), static_cast<std::size_t>(other));
     return Status();
@@ -128,7 +128,7 @@ void CameraEdits::rename(int camera, const QString& name) {
   });
 }
 
-void CameraEdits::orient(int camera, int rotateDegrees, bool mirrored) {
+void CameraEdits::setOrientation(int camera, int rotateDegrees, bool mirrored) {
   edit(tr("Rotate images"), [&](Project& project) {
     project = withImageOrientation(std::move(project), static_cast<std::size_t>(camera),
                                    rotateDegrees, mirrored);

@@ -40,12 +40,12 @@ public:
   /// Examines a location (a video, an image folder or an address), and makes it the source of a
   /// camera.
   void replaceByLocation(int camera, const QString& location);
-  /// Makes two cameras exchange their sources.
-  void exchange(int camera, int other);
+  /// Swaps the sources of two cameras.
+  void swapSources(int camera, int other);
   void rename(int camera, const QString& name);
   /// Sets how the images of a camera are rotated (clockwise, degrees) and mirrored. The calibration
   /// is converted.
-  void orient(int camera, int rotateDegrees, bool mirrored);
+  void setOrientation(int camera, int rotateDegrees, bool mirrored);
   /// Sets the margins that are cut off from the images of a camera. The calibration is converted.
   void crop(int camera, const ImageMargins& margins);
   /// Sets the formats that are requested from the devices of cameras, by camera index.

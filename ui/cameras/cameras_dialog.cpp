@@ -122,7 +122,7 @@ void CamerasDialog::updateBandwidth() {
   QStringList sentences;
   QStringList proposals;
   for (const capture::BandwidthShortage& shortage : shortages_) {
-    sentences << QStringLiteral("▲ ") + shortageText(shortage, names);
+    sentences << QStringLiteral("▲ ") + bandwidthShortageText(shortage, names);
     if (!shortage.proposals.empty()) {
       proposals << proposalText(shortage, names);
     }

@@ -52,7 +52,7 @@ void installCameraSources(const Workbench& bench) {
       return camera.source == SourceKind::Device;
     });
   });
-  QObject::connect(locker, &ColorLocker::locking, controls, &ControlSync::remember);
+  QObject::connect(locker, &ColorLocker::lockingStarted, controls, &ControlSync::rememberControls);
   const auto problem = [bench](const QString& text) { sayInWindow(bench, text, true); };
   QObject::connect(edits, &CameraEdits::failed, locker, problem);
   QObject::connect(controls, &ControlSync::failed, locker, problem);

@@ -52,13 +52,13 @@ QString complaintAbout(const LockOutcome& outcome) {
   QString text;
   if (!refused.empty()) {
     text = ColorLocker::tr("These settings of %1 cannot be locked: %2.")
-               .arg(outcome.name, automaticsText(refused));
+               .arg(outcome.name, colorAutomaticsText(refused));
   }
   if (!outcome.lock->missing.empty()) {
     text += (text.isEmpty() ? QString() : QStringLiteral(" ")) +
             ColorLocker::tr(
                 "%1 has no control for these settings and may change them automatically: %2.")
-                .arg(outcome.name, automaticsText(outcome.lock->missing));
+                .arg(outcome.name, colorAutomaticsText(outcome.lock->missing));
   }
   return text;
 }
@@ -103,7 +103,7 @@ void ColorLocker::lock(int camera) {
     return;
   }
   job_->start([this, chosen, access = watch_.access(),
-               project = bench_.document.state()](const BackgroundJob::Progress&) {
+               project = bench_.document.sharedProject()](const BackgroundJob::Progress&) {
     auto outcomes = std::make_shared<std::vector<LockOutcome>>();
     for (const Locked& one : chosen) {
       auto before = access->controls(one.path);
@@ -123,7 +123,7 @@ void ColorLocker::lock(int camera) {
           complaints << errorText(outcome.lock.error());
           continue;
         }
-        Q_EMIT locking(outcome.path, outcome.before);
+        Q_EMIT lockingStarted(outcome.path, outcome.before);
         values[outcome.camera] = outcome.lock->values;
         names << outcome.name;
         if (const QString complaint = complaintAbout(outcome); !complaint.isEmpty()) {
@@ -152,7 +152,7 @@ void ColorLocker::considerOffer() {
     for (const Locked& one : cameras) {
       const auto controls = access->controls(one.path);
       if (controls && !automaticsOn(*controls).empty()) {
-        automatic << tr("%1 (%2)").arg(one.name, automaticsText(automaticsOn(*controls)));
+        automatic << tr("%1 (%2)").arg(one.name, colorAutomaticsText(automaticsOn(*controls)));
       }
     }
     return [this, automatic] {

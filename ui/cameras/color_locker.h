@@ -34,7 +34,7 @@ Q_SIGNALS:
   void busyChanged();
   /// Emitted before locked values are stored in the project, with the device's path and the former
   /// values of its controls.
-  void locking(const std::string& path, const std::vector<capture::DeviceControl>& before);
+  void lockingStarted(const std::string& path, const std::vector<capture::DeviceControl>& before);
   /// Emitted with a sentence that tells which colors were locked and which were not.
   void done(const QString& sentence);
   void failed(const QString& sentence);

@@ -29,8 +29,8 @@ ControlSync::ControlSync(Document& document, DeviceWatch& watch, QObject* parent
   });
 }
 
-void ControlSync::remember(const std::string& path,
-                           const std::vector<capture::DeviceControl>& controls) {
+void ControlSync::rememberControls(const std::string& path,
+                                   const std::vector<capture::DeviceControl>& controls) {
   const capture::ControlValues set = applied_[path];
   const capture::ControlValues due = wanted()[path]; // perhaps set, but not reported yet
   for (const capture::DeviceControl& control : controls) {
@@ -86,7 +86,7 @@ void ControlSync::apply() {
       for (const auto& [path, values] : all) {
         applied_[path] = values;
       }
-      Q_EMIT applied();
+      Q_EMIT controlsSet();
       if (!errors.empty()) {
         Q_EMIT failed(errorText(errors.front()));
       }

@@ -26,12 +26,13 @@ public:
 
   /// Stores the current values of a device's controls. If the project no longer sets a control
   /// after an undo, the control gets its stored value back.
-  void remember(const std::string& path, const std::vector<capture::DeviceControl>& controls);
+  void rememberControls(const std::string& path,
+                        const std::vector<capture::DeviceControl>& controls);
 
 Q_SIGNALS:
   /// Emitted when controls were set. Other controls of the device may have changed as a
   /// consequence.
-  void applied();
+  void controlsSet();
   /// Emitted with a sentence about a control that could not be set.
   void failed(const QString& sentence);
 

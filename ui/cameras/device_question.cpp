@@ -51,7 +51,7 @@ DeviceQuestion::DeviceQuestion(const Workbench& bench, DeviceWatch& watch, Camer
 
 void DeviceQuestion::update() {
   const Project& project = bench_.document.project();
-  if (!watch_.isListed() || !hasDevices(project)) {
+  if (!watch_.areDevicesListed() || !hasDevices(project)) {
     withdraw();
     return;
   }

@@ -26,8 +26,8 @@ public:
   /// Starts to watch the devices. Does nothing if this was done before.
   void start();
   /// Returns whether the devices have been listed for the first time.
-  bool isListed() const { return listed_; }
-  /// Returns the connected devices; empty before isListed().
+  bool areDevicesListed() const { return listed_; }
+  /// Returns the connected devices; empty before areDevicesListed().
   const capture::CameraDevices& devices() const { return *devices_; }
 
 Q_SIGNALS:

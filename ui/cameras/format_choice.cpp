@@ -127,7 +127,7 @@ void FormatChoice::apply() {
   if (format != requested_) {
     requested_ = format;
     fill();
-    Q_EMIT chosen(format);
+    Q_EMIT formatChosen(format);
   }
 }
 

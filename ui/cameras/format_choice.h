@@ -25,7 +25,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when the user has chosen another format.
-  void chosen(const dewpoint::capture::DeviceFormat& format);
+  void formatChosen(const dewpoint::capture::DeviceFormat& format);
 
 private:
   void retranslateUi();

@@ -37,7 +37,7 @@ PreviewStreams::~PreviewStreams() {
   }
 }
 
-void PreviewStreams::show(const QSet<QString>& locations) {
+void PreviewStreams::setLocations(const QSet<QString>& locations) {
   std::erase_if(streams_, [&](auto& one) {
     if (locations.contains(one.first)) {
       return false;

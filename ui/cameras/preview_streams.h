@@ -33,7 +33,7 @@ public:
   ~PreviewStreams() override; ///< closes all sources without waiting for this to finish
 
   /// Sets the sources to read: opens new sources, and closes all that are not in `locations`.
-  void show(const QSet<QString>& locations);
+  void setLocations(const QSet<QString>& locations);
   /// Returns the state of the preview of a source; null if the source is not being read.
   const PreviewState* state(const QString& location) const;
 

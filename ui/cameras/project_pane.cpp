@@ -145,7 +145,7 @@ void ProjectPane::connectParts() {
   connect(&bench_.document, &Document::changed, this, &ProjectPane::refresh);
   connect(&bench_.selection, &Selection::cameraSelected, this, &ProjectPane::refresh);
   connect(&parts_.watch, &DeviceWatch::changed, this, &ProjectPane::refresh);
-  connect(&parts_.controls, &ControlSync::applied, this, &ProjectPane::readControls);
+  connect(&parts_.controls, &ControlSync::controlsSet, this, &ProjectPane::readControls);
   connect(&parts_.locker, &ColorLocker::done, this, &ProjectPane::readControls);
   connect(&parts_.locker, &ColorLocker::busyChanged, this, &ProjectPane::refresh);
   connect(list_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -164,7 +164,7 @@ void ProjectPane::connectParts() {
     }
   });
   const auto orient = [this] {
-    parts_.edits.orient(camera(), rotation_->currentData().toInt(), mirror_->isChecked());
+    parts_.edits.setOrientation(camera(), rotation_->currentData().toInt(), mirror_->isChecked());
   };
   connect(rotation_, &QComboBox::activated, this, orient);
   connect(mirror_, &QCheckBox::clicked, this, orient);
@@ -172,13 +172,13 @@ void ProjectPane::connectParts() {
     parts_.edits.crop(camera, margins);
     refresh(); // margins that were refused are not shown
   });
-  connect(format_, &FormatChoice::chosen, this, [this](const capture::DeviceFormat& format) {
+  connect(format_, &FormatChoice::formatChosen, this, [this](const capture::DeviceFormat& format) {
     parts_.edits.setFormats({{camera(), format}});
   });
   connect(controls_, &ControlForm::changed, this, [this](const std::string& name, qint64 value) {
     parts_.edits.setControl(camera(), name, value);
   });
-  connect(controls_, &ControlForm::dragEnded, &bench_.document, &Document::endMerging);
+  connect(controls_, &ControlForm::dragEnded, &bench_.document, &Document::endStepMerging);
   connect(lock_, &QPushButton::clicked, this, [this] { parts_.locker.lock(camera()); });
   connect(lockAll_, &QPushButton::clicked, this, [this] { parts_.locker.lock(-1); });
 }
@@ -289,7 +289,8 @@ void ProjectPane::refreshNotes() {
     const auto index = static_cast<std::size_t>(row);
     const ProjectCamera& shown = project.cameras[index];
     const auto matches = matchProjectDevices(project, parts_.watch.devices());
-    if (shown.source == SourceKind::Device && parts_.watch.isListed() && !matches[index].device) {
+    if (shown.source == SourceKind::Device && parts_.watch.areDevicesListed() &&
+        !matches[index].device) {
       notes << (matches[index].isAmbiguous()
                     ? tr("▲ Several devices may be this camera. Choose one on the right.")
                     : tr("▲ This device is not connected."));
@@ -326,7 +327,7 @@ void ProjectPane::readControls() {
       controlNote_->setVisible(!*controls);
       if (*controls) {
         present_ = **controls;
-        parts_.controls.remember(path, present_);
+        parts_.controls.rememberControls(path, present_);
       } else {
         present_.clear();
         controlNote_->setText(errorText(controls->error()));
@@ -358,7 +359,7 @@ void ProjectPane::fillExchange() {
   for (int k = 0; k < bench_.cameras.rowCount(); ++k) {
     if (k != camera()) {
       menu->addAction(bench_.cameras.nameOf(k), this,
-                      [this, k] { parts_.edits.exchange(camera(), k); });
+                      [this, k] { parts_.edits.swapSources(camera(), k); });
     }
   }
 }

@@ -175,7 +175,7 @@ void SourcePane::refresh() {
   }
   list_->setCurrentRow(selected < 0 && count > 0 ? 0 : std::min(selected, count - 1));
   list_->setVisible(count > 0);
-  empty_->setVisible(count == 0 && parts_.watch.isListed());
+  empty_->setVisible(count == 0 && parts_.watch.areDevicesListed());
   const bool isScene = !bench_.document.project().scene.empty();
   const QString live = obstacle(SourceKind::Device);
   note_->setText(!live.isEmpty() ? live : isScene ? QString() : obstacle(SourceKind::Video));
@@ -197,7 +197,7 @@ void SourcePane::refreshRow(int row) {
   } else if (preview != nullptr && !preview->problem.isEmpty()) {
     lines << tr("✗ %1").arg(preview->problem);
   } else if (preview != nullptr && !preview->image.isNull()) {
-    lines << imageText(preview->size, preview->framesPerSecond);
+    lines << imageFormatText(preview->size, preview->framesPerSecond);
   }
   lines << formatSummary(device);
   lines.removeAll(QString());
@@ -239,7 +239,7 @@ void SourcePane::updatePreviews() {
       locations.insert(previewLocation(device)); // one that is in use cannot be opened twice
     }
   }
-  previews_->show(locations);
+  previews_->setLocations(locations);
 }
 
 void SourcePane::updateButtons() {
@@ -279,7 +279,7 @@ void SourcePane::useDevice() {
     return;
   }
   if (const auto user = userOf(row)) {
-    parts_.edits.exchange(selected_(), *user);
+    parts_.edits.swapSources(selected_(), *user);
   } else {
     parts_.edits.replace(selected_(),
                          sourceOf(parts_.watch.devices()[static_cast<std::size_t>(row)]));

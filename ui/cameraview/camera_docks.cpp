@@ -32,8 +32,8 @@ CameraDocks::CameraDocks(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), pick_(new ImagePickTool(bench.cameras, this)),
       menu_(new ImageMenu(bench)) {
   connect(pick_, &ImagePickTool::cameraChosen, &bench_.selection, &Selection::selectCamera);
-  connect(&bench_.session, &SessionController::runStarted, this, &CameraDocks::make);
-  connect(&bench_.session, &SessionController::closed, this, &CameraDocks::make);
+  connect(&bench_.session, &SessionController::runStarted, this, &CameraDocks::makeDocks);
+  connect(&bench_.session, &SessionController::closed, this, &CameraDocks::makeDocks);
   connect(&bench_.session, &SessionController::snapshotChanged, this, &CameraDocks::updateTitles);
   connect(&bench_.selection, &Selection::targetSelected, this, [this](int target) {
     for (CameraView* view : views_) {
@@ -52,8 +52,9 @@ CameraDocks::CameraDocks(const Workbench& bench)
 }
 
 void CameraDocks::connectActions() {
-  bench_.requireRun({"actionShowMask", "actionShowEvidence"},
-                    [document = &bench_.document] { return document->presentation().hasOverlays; });
+  bench_.requireRun({"actionShowMask", "actionShowEvidence"}, [document = &bench_.document] {
+    return document->methodPresentation().hasOverlays;
+  });
   bench_.onToggled("actionShowMask", this, [this](bool shown) {
     if (Session* session = bench_.session.session()) {
       session->setMasksShown(shown);
@@ -66,11 +67,11 @@ void CameraDocks::connectActions() {
     return document->methodFamily().hasBestParticle;
   });
   bench_.requireRun({"actionShowVolumeOfInterest"}, [document = &bench_.document] {
-    return document->presentation().searchesVolume;
+    return document->methodPresentation().searchesVolume;
   });
   bench_.onToggled("actionShowBest", this, [this](bool shown) {
     for (CameraView* view : views_) {
-      view->setBestShown(shown);
+      view->setBestParticleShown(shown);
     }
   });
   bench_.onToggled("actionShowEvidence", this, [this](bool shown) {
@@ -86,7 +87,7 @@ void CameraDocks::connectActions() {
 void CameraDocks::connectZoom() {
   bench_.requireRun({"actionZoomIn", "actionZoomOut", "actionFitImage"});
   bench_.requireRun({"actionShowMagnifier"}, [document = &bench_.document] {
-    return document->presentation().searchesVolume;
+    return document->methodPresentation().searchesVolume;
   });
   bench_.onToggled("actionShowMagnifier", this, [this](bool shown) {
     for (CameraView* view : views_) {
@@ -127,7 +128,7 @@ void CameraDocks::zoom(double factor) {
   }
 }
 
-void CameraDocks::make() {
+void CameraDocks::makeDocks() {
   bench_.docks.restoreMaximized();
   for (ViewDock* dock : docks_) {
     bench_.docks.remove(dock);
@@ -157,7 +158,7 @@ void CameraDocks::make() {
     });
     view->setMaskShown(mask);
     view->setLikelihoodShown(evidence);
-    view->setBestShown(best);
+    view->setBestParticleShown(best);
     view->setMagnifierShown(magnifier);
     view->setVolume(volume_);
     view->setChosenTarget(bench_.selection.target());
@@ -165,7 +166,7 @@ void CameraDocks::make() {
     connect(view, &CameraView::menuRequested, menu_,
             [this, camera, view](const QPointF& position) { menu_->open(camera, view, position); });
     pick_->attach(camera, view);
-    Q_EMIT viewMade(camera, view);
+    Q_EMIT viewCreated(camera, view);
     docks_.push_back(dock);
     views_.push_back(view);
   }
@@ -199,18 +200,18 @@ void CameraDocks::updateTitles() {
   for (std::size_t k = 0; k < docks_.size(); ++k) {
     const int camera = static_cast<int>(k);
     DockTitle& title = docks_[k]->title();
-    const bool known = target != nullptr && k < target->reasons.size() &&
-                       isWorthSaying(target->estimate, target->reasons[k]);
+    const bool known = target != nullptr && k < target->cameraReports.size() &&
+                       isWorthSaying(target->estimate, target->cameraReports[k]);
     if (const CameraMotionReport* motion = cameraMotionOf(*snapshot, camera)) {
       title.setReason(cameraMotionText(motion));
     } else if (!known) {
       title.setReason({});
-    } else if (isBlind(target->reasons[k]) &&
+    } else if (isBlind(target->cameraReports[k]) &&
                trackingState(*snapshot, camera) == TrackingState::Held) {
       // The others hold it: here that word would be a riddle.
-      title.setReasonAlone(cameraBlindText(target->reasons[k]));
+      title.setReasonAlone(cameraBlindText(target->cameraReports[k]));
     } else {
-      title.setReason(cameraReasonHereText(target->reasons[k]));
+      title.setReason(cameraReasonHereText(target->cameraReports[k]));
     }
   }
 }

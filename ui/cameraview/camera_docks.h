@@ -25,16 +25,16 @@ public:
   explicit CameraDocks(const Workbench& bench);
 
   /// Returns the tool that handles mouse and keyboard input of all camera images.
-  ImagePickTool& pick() const { return *pick_; }
+  ImagePickTool& pickTool() const { return *pick_; }
   /// Returns the context menu of all camera images. Features add their entries to it.
-  ImageMenu& menu() const { return *menu_; }
+  ImageMenu& imageMenu() const { return *menu_; }
 
   /// Replaces all docks by new ones for the project's cameras, and resets the layout.
-  void make();
+  void makeDocks();
 
 Q_SIGNALS:
   /// Emitted when a camera view was created, so that overlays can be added to it.
-  void viewMade(int camera, CameraView* view);
+  void viewCreated(int camera, CameraView* view);
 
 private:
   void connectActions();

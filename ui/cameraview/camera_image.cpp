@@ -32,10 +32,11 @@ cv::Mat colorsOfTargets(const std::vector<QColor>& colors) {
 constexpr int kSquareFrom = 4;
 
 cv::Mat drawn(const CameraImageSource& source) {
-  const cv::Rect part(source.part.x(), source.part.y(), source.part.width(), source.part.height());
+  const cv::Rect part(source.imagePart.x(), source.imagePart.y(), source.imagePart.width(),
+                      source.imagePart.height());
   const cv::Size size(source.size.width(), source.size.height());
   const bool isMasked = !source.mask.empty() && source.mask.size() == source.frame->image.size();
-  const cv::Mat tints = colorsOfTargets(source.isOfMotion ? std::vector<QColor>() : source.tints);
+  const cv::Mat tints = colorsOfTargets(source.isMotionMask ? std::vector<QColor>() : source.tints);
   const cv::Mat image = source.frame->image(part);
   const cv::Mat tinted = isMasked ? tintedImage(image, source.mask(part), tints) : image;
   const bool squares = source.isZoomed && size.width >= kSquareFrom * part.width;
@@ -63,8 +64,9 @@ QImage mapImage(const std::vector<LikelihoodMap>& maps, int camera) {
 
 bool CameraImageSource::operator==(const CameraImageSource& other) const {
   return camera == other.camera && frame == other.frame && mask.data == other.mask.data &&
-         isOfMotion == other.isOfMotion && tints == other.tints && part == other.part &&
-         size == other.size && isZoomed == other.isZoomed && maps == other.maps;
+         isMotionMask == other.isMotionMask && tints == other.tints &&
+         imagePart == other.imagePart && size == other.size && isZoomed == other.isZoomed &&
+         mapSnapshot == other.mapSnapshot;
 }
 
 CameraImage drawCameraImage(const CameraImageSource& source) {
@@ -73,11 +75,11 @@ CameraImage drawCameraImage(const CameraImageSource& source) {
   if (image.type() == CV_8UC3) {
     picture.image = toImage(drawn(source));
   }
-  if (source.maps) {
-    for (const TargetSnapshot& target : source.maps->targets) {
-      picture.maps.push_back(mapImage(target.maps, source.camera));
+  if (source.mapSnapshot) {
+    for (const TargetSnapshot& target : source.mapSnapshot->targets) {
+      picture.likelihoodMaps.push_back(mapImage(target.maps, source.camera));
     }
-    picture.motionMap = mapImage(source.maps->motionMaps, source.camera);
+    picture.motionMap = mapImage(source.mapSnapshot->motionMaps, source.camera);
   }
   return picture;
 }

@@ -30,12 +30,12 @@ struct CameraImageSource {
   int camera = 0;
   FramePtr frame; ///< null for no image
   cv::Mat mask;   ///< as in `TrackSnapshot::masks`; ignored if its size differs from the image size
-  bool isOfMotion = false;   ///< the mask shows moving pixels instead of targets
-  std::vector<QColor> tints; ///< colors in which the mask is drawn, one per target
-  QRect part;                ///< part of the image to draw, pixels
-  QSize size;                ///< size of `part` on the screen, device pixels
-  bool isZoomed = false;     ///< draws enlarged pixels as squares
-  TrackSnapshotPtr maps;     ///< snapshot whose likelihood maps are drawn; null for none
+  bool isMotionMask = false;    ///< the mask shows moving pixels instead of targets
+  std::vector<QColor> tints;    ///< colors in which the mask is drawn, one per target
+  QRect imagePart;              ///< part of the image to draw, pixels
+  QSize size;                   ///< size of `imagePart` on the screen, device pixels
+  bool isZoomed = false;        ///< draws enlarged pixels as squares
+  TrackSnapshotPtr mapSnapshot; ///< snapshot whose maps are drawn; null for none
 
   bool operator==(const CameraImageSource& other) const;
 };
@@ -44,8 +44,8 @@ struct CameraImageSource {
 struct CameraImage {
   CameraImageSource source;
   QImage image;
-  std::vector<QImage> maps; ///< one per target; null if a target has no map
-  QImage motionMap;         ///< map of the whole image; null if there is none
+  std::vector<QImage> likelihoodMaps; ///< one per target; null if a target has no map
+  QImage motionMap;                   ///< map of the whole image; null if there is none
 };
 
 /// Draws the pixels of a camera view. Slow for large images. May be called from any thread.

@@ -57,7 +57,7 @@ ParticleRamp rampOf(const TrackSnapshot& snapshot, const QColor& color) {
 CameraOverlay shownOverlay(const TrackSnapshot& snapshot, int camera, std::size_t target,
                            const CameraViewOptions& look) {
   CameraOverlay overlay = cameraOverlay(snapshot, camera, snapshot.targets[target]);
-  if (!look.bestShown) {
+  if (!look.bestParticleShown) {
     overlay.bestParticle.reset();
   }
   return overlay;
@@ -81,10 +81,10 @@ void paintInset(QPainter& painter, const CameraImageSource& source, const TrackS
   paintCloudInset(painter, {.overlay = shownOverlay(snapshot, source.camera, chosen, look),
                             .image = image,
                             .placement = place.placement,
-                            .area = place.seen,
+                            .area = place.visibleArea,
                             .color = color,
                             .ramp = rampOf(snapshot, color),
-                            .taken = taken});
+                            .occupiedAreas = taken});
 }
 
 } // namespace
@@ -107,18 +107,18 @@ CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera,
   return {.camera = camera,
           .frame = frame,
           .mask = mask,
-          .isOfMotion = snapshot->masksShowMotion,
+          .isMotionMask = snapshot->masksShowMotion,
           .tints = mask.empty() ? std::vector<QColor>() : overlayColors(*snapshot),
-          .part = QRect(0, 0, frame->image.cols, frame->image.rows),
+          .imagePart = QRect(0, 0, frame->image.cols, frame->image.rows),
           .size = size,
           .isZoomed = false,
-          .maps = look.likelihoodShown ? snapshot : nullptr};
+          .mapSnapshot = look.likelihoodShown ? snapshot : nullptr};
 }
 
 void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnapshotPtr& snapshot,
                     const CameraViewOptions& look, const CameraImageArea& place) {
   const int camera = image.source.camera;
-  const bool hasMaps = image.source.maps == snapshot;
+  const bool hasMaps = image.source.mapSnapshot == snapshot;
   if (hasMaps && !image.motionMap.isNull()) {
     paintLikelihoodMap(painter, {{0, 0}, image.motionMap.size()}, image.motionMap, {},
                        place.placement);
@@ -127,8 +127,8 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
     paintVolume(painter, (*snapshot->rig)[static_cast<std::size_t>(camera)], *look.volume,
                 place.placement);
   }
-  paintPeople(painter, *snapshot, camera, place.placement, place.seen, look.chosenTarget);
-  paintPeopleObstacle(painter, *snapshot, camera, place.seen);
+  paintPeople(painter, *snapshot, camera, place.placement, place.visibleArea, look.chosenTarget);
+  paintPeopleProblem(painter, *snapshot, camera, place.visibleArea);
   const std::vector<QColor> colors = overlayColors(*snapshot);
   for (std::size_t i = 0; i < snapshot->targets.size(); ++i) {
     const TargetSnapshot& target = snapshot->targets[i];
@@ -136,7 +136,7 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
       continue;
     }
     if (hasMaps) {
-      paintLikelihoodMap(painter, mapPlace(target, camera), image.maps[i],
+      paintLikelihoodMap(painter, mapPlace(target, camera), image.likelihoodMaps[i],
                          proposedOutlines(*snapshot, camera, target), place.placement);
     }
     const QColor& color = colors[i];
@@ -145,11 +145,11 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
   }
   std::vector<QRectF> taken;
   if (place.isZoomed) {
-    taken.push_back(paintZoomLabel(painter, place.seen, place.placement.scale));
+    taken.push_back(paintZoomLabel(painter, place.visibleArea, place.placement.scale));
   }
   paintInset(painter, image.source, *snapshot, colors, look, place, taken);
-  paintCameraMotionMarker(painter, place.seen, cameraMotionText(cameraMotionOf(*snapshot, camera)),
-                          look.palette);
+  paintCameraMotionMarker(painter, place.visibleArea,
+                          cameraMotionText(cameraMotionOf(*snapshot, camera)), look.palette);
 }
 
 QString missingImageText(const TrackSnapshotPtr& snapshot, int camera) {
@@ -163,7 +163,7 @@ QString missingImageText(const TrackSnapshotPtr& snapshot, int camera) {
                    "CameraView", "No images yet. Press play (Space), or open a project (Ctrl+O).");
 }
 
-QColor imageGround(const QPalette& palette) {
+QColor imageBackgroundColor(const QPalette& palette) {
   return palette.color(QPalette::Base).lightness() < 128
              ? palette.color(QPalette::Base)
              : palette.color(QPalette::Window).darker(108);
@@ -172,7 +172,7 @@ QColor imageGround(const QPalette& palette) {
 QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraViewOptions& look,
                      const QSize& size) {
   QImage picture(size, QImage::Format_RGB32);
-  picture.fill(imageGround(look.palette));
+  picture.fill(imageBackgroundColor(look.palette));
   QPainter painter(&picture);
   const FramePtr frame = frameOf(snapshot, camera);
   if (!frame || frame->image.empty()) {
@@ -186,12 +186,12 @@ QImage cameraPicture(const TrackSnapshotPtr& snapshot, int camera, const CameraV
   const ZoomSizes sizes{pixels, size, 1.0};
   const ImageZoom fitted;
   const CameraImage image =
-      drawCameraImage(imageSource(snapshot, camera, look, fitted.partSize(sizes)));
+      drawCameraImage(imageSource(snapshot, camera, look, fitted.visiblePartSize(sizes)));
   CameraImageArea place;
   place.placement = fitted.placement(sizes);
-  place.seen = place.placement.areaOf(pixels) & QRectF(picture.rect());
+  place.visibleArea = place.placement.areaOf(pixels) & QRectF(picture.rect());
   painter.drawImage(place.placement.corner, image.image);
-  painter.setClipRect(place.seen);
+  painter.setClipRect(place.visibleArea);
   paintEstimates(painter, image, snapshot, look, place);
   return picture;
 }

@@ -21,7 +21,7 @@ namespace dewpoint::ui {
 struct CameraViewOptions {
   bool maskShown = false;
   bool likelihoodShown = false;   ///< likelihood maps and candidate positions
-  bool bestShown = false;         ///< each target's highest-weight particle
+  bool bestParticleShown = false; ///< each target's highest-weight particle
   bool magnifierShown = false;    ///< inset that enlarges a small particle cloud
   std::optional<WorldBox> volume; ///< volume of interest; empty: no outline is shown
   int chosenTarget = -1;          ///< selected target; -1: none
@@ -39,7 +39,7 @@ CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera,
 /// Position and visible part of a camera image in its view.
 struct CameraImageArea {
   ImagePlacement placement;
-  QRectF seen; ///< visible part of the image
+  QRectF visibleArea; ///< visible part of the image
   bool isZoomed = false;
 };
 
@@ -53,7 +53,7 @@ void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnap
 QString missingImageText(const TrackSnapshotPtr& snapshot, int camera);
 
 /// Returns the background color around an image in a camera view.
-QColor imageGround(const QPalette& palette);
+QColor imageBackgroundColor(const QPalette& palette);
 
 /// Returns an image of this size (pixels) that looks like a camera view, with the whole camera
 /// image fitted into it. May be called from any thread.

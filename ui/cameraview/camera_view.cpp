@@ -44,8 +44,8 @@ void CameraView::setLikelihoodShown(bool shown) {
   refresh();
 }
 
-void CameraView::setBestShown(bool shown) {
-  look_.bestShown = shown;
+void CameraView::setBestParticleShown(bool shown) {
+  look_.bestParticleShown = shown;
   update();
 }
 
@@ -78,8 +78,8 @@ CameraImageSource CameraView::source() const {
   CameraImageSource wanted = imageSource(snapshot_, camera_, look_, {});
   if (wanted.frame) {
     const ZoomSizes room = zoomSizesFor(*wanted.frame);
-    wanted.part = zoom_.part(room);
-    wanted.size = zoom_.partSize(room);
+    wanted.imagePart = zoom_.visiblePart(room);
+    wanted.size = zoom_.visiblePartSize(room);
     wanted.isZoomed = !zoom_.isFitted(room);
   }
   return wanted;
@@ -122,9 +122,9 @@ void CameraView::zoomBy(double factor, const QPointF& position) {
   }
 }
 
-void CameraView::panBy(const QPointF& way) {
+void CameraView::panBy(const QPointF& offset) {
   if (updatePlacement()) {
-    zoom_.panBy(way, {imageSize_, size(), devicePixelRatioF()});
+    zoom_.panBy(offset, {imageSize_, size(), devicePixelRatioF()});
     onZoomChanged();
   }
 }
@@ -226,7 +226,7 @@ QString CameraView::problemText() const {
 void CameraView::paintEvent(QPaintEvent*) {
   showNewest(); // the size may be another one
   QPainter painter(this);
-  painter.fillRect(rect(), imageGround(palette()));
+  painter.fillRect(rect(), imageBackgroundColor(palette()));
   const FramePtr frame = frameOf(snapshot_, camera_);
   if (!frame || frame->image.empty()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
@@ -241,7 +241,7 @@ void CameraView::paintEvent(QPaintEvent*) {
   painter.drawImage(drawnArea(), picture_.image);
   painter.setClipRect(shownArea().toAlignedRect()); // whole pixels are clipped faster
   paintEstimates(painter, picture_, shown_, options(),
-                 {.placement = placement_, .seen = shownArea(), .isZoomed = isZoomed()});
+                 {.placement = placement_, .visibleArea = shownArea(), .isZoomed = isZoomed()});
   paintCameraProblem(painter, shownArea(), problemText(), palette());
   reportPainted();
 }
@@ -261,9 +261,9 @@ QRectF CameraView::drawnArea() const {
   const double ratio = devicePixelRatioF();
   const CameraImageSource& source = picture_.source;
   const QPointF corner =
-      (placement_.corner + QPointF(source.part.topLeft()) * placement_.scale) * ratio;
+      (placement_.corner + QPointF(source.imagePart.topLeft()) * placement_.scale) * ratio;
   // Without a fraction of a pixel, so that it is drawn one to one.
-  const QSizeF wanted = QSizeF(source.part.size()) * (placement_.scale * ratio);
+  const QSizeF wanted = QSizeF(source.imagePart.size()) * (placement_.scale * ratio);
   const bool isThatSize = std::abs(wanted.width() - source.size.width()) < 1.0 &&
                           std::abs(wanted.height() - source.size.height()) < 1.0;
   return {QPointF(std::round(corner.x()), std::round(corner.y())) / ratio,

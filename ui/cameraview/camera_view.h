@@ -32,7 +32,7 @@ public:
   /// Shows or hides the likelihood maps and the candidate positions.
   void setLikelihoodShown(bool shown);
   /// Shows or hides each target's highest-weight particle.
-  void setBestShown(bool shown);
+  void setBestParticleShown(bool shown);
   /// Shows or hides the inset that enlarges a particle cloud that is too small to see.
   void setMagnifierShown(bool shown);
   /// Shows the outline of the volume of interest. If `volume` is empty, no outline is shown.
@@ -59,8 +59,8 @@ public:
   /// Enlarges the image by `factor` (see `ImageZoom`). The pixel at `position` (widget coordinates)
   /// stays in place.
   void zoomBy(double factor, const QPointF& position);
-  /// Moves the zoomed image by the offset `way`, in widget units.
-  void panBy(const QPointF& way);
+  /// Moves the zoomed image by `offset`, in widget units.
+  void panBy(const QPointF& offset);
   /// Moves the zoomed image until `pixel` is visible.
   void reveal(const QPointF& pixel);
   /// Fits the whole image into the view again.

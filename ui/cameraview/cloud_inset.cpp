@@ -81,18 +81,18 @@ void paintCloudInset(QPainter& painter, const CloudInset& subject) {
   const auto& ellipse = subject.overlay.ellipse;
   const double diameter = 2.0 * std::max(kLeastRadius, cloudRadius(subject.overlay));
   const double ratio = painter.device()->devicePixelRatioF();
-  const auto side = insetSide(subject.area);
+  const auto side = insetSideLength(subject.area);
   if (!ellipse || !side || subject.overlay.particles.empty() ||
       !isTightCloud(diameter * subject.placement.scale)) {
     return;
   }
-  const auto factor = insetFactor(diameter, *side * ratio);
+  const auto factor = insetMagnification(diameter, *side * ratio);
   const QPointF center(ellipse->center.x(), ellipse->center.y());
   const QPointF target = subject.placement.positionOf(center);
   if (!factor || !subject.area.contains(target)) {
     return;
   }
-  const QRectF square = insetRect(subject.area, *side, target, subject.taken);
+  const QRectF square = insetRect(subject.area, *side, target, subject.occupiedAreas);
   const double scale = *factor / ratio;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -28,7 +28,7 @@ struct CloudInset {
   QRectF area; ///< visible part of the image, widget units
   QColor color;
   ParticleRamp ramp;
-  std::vector<QRectF> taken; ///< parts of `area` that are already occupied
+  std::vector<QRectF> occupiedAreas; ///< parts of `area` that are already occupied
 };
 
 /// Draws the inset if the cloud is small and visible and there is enough room.

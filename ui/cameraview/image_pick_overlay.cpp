@@ -84,7 +84,7 @@ void ImagePickOverlay::mousePressEvent(QMouseEvent* event) {
     return;
   }
   cross_.reset();
-  Q_EMIT chosen();
+  Q_EMIT viewChosen();
   if (picking_ || sample) {
     pressed_ = Press{event->position(), *pixel};
     pointerPosition_ = event->position();
@@ -176,7 +176,7 @@ void ImagePickOverlay::keyPressEvent(QKeyEvent* event) {
   }
   const bool points = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (points && cross_) {
-    Q_EMIT chosen();
+    Q_EMIT viewChosen();
     Q_EMIT picked(QRectF(*cross_, QSizeF(0.0, 0.0)), event->modifiers() & ~Qt::KeypadModifier);
   } else {
     moveCross(event->key(), event->modifiers().testFlag(Qt::ControlModifier));

@@ -30,7 +30,7 @@ public:
   void setMagnifying(bool magnifying) { magnifying_ = magnifying; }
   /// Sets whether a drag moves a point instead of drawing a box. Such a drag emits `grabbed()` at
   /// the start, `pointMoved()` during the drag, and `picked()` at the end.
-  void setPointing(bool pointing) { pointing_ = pointing; }
+  void setPointDragging(bool pointing) { pointing_ = pointing; }
   /// Sets the pixel where the keyboard cross starts; the image center by default.
   void setCrossStart(std::optional<QPointF> start) { crossStart_ = start; }
   /// Draws thin lines and a cross over the image, in image pixels.
@@ -62,8 +62,8 @@ Q_SIGNALS:
   void cancelled();
   /// Emitted when the user presses the mouse button on the image, or picks a pixel with the
   /// keyboard. The camera of this view must then be selected.
-  void chosen();
-  /// Emitted after chosen() for a plain click outside picking mode, with its position in image
+  void viewChosen();
+  /// Emitted after viewChosen() for a plain click outside picking mode, with its position in image
   /// pixels.
   void imageClicked(const QPointF& pixel);
 

@@ -22,7 +22,8 @@ void ImagePickTool::attach(int camera, CameraView* view) {
   connect(layer, &QObject::destroyed, this, [this, layer] {
     std::erase_if(layers_, [layer](const auto& one) { return one.second == layer; });
   });
-  connect(layer, &ImagePickOverlay::chosen, this, [this, camera] { Q_EMIT cameraChosen(camera); });
+  connect(layer, &ImagePickOverlay::viewChosen, this,
+          [this, camera] { Q_EMIT cameraChosen(camera); });
   connect(layer, &ImagePickOverlay::imageClicked, this,
           [this, camera](const QPointF& pixel) { Q_EMIT imageClicked(camera, pixel); });
   connect(layer, &ImagePickOverlay::cancelled, this, &ImagePickTool::cancelled);

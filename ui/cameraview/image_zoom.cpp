@@ -14,9 +14,9 @@ constexpr int kSpareShare = 16; ///< this part of what is seen is drawn beyond i
                                 ///< finds it there
 
 QSize fittedDeviceSize(const ZoomSizes& sizes) {
-  const QSizeF shown = QSizeF(sizes.image).scaled(QSizeF(sizes.view), Qt::KeepAspectRatio);
-  return {std::max(1, static_cast<int>(std::lround(shown.width() * sizes.ratio))),
-          std::max(1, static_cast<int>(std::lround(shown.height() * sizes.ratio)))};
+  const QSizeF shown = QSizeF(sizes.imageSize).scaled(QSizeF(sizes.viewSize), Qt::KeepAspectRatio);
+  return {std::max(1, static_cast<int>(std::lround(shown.width() * sizes.pixelRatio))),
+          std::max(1, static_cast<int>(std::lround(shown.height() * sizes.pixelRatio)))};
 }
 
 double wholeDevicePixel(double position, double ratio) {
@@ -24,11 +24,12 @@ double wholeDevicePixel(double position, double ratio) {
 }
 
 ImagePlacement fittedPlacement(const ZoomSizes& sizes) {
-  const QSizeF shown = QSizeF(fittedDeviceSize(sizes)) / sizes.ratio;
+  const QSizeF shown = QSizeF(fittedDeviceSize(sizes)) / sizes.pixelRatio;
   // Not only where it is drawn: a zoom would enlarge the difference.
-  return {QPointF(wholeDevicePixel((sizes.view.width() - shown.width()) / 2.0, sizes.ratio),
-                  wholeDevicePixel((sizes.view.height() - shown.height()) / 2.0, sizes.ratio)),
-          shown.width() / sizes.image.width()};
+  return {
+      QPointF(wholeDevicePixel((sizes.viewSize.width() - shown.width()) / 2.0, sizes.pixelRatio),
+              wholeDevicePixel((sizes.viewSize.height() - shown.height()) / 2.0, sizes.pixelRatio)),
+      shown.width() / sizes.imageSize.width()};
 }
 
 /// Where an image may begin along one axis: the band beside a fitted image is never wider. So the
@@ -39,8 +40,10 @@ double coveringCorner(double corner, double shown, double view, double band) {
 
 QPointF coveringCorner(const QPointF& corner, double scale, const ZoomSizes& sizes) {
   const QPointF band = fittedPlacement(sizes).corner;
-  return {coveringCorner(corner.x(), sizes.image.width() * scale, sizes.view.width(), band.x()),
-          coveringCorner(corner.y(), sizes.image.height() * scale, sizes.view.height(), band.y())};
+  return {
+      coveringCorner(corner.x(), sizes.imageSize.width() * scale, sizes.viewSize.width(), band.x()),
+      coveringCorner(corner.y(), sizes.imageSize.height() * scale, sizes.viewSize.height(),
+                     band.y())};
 }
 
 /// The pixels from `first` to `last` and a little more, on a grid of so many pixels, within
@@ -63,14 +66,15 @@ ImagePlacement ImageZoom::exactPlacement(const ZoomSizes& sizes) const {
   if (isFitted(sizes)) {
     return fittedPlacement(sizes);
   }
-  const QPointF corner = QPointF(sizes.view.width(), sizes.view.height()) / 2.0 - center_ * scale_;
+  const QPointF corner =
+      QPointF(sizes.viewSize.width(), sizes.viewSize.height()) / 2.0 - center_ * scale_;
   return {coveringCorner(corner, scale_, sizes), scale_};
 }
 
 void ImageZoom::moveTo(const QPointF& corner, double scale, const ZoomSizes& sizes) {
   const QPointF covering = coveringCorner(corner, scale, sizes);
   scale_ = scale;
-  center_ = (QPointF(sizes.view.width(), sizes.view.height()) / 2.0 - covering) / scale;
+  center_ = (QPointF(sizes.viewSize.width(), sizes.viewSize.height()) / 2.0 - covering) / scale;
 }
 
 void ImageZoom::zoomBy(double factor, const QPointF& position, const ZoomSizes& sizes) {
@@ -97,33 +101,33 @@ void ImageZoom::reveal(const QPointF& pixel, const ZoomSizes& sizes) {
     const double margin = std::min(kRevealMargin, length / 4.0);
     return std::clamp(position, margin, length - margin) - position;
   };
-  panBy({missing(at.x(), sizes.view.width()), missing(at.y(), sizes.view.height())}, sizes);
+  panBy({missing(at.x(), sizes.viewSize.width()), missing(at.y(), sizes.viewSize.height())}, sizes);
 }
 
 ImagePlacement ImageZoom::placement(const ZoomSizes& sizes) const {
   const ImagePlacement exact = exactPlacement(sizes);
-  return {QPointF(wholeDevicePixel(exact.corner.x(), sizes.ratio),
-                  wholeDevicePixel(exact.corner.y(), sizes.ratio)),
+  return {QPointF(wholeDevicePixel(exact.corner.x(), sizes.pixelRatio),
+                  wholeDevicePixel(exact.corner.y(), sizes.pixelRatio)),
           exact.scale};
 }
 
-QRect ImageZoom::part(const ZoomSizes& sizes) const {
+QRect ImageZoom::visiblePart(const ZoomSizes& sizes) const {
   if (isFitted(sizes)) {
-    return {{0, 0}, sizes.image};
+    return {{0, 0}, sizes.imageSize};
   }
   const ImagePlacement now = placement(sizes);
   const QPointF first = -now.corner / now.scale;
-  const QPointF last = first + QPointF(sizes.view.width(), sizes.view.height()) / now.scale;
-  const auto [left, right] = sparePixels(first.x(), last.x(), sizes.image.width());
-  const auto [top, bottom] = sparePixels(first.y(), last.y(), sizes.image.height());
+  const QPointF last = first + QPointF(sizes.viewSize.width(), sizes.viewSize.height()) / now.scale;
+  const auto [left, right] = sparePixels(first.x(), last.x(), sizes.imageSize.width());
+  const auto [top, bottom] = sparePixels(first.y(), last.y(), sizes.imageSize.height());
   return {left, top, right - left, bottom - top};
 }
 
-QSize ImageZoom::partSize(const ZoomSizes& sizes) const {
+QSize ImageZoom::visiblePartSize(const ZoomSizes& sizes) const {
   if (isFitted(sizes)) {
     return fittedDeviceSize(sizes);
   }
-  const QSizeF size = QSizeF(part(sizes).size()) * (scale_ * sizes.ratio);
+  const QSizeF size = QSizeF(visiblePart(sizes).size()) * (scale_ * sizes.pixelRatio);
   return {std::max(1, static_cast<int>(std::lround(size.width()))),
           std::max(1, static_cast<int>(std::lround(size.height())))};
 }

@@ -12,9 +12,9 @@ namespace dewpoint::ui {
 /// Geometry for zooming: image size (pixels), view size (widget units), and device pixels per
 /// widget unit. Neither size is empty.
 struct ZoomSizes {
-  QSize image;
-  QSize view;
-  double ratio = 1.0;
+  QSize imageSize;
+  QSize viewSize;
+  double pixelRatio = 1.0;
 };
 
 /// Zoom and position of an image in a view. Initially, the image is fitted, so that all of it is
@@ -42,9 +42,9 @@ public:
   ImagePlacement placement(const ZoomSizes& sizes) const;
   /// Returns the part of the image to draw, in pixels: the visible part plus a small margin, or the
   /// whole image if it is fitted.
-  QRect part(const ZoomSizes& sizes) const;
-  /// Returns the size of part() on the screen, in device pixels.
-  QSize partSize(const ZoomSizes& sizes) const;
+  QRect visiblePart(const ZoomSizes& sizes) const;
+  /// Returns the size of visiblePart() on the screen, in device pixels.
+  QSize visiblePartSize(const ZoomSizes& sizes) const;
 
 private:
   ImagePlacement exactPlacement(const ZoomSizes& sizes) const;

@@ -33,14 +33,14 @@ bool isTightCloud(double diameter) {
   return diameter < kTightDiameter;
 }
 
-std::optional<double> insetSide(const QRectF& area) {
+std::optional<double> insetSideLength(const QRectF& area) {
   const double shorter = std::min(area.width(), area.height());
   const double side =
       std::floor(std::min(std::max(kUsualInset, kWideShare * shorter), kInsetShare * shorter));
   return side >= kSmallestInset ? std::optional(side) : std::nullopt;
 }
 
-std::optional<int> insetFactor(double diameter, double side) {
+std::optional<int> insetMagnification(double diameter, double side) {
   std::optional<int> factor;
   for (int larger = 1; larger <= kLargestFactor && diameter * larger <= kMostFill * side;
        larger *= kFactorStep) {

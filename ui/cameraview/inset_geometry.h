@@ -20,12 +20,12 @@ bool isTightCloud(double diameter);
 
 /// Returns the side length of the square inset for a view of this area (widget units), or nothing
 /// if an inset would take up too much room.
-std::optional<double> insetSide(const QRectF& area);
+std::optional<double> insetSideLength(const QRectF& area);
 
 /// Returns the magnification of an inset: the width of an image pixel in device pixels, a power of
 /// three. The inset has the side length `side` (device pixels), and the cloud a diameter of
 /// `diameter` image pixels. Returns nothing if the cloud is too large for an inset.
-std::optional<int> insetFactor(double diameter, double side);
+std::optional<int> insetMagnification(double diameter, double side);
 
 /// Returns the square for the inset, in a corner of the view area: the first corner, starting at
 /// the lower left, that is far enough from the target, or else the farthest corner. Corners that

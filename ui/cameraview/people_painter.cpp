@@ -88,8 +88,8 @@ bool isPaintedAsPerson(const TargetSnapshot& target) {
                     target.estimate);
 }
 
-void paintPeopleObstacle(QPainter& painter, const TrackSnapshot& snapshot, int camera,
-                         const QRectF& room) {
+void paintPeopleProblem(QPainter& painter, const TrackSnapshot& snapshot, int camera,
+                        const QRectF& room) {
   QString text = peopleObstacleText(snapshot, camera);
   if (text.isEmpty()) {
     return;

@@ -20,7 +20,7 @@ bool isPaintedAsPerson(const TargetSnapshot& target);
 
 /// Draws, at the lower edge of the image, the reason why a camera cannot detect people, with a
 /// progress bar while it learns the background. Draws nothing if people can be detected.
-void paintPeopleObstacle(QPainter& painter, const TrackSnapshot& snapshot, int camera,
-                         const QRectF& room);
+void paintPeopleProblem(QPainter& painter, const TrackSnapshot& snapshot, int camera,
+                        const QRectF& room);
 
 } // namespace dewpoint::ui

@@ -45,7 +45,7 @@ ColorChoice::ColorChoice(QWidget* parent)
   connect(group_, &QButtonGroup::idClicked, this, [this](int id) {
     if (id != chosen_) {
       chosen_ = id;
-      Q_EMIT chosenChanged();
+      Q_EMIT selectedColorChanged();
     }
   });
   hide();

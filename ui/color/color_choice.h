@@ -24,12 +24,12 @@ public:
   /// otherwise selects the first color.
   void setColors(const ColorRanges& colors);
   /// Returns the index of the selected color.
-  int chosen() const { return chosen_; }
+  int selectedColor() const { return chosen_; }
   void retranslateUi();
 
 Q_SIGNALS:
   /// Emitted when the user selects another color.
-  void chosenChanged();
+  void selectedColorChanged();
   void removeRequested(int color);
 
 private:

@@ -28,7 +28,7 @@ constexpr qint64 kMaskMs = 2000; ///< of playing, until the mask of a learned co
 
 ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const TargetDock& targets)
     : QObject(&bench.window), bench_(bench), targetDock_(targets.dock), targets_(targets.panel),
-      panel_(new ColorPanel(bench.document, cameras.pick(), &bench.window)) {
+      panel_(new ColorPanel(bench.document, cameras.pickTool(), &bench.window)) {
   auto* scroll = new QScrollArea(&bench_.window);
   scroll->setObjectName(QStringLiteral("colorScroll"));
   scroll->setWidgetResizable(true);
@@ -39,14 +39,15 @@ ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const T
                              .content = scroll,
                              .rank = 3});
   bench_.connectImageView(panel_);
-  connect(dock_, &QDockWidget::visibilityChanged, panel_, &ColorPanel::setInFront);
+  connect(dock_, &QDockWidget::visibilityChanged, panel_, &ColorPanel::setPanelVisible);
   connect(panel_, &ColorPanel::failed, &bench_.messages, &MessageBar::showError);
   connect(panel_, &ColorPanel::pickingChanged, this, &ColorDock::showAwaited);
-  connect(panel_, &ColorPanel::learned, this, &ColorDock::learned);
+  connect(panel_, &ColorPanel::colorLearned, this, &ColorDock::colorLearned);
   connect(targets_, &TargetPanel::targetChosen, panel_, &ColorPanel::setTarget);
-  cameras.menu().addSection([this, pick = &cameras.pick()](int camera, const QPointF& pixel) {
-    return menuEntries(*pick, camera, pixel);
-  });
+  cameras.imageMenu().addSection(
+      [this, pick = &cameras.pickTool()](int camera, const QPointF& pixel) {
+        return menuEntries(*pick, camera, pixel);
+      });
   connectActions();
 }
 
@@ -77,7 +78,7 @@ void ColorDock::connectActions() {
   bench_.onToggled("actionAddTarget", this, [this](bool starts) { addTarget(starts); });
   // A page opened now has the clicks.
   bench_.onToggled("actionCalibrateByHand", this, [this](bool opened) {
-    if (opened && panel_->addsTarget()) {
+    if (opened && panel_->clickAddsTarget()) {
       panel_->setPicking(false);
     }
     showAwaited();
@@ -93,7 +94,7 @@ void ColorDock::learn(bool starts) {
   if (showsAwaited_) {
     return;
   }
-  if (starts && panel_->addsTarget()) {
+  if (starts && panel_->clickAddsTarget()) {
     panel_->setTarget(targets_->chosen());
   }
   panel_->setPicking(starts);
@@ -116,7 +117,7 @@ void ColorDock::addTarget(bool starts) {
 }
 
 void ColorDock::showAwaited() {
-  const bool adds = panel_->isPicking() && panel_->addsTarget();
+  const bool adds = panel_->isPicking() && panel_->clickAddsTarget();
   const bool learns =
       panel_->isPicking() && (!adds || bench_.action("actionCalibrateByHand")->isChecked());
   showsAwaited_ = true;
@@ -132,7 +133,7 @@ void ColorDock::updateLearnActionText() {
                         "learn");
 }
 
-void ColorDock::learned(int target, bool isNew) {
+void ColorDock::colorLearned(int target, bool isNew) {
   targets_->choose(target);
   if (panel_->targetsAreBoxes()) {
     targetDock_->raise();

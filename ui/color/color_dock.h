@@ -40,7 +40,7 @@ private:
   void showAwaited();
   /// Returns the menu entries offered at a pixel of a camera image.
   std::vector<ImageMenuEntry> menuEntries(ImagePickTool& pick, int camera, const QPointF& pixel);
-  void learned(int target, bool isNew);
+  void colorLearned(int target, bool isNew);
   /// Shows what was learned. If the mask was not shown before, it is hidden again when the run has
   /// played for a while, because it dims what is tracked.
   void showLearned();

@@ -146,8 +146,8 @@ void ColorLearner::applyResult(int target, const setup::ClickLearningResult& les
     return;
   }
   setTarget(learnedTarget);
-  Q_EMIT learned(learnedTarget, learnedTarget != target);
-  Q_EMIT lessonReady(lesson);
+  Q_EMIT colorLearned(learnedTarget, learnedTarget != target);
+  Q_EMIT learningResultReady(lesson);
   if (lesson.color.assessment.targetKnown) {
     Q_EMIT assessed(lesson.color.assessment);
   } else {

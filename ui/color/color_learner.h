@@ -41,9 +41,9 @@ public:
 
 Q_SIGNALS:
   /// Emitted when a color was learned. `isNew` is true if the target did not exist before.
-  void learned(int target, bool isNew);
+  void colorLearned(int target, bool isNew);
   /// Emitted with everything that was learned from clicks, before the color is assessed.
-  void lessonReady(const dewpoint::setup::ClickLearningResult& lesson);
+  void learningResultReady(const dewpoint::setup::ClickLearningResult& lesson);
   void assessed(const dewpoint::color::ColorAssessment& assessment);
   void failed(const QString& sentence);
   void busyChanged(bool busy);

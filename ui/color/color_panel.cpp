@@ -70,11 +70,11 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
     mode_ = mode.value_or(ColorLearner::SampleAction::Replace);
     setPicking(mode.has_value());
   });
-  connect(choice_, &ColorChoice::chosenChanged, this, &ColorPanel::refresh);
+  connect(choice_, &ColorChoice::selectedColorChanged, this, &ColorPanel::refresh);
   connect(choice_, &ColorChoice::removeRequested, this, &ColorPanel::removeColor);
   connect(picker_, &ColorPicker::rangeEdited, this, &ColorPanel::editRange);
   connect(picker_, &ColorPicker::editingFinished, this, [this] {
-    document_.endMerging();
+    document_.endStepMerging();
     learner_->assess();
   });
   connect(survey_, &ImageHistogramJob::finished, picker_, &ColorPicker::setHistogram);
@@ -99,12 +99,12 @@ void ColorPanel::connectLearner() {
       setPicking(false);
     }
     refresh();
-    Q_EMIT learned(target, isNew);
+    Q_EMIT colorLearned(target, isNew);
   };
-  connect(learner_, &ColorLearner::learned, this, showLearned);
-  connect(boxes_, &BoxPicker::learned, this, showLearned);
+  connect(learner_, &ColorLearner::colorLearned, this, showLearned);
+  connect(boxes_, &BoxPicker::boxSet, this, showLearned);
   connect(boxes_, &BoxPicker::failed, this, &ColorPanel::failed);
-  connect(learner_, &ColorLearner::lessonReady, this,
+  connect(learner_, &ColorLearner::learningResultReady, this,
           [this](const setup::ClickLearningResult& lesson) {
             found_ = lesson.outlines;
             shownRadius_ = lesson.radius;
@@ -157,11 +157,11 @@ void ColorPanel::handlePick(int camera, const QRectF& region, Qt::KeyboardModifi
 
 void ColorPanel::setPicking(bool picking) {
   const bool isOther = std::exchange(picking_, picking) != picking;
-  const bool isAdding = addsTarget();
+  const bool isAdding = clickAddsTarget();
   if (std::exchange(wasAdding_, isAdding) != isAdding || isOther) {
     Q_EMIT pickingChanged();
   }
-  if (!picking || !modes_->offers(mode_)) {
+  if (!picking || !modes_->offersMode(mode_)) {
     mode_ = ColorLearner::SampleAction::Replace;
   }
   modes_->setMode(picking ? LearnModes::Mode(mode_) : LearnModes::Mode());
@@ -197,7 +197,7 @@ bool ColorPanel::hasTarget() const {
   return target_ >= 0 && target_ < static_cast<int>(document_.project().targets.size());
 }
 
-bool ColorPanel::addsTarget() const {
+bool ColorPanel::clickAddsTarget() const {
   return target_ < 0 && !document_.project().targets.empty();
 }
 
@@ -224,10 +224,11 @@ void ColorPanel::refresh() {
       assessed_ = false;
     }
     choice_->setColors(colors_);
-    picker_->setRange(colors_[static_cast<std::size_t>(choice_->chosen())]);
+    picker_->setRange(colors_[static_cast<std::size_t>(choice_->selectedColor())]);
   }
   samples_->setSamples(document_.project(), target_);
-  modes_->setRefinable(any, any && !targets[static_cast<std::size_t>(target_)].samples.empty());
+  modes_->setRefinementEnabled(any,
+                               any && !targets[static_cast<std::size_t>(target_)].samples.empty());
   followAll_->offer(assessed_ ? &assessment_ : nullptr, target_);
   if (assessed_) {
     updateAssessment();
@@ -281,7 +282,7 @@ void ColorPanel::removeSample(int sample) {
 
 void ColorPanel::editRange(const ColorRange& range) {
   const auto index = static_cast<std::size_t>(target_);
-  const auto color = static_cast<std::size_t>(choice_->chosen());
+  const auto color = static_cast<std::size_t>(choice_->selectedColor());
   (void)document_.edit(
       tr("Change color range"),
       [&](Project& project) { setup::setColor(color, range, project.targets.at(index)); },
@@ -295,7 +296,7 @@ void ColorPanel::removeColor(int color) {
   });
 }
 
-void ColorPanel::setInFront(bool inFront) {
+void ColorPanel::setPanelVisible(bool inFront) {
   inFront_ = inFront;
   if (!inFront) {
     clearRegions();
@@ -311,7 +312,7 @@ void ColorPanel::updateAssessment() {
     cameras.push_back(cameraName(camera.camera.name, cameras.size()));
   }
   ColorAssessment shown = assessment_;
-  if (shown.suggestion == Suggestion::FollowAll && !followAll_->offers()) {
+  if (shown.suggestion == Suggestion::FollowAll && !followAll_->isOffering()) {
     shown.suggestion = Suggestion::None; // each has its target
   }
   QString text = colorAssessmentText(shown, cameras);
@@ -351,7 +352,7 @@ void ColorPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
 }
 
 bool ColorPanel::targetsAreBoxes() const {
-  return document_.presentation().targetsAreBoxes;
+  return document_.methodPresentation().targetsAreBoxes;
 }
 
 bool ColorPanel::expectsClick() const {

@@ -44,20 +44,20 @@ public:
   /// The panel then waits for a click, and shows a hint about it, only if the user requested this.
   void setClicksUsedElsewhere(bool taken);
   /// Sets whether the panel is visible. Colors are assessed only while it is visible.
-  void setInFront(bool inFront);
+  void setPanelVisible(bool inFront);
   bool isPicking() const { return picking_; }
   /// Returns whether there is a target whose color is shown.
   bool hasTarget() const;
   /// Returns whether the next click adds a further target.
-  bool addsTarget() const;
+  bool clickAddsTarget() const;
   /// Returns whether a click sets a target's box instead of its color.
   bool targetsAreBoxes() const;
 
 Q_SIGNALS:
-  /// Emitted when isPicking() or addsTarget() has changed.
+  /// Emitted when isPicking() or clickAddsTarget() has changed.
   void pickingChanged();
   /// Emitted when a color was learned from images and tracking can start.
-  void learned(int target, bool isNew);
+  void colorLearned(int target, bool isNew);
   void failed(const QString& sentence);
 
 private:
@@ -96,7 +96,7 @@ private:
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
   bool picking_ = false;
-  bool wasAdding_ = false; ///< addsTarget() when pickingChanged() was last emitted
+  bool wasAdding_ = false; ///< clickAddsTarget() when pickingChanged() was last emitted
   bool clicksTaken_ = false;
   /// Effect of a click while picking.
   ColorLearner::SampleAction mode_ = ColorLearner::SampleAction::Replace;

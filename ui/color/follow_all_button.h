@@ -26,7 +26,7 @@ public:
   void offer(const ColorAssessment* assessment, int target);
 
   /// Returns whether there are objects to add.
-  bool offers() const { return missing_ > 0; }
+  bool isOffering() const { return missing_ > 0; }
 
 private:
   void follow();

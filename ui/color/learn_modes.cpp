@@ -42,7 +42,7 @@ void LearnModes::setMode(Mode mode) {
   }
 }
 
-void LearnModes::setRefinable(bool canAdd, bool canExclude) {
+void LearnModes::setRefinementEnabled(bool canAdd, bool canExclude) {
   if (canAdd_ != canAdd || canExclude_ != canExclude) {
     canAdd_ = canAdd;
     canExclude_ = canExclude;
@@ -50,7 +50,7 @@ void LearnModes::setRefinable(bool canAdd, bool canExclude) {
   }
 }
 
-bool LearnModes::offers(ColorLearner::SampleAction mode) const {
+bool LearnModes::offersMode(ColorLearner::SampleAction mode) const {
   return mode == SampleAction::Replace ||
          (!targetsAreBoxes_ && (mode == SampleAction::Add ? canAdd_ : canExclude_));
 }

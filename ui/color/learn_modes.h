@@ -26,8 +26,8 @@ public:
   void setMode(Mode mode);
   /// Enables or disables the buttons. `canAdd` is true if there is a target to which samples can be
   /// added, `canExclude` if this target already has samples.
-  void setRefinable(bool canAdd, bool canExclude);
-  bool offers(ColorLearner::SampleAction mode) const;
+  void setRefinementEnabled(bool canAdd, bool canExclude);
+  bool offersMode(ColorLearner::SampleAction mode) const;
   /// Sets whether a click sets a target's box. If so, the buttons for adding and excluding are not
   /// available.
   void setTargetsAreBoxes(bool targetsAreBoxes);

@@ -31,7 +31,7 @@ CorrectionMode::CorrectionMode(const Workbench& bench, const CameraDocks& camera
     : QObject(&bench.window), bench_(bench), tool_(new CorrectionTool(bench, birdsEye, this)),
       backwardTracker_(new BackwardTracker(bench, this)) {
   bench_.connectView(tool_);
-  connect(&cameras, &CameraDocks::viewMade, tool_, &CorrectionTool::attach);
+  connect(&cameras, &CameraDocks::viewCreated, tool_, &CorrectionTool::attach);
   connect(tool_, &CorrectionTool::corrected, this, &CorrectionMode::storeCorrection);
   connect(tool_, &CorrectionTool::failed, &bench_.messages, &MessageBar::showError);
   connect(tool_, &CorrectionTool::cancelled, this, &CorrectionMode::end);
@@ -40,13 +40,13 @@ CorrectionMode::CorrectionMode(const Workbench& bench, const CameraDocks& camera
   connect(&bench_.selection, &Selection::targetSelected, tool_, &CorrectionTool::refresh);
   connect(&trajectory, &TrajectoryPanel::correctionRemovalRequested, this,
           [this](qint64 frame, int target) { remove(frame, target); });
-  cameras.menu().addSection(
+  cameras.imageMenu().addSection(
       [this](int camera, const QPointF& pixel) { return menuEntries(camera, pixel); });
   connectActions();
 }
 
 std::vector<ImageMenuEntry> CorrectionMode::menuEntries(int camera, const QPointF& pixel) {
-  if (!bench_.session.isRunning() || !bench_.document.presentation().searchesVolume) {
+  if (!bench_.session.isRunning() || !bench_.document.methodPresentation().searchesVolume) {
     return {};
   }
   return {
@@ -58,7 +58,7 @@ std::vector<ImageMenuEntry> CorrectionMode::menuEntries(int camera, const QPoint
 void CorrectionMode::connectActions() {
   bench_.requireRun(
       {"actionCorrectPosition", "actionRemoveCorrection"},
-      [document = &bench_.document] { return document->presentation().searchesVolume; });
+      [document = &bench_.document] { return document->methodPresentation().searchesVolume; });
   bench_.onToggled("actionCorrectPosition", this, [this](bool active) { setActive(active); });
   bench_.onTriggered("actionRemoveCorrection", this, [this] {
     remove(bench_.selection.currentFrame(), bench_.selection.target());
@@ -74,7 +74,7 @@ void CorrectionMode::connectActions() {
   }
   connect(&bench_.session, &SessionController::runEnded, this, &CorrectionMode::end);
   connect(&bench_.document, &Document::methodChanged, this, [this] {
-    if (!bench_.document.presentation().searchesVolume) {
+    if (!bench_.document.methodPresentation().searchesVolume) {
       end();
     }
   });
@@ -86,7 +86,7 @@ void CorrectionMode::end() {
 
 void CorrectionMode::setActive(bool active) {
   const bool can =
-      active && bench_.session.isRunning() && bench_.document.presentation().searchesVolume;
+      active && bench_.session.isRunning() && bench_.document.methodPresentation().searchesVolume;
   if (can) {
     bench_.action("actionLearnColor")->setChecked(false);
     bench_.action("actionAddTarget")->setChecked(false);

@@ -45,7 +45,7 @@ CorrectionTool::CorrectionTool(const Workbench& bench, BirdsEyeView& birdsEye, Q
 void CorrectionTool::attach(int camera, CameraView* view) {
   auto* overlay = new ImagePickOverlay(view);
   overlay->setObjectName(view->objectName() + QStringLiteral("Correction"));
-  overlay->setPointing(true);
+  overlay->setPointDragging(true);
   overlay->hide();
   const Layer layer{camera, view, overlay};
   layers_.push_back(layer);
@@ -61,7 +61,7 @@ void CorrectionTool::attach(int camera, CameraView* view) {
     std::erase_if(layers_, [overlay](const Layer& one) { return one.overlay == overlay; });
   });
   connect(overlay, &ImagePickOverlay::cancelled, this, &CorrectionTool::cancelled);
-  connect(overlay, &ImagePickOverlay::chosen, this,
+  connect(overlay, &ImagePickOverlay::viewChosen, this,
           [this, camera] { bench_.selection.selectCamera(camera); });
   connect(overlay, &ImagePickOverlay::grabbed, this,
           [this, layer](const QPointF& pixel) { grab(layer, pixel); });

@@ -36,7 +36,7 @@ Document::~Document() {
   undoStack_->clear(); // commands refer to this document
 }
 
-const MethodPresentation& Document::presentation() const {
+const MethodPresentation& Document::methodPresentation() const {
   return presentationOf(*project_);
 }
 
@@ -44,7 +44,7 @@ MethodFamily Document::methodFamily() const {
   return tracking::methodFamily(project_->method);
 }
 
-void Document::replace(Project project, bool unsaved) {
+void Document::replaceProject(Project project, bool unsaved) {
   project_ = std::make_shared<Project>(std::move(project));
   usedParameters_ = effectiveParameters(*project_);
   defaultParameters_ = setup::defaultParameters(*project_);
@@ -72,7 +72,7 @@ Status Document::edit(const QString& name, const std::function<void(Project&)>& 
 }
 
 Status Document::editSources(const QString& name, const std::function<void(Project&)>& change) {
-  endMerging();
+  endStepMerging();
   return edit(name, change, kSourceStep);
 }
 
@@ -83,7 +83,7 @@ Status Document::completeSources(const QString& name, const std::function<void(P
   return edit(joins ? last->text() : name, change, kSourceStep);
 }
 
-void Document::endMerging() {
+void Document::endStepMerging() {
   mergeSuffix_ = " #" + std::to_string(++mergeGroup_);
 }
 
@@ -191,7 +191,7 @@ void Document::setLayout(const std::string& layout) {
   }
 }
 
-void Document::setSaved(const Project& state, const std::filesystem::path& file) {
+void Document::markSaved(const Project& state, const std::filesystem::path& file) {
   auto saved = std::make_shared<Project>(*project_);
   saved->file = file;
   project_ = std::move(saved);

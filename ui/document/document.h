@@ -34,7 +34,7 @@ public:
   /// keep.
   const Project& project() const { return *project_; }
   /// Returns the project as an immutable object that can be kept.
-  std::shared_ptr<const Project> state() const { return project_; }
+  std::shared_ptr<const Project> sharedProject() const { return project_; }
   /// Returns the parameters used for tracking, including those derived from the cameras.
   const ParameterValues& usedParameters() const { return usedParameters_; }
   /// Returns the values of these parameters when the project sets none: the method's defaults and
@@ -45,13 +45,13 @@ public:
   bool isChanged(const ParameterDeclaration& declaration) const;
   /// Returns the window options for the current method. They can change whenever `methodChanged()`
   /// or `replaced()` is emitted.
-  const MethodPresentation& presentation() const;
+  const MethodPresentation& methodPresentation() const;
   /// Returns the family of the project's method.
   MethodFamily methodFamily() const;
   QUndoStack* undoStack() const { return undoStack_; }
   /// Replaces the project by another one and clears the history. `unsaved` is true if no file
   /// contains this state of the project, because it was recovered or just created.
-  void replace(Project project, bool unsaved = false);
+  void replaceProject(Project project, bool unsaved = false);
   /// Returns whether there are changes that no file contains.
   bool isUnsaved() const;
 
@@ -70,7 +70,7 @@ public:
   /// is a separate step called `name`.
   Status completeSources(const QString& name, const std::function<void(Project&)>& change);
   /// Ends merging, for example after a drag. The next change is a separate step.
-  void endMerging();
+  void endStepMerging();
 
   /// Changes a parameter in an undoable step. The steps of one slider drag are merged. The first
   /// change to a parameter derived from the cameras stores all such parameters with their current
@@ -88,7 +88,7 @@ public:
 
   /// Notes that `file` contains this state of the project, and makes it the project file. Changes
   /// after this state stay unsaved. Called by `ProjectSaver`.
-  void setSaved(const Project& state, const std::filesystem::path& file);
+  void markSaved(const Project& state, const std::filesystem::path& file);
 
 Q_SIGNALS:
   /// Emitted when another project has replaced the previous one.
@@ -116,7 +116,7 @@ private:
   ParameterValues usedParameters_;    ///< current values for the project
   ParameterValues defaultParameters_; ///< values for a project that sets none
   QUndoStack* undoStack_;
-  std::string mergeSuffix_; ///< changes with each endMerging()
+  std::string mergeSuffix_; ///< changes with each endStepMerging()
   int mergeGroup_ = 0;
   bool unsaved_ = false; ///< unsaved regardless of the history
 };

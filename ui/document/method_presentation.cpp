@@ -11,11 +11,11 @@ namespace {
 
 constexpr MethodPresentation kColors{};
 constexpr MethodPresentation kBoxes{.targetsAreBoxes = true,
-                                    .showsBoxes = true,
+                                    .resultsAreBoxes = true,
                                     .hasBirdsEyeView = false,
                                     .hasOverlays = false,
                                     .searchesVolume = false};
-constexpr MethodPresentation kPeople{.searchesVolume = false, .countsPeople = true};
+constexpr MethodPresentation kPeople{.searchesVolume = false, .listsPeople = true};
 
 const MethodPresentation& presentationOf(TargetSource targets) {
   switch (targets) {

@@ -18,13 +18,13 @@ namespace dewpoint::ui {
 struct MethodPresentation {
   /// True if a click or a drag in an image sets a target's box; otherwise it sets the color.
   bool targetsAreBoxes = false;
-  bool showsBoxes = false;     ///< plots, table and export use image boxes; otherwise positions
-  bool hasBirdsEyeView = true; ///< positions can be shown in a bird's-eye view
-  bool hasOverlays = true;     ///< masks and likelihood maps can be drawn over the images
+  bool resultsAreBoxes = false; ///< plots, table and export use image boxes; otherwise positions
+  bool hasBirdsEyeView = true;  ///< positions can be shown in a bird's-eye view
+  bool hasOverlays = true;      ///< masks and likelihood maps can be drawn over the images
   /// True if the method limits its search to the project's volume of interest, if there is one, and
   /// also continues from a position that the user sets for a target.
   bool searchesVolume = true;
-  bool countsPeople = false; ///< lists people and shows how many are present
+  bool listsPeople = false; ///< lists people and shows how many are present
 };
 
 /// Returns how the window presents the project's method. The reference stays valid until the

@@ -18,20 +18,21 @@ ProjectSaver::ProjectSaver(Document& document, QObject* parent, ProjectWriter wr
 
 void ProjectSaver::save(const std::filesystem::path& file) {
   ++pendingWrites_;
-  queue_.add([this, file, write = write_, state = document_.state(), project = projectCount_] {
-    const Status written = write(*state, file);
-    return std::function<void()>([this, file, state, project, written] {
-      --pendingWrites_;
-      if (!written) {
-        Q_EMIT failed(errorText(written.error()));
-        return;
-      }
-      if (project == projectCount_) {
-        document_.setSaved(*state, file);
-      }
-      Q_EMIT saved(QString::fromStdString(file.string()));
-    });
-  });
+  queue_.add(
+      [this, file, write = write_, state = document_.sharedProject(), project = projectCount_] {
+        const Status written = write(*state, file);
+        return std::function<void()>([this, file, state, project, written] {
+          --pendingWrites_;
+          if (!written) {
+            Q_EMIT failed(errorText(written.error()));
+            return;
+          }
+          if (project == projectCount_) {
+            document_.markSaved(*state, file);
+          }
+          Q_EMIT saved(QString::fromStdString(file.string()));
+        });
+      });
 }
 
 } // namespace dewpoint::ui

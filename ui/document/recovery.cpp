@@ -36,7 +36,7 @@ Recovery::Recovery(Document& document, std::filesystem::path folder, QObject* pa
   connect(&timer_, &QTimer::timeout, this, &Recovery::write);
   connect(&document_, &Document::changed, this, &Recovery::schedule);
   connect(&document_, &Document::replaced, this, [this] {
-    removeOwn();
+    removeOwnBackup();
     if (document_.isUnsaved()) {
       schedule();
     }
@@ -72,16 +72,16 @@ void Recovery::schedule() {
 
 void Recovery::write() {
   if (!document_.isUnsaved()) {
-    removeOwn(); // undone to what is in the file
+    removeOwnBackup(); // undone to what is in the file
     return;
   }
   if (std::exchange(writing_, true)) {
     schedule(); // the disk is slow: what is newest then
     return;
   }
-  Q_EMIT writing();
-  queue_.add([this, own = folder_, project = document_.state()] {
-    const Status written = (*own)->writeOwn(*project);
+  Q_EMIT backupStarting();
+  queue_.add([this, own = folder_, project = document_.sharedProject()] {
+    const Status written = (*own)->writeOwnBackup(*project);
     const QString failure = written ? QString() : errorText(written.error());
     return std::function<void()>([this, failure] {
       writing_ = false;
@@ -104,13 +104,13 @@ void Recovery::removeTakenOver() {
 }
 
 void Recovery::removeBackup() {
-  removeOwn();
+  removeOwnBackup();
   removeTakenOver();
 }
 
-void Recovery::removeOwn() {
+void Recovery::removeOwnBackup() {
   timer_.stop();
-  runInFolder([](const RecoveryFolder& folder) { folder.removeOwn(); });
+  runInFolder([](const RecoveryFolder& folder) { folder.removeOwnBackup(); });
 }
 
 void Recovery::findBackups(std::function<void(const std::vector<RecoverableWork>&)> then) {
@@ -122,7 +122,8 @@ void Recovery::findBackups(std::function<void(const std::vector<RecoverableWork>
 void Recovery::recover(const RecoverableWork& work,
                        std::function<void(const Result<Project>&)> then) {
   queue_.add([work, then = std::move(then)] {
-    return std::function<void()>([then, project = RecoveryFolder::read(work)] { then(project); });
+    return std::function<void()>(
+        [then, project = RecoveryFolder::readBackup(work)] { then(project); });
   });
 }
 

@@ -38,7 +38,7 @@ public:
   void recover(const RecoverableWork& work, std::function<void(const Result<Project>&)> then);
   /// Notes that the document now contains this recovered work. Its copy is removed once this window
   /// has written its own copy, or when the work is saved or discarded.
-  void takeOver(const RecoverableWork& work) { takenOver_.push_back(work); }
+  void adoptBackup(const RecoverableWork& work) { takenOver_.push_back(work); }
   /// Discards a copy: it is no longer offered, and it is deleted after a week. `restore()` undoes
   /// the discarding.
   void discard(const RecoverableWork& work);
@@ -52,7 +52,7 @@ public:
 Q_SIGNALS:
   /// Emitted before a copy is written. Receivers must now apply their pending changes to the
   /// document.
-  void writing();
+  void backupStarting();
   /// Emitted when a copy is safely on the disk.
   void backedUp();
   /// Emitted with the reason when the copy cannot be written. Each reason is reported once.
@@ -62,7 +62,7 @@ private:
   using Folder = std::optional<RecoveryFolder>; ///< created, used and destroyed only in the queue
   void runInFolder(std::function<void(RecoveryFolder&)> work);
   void schedule();
-  void removeOwn();
+  void removeOwnBackup();
   void removeTakenOver();
   void write();
 

@@ -89,7 +89,7 @@ std::filesystem::path RecoveryFolder::own() const {
   return folder_ / (id_ + kProject).toStdString();
 }
 
-Status RecoveryFolder::writeOwn(const Project& project) const {
+Status RecoveryFolder::writeOwnBackup(const Project& project) const {
   const std::filesystem::path copy = own();
   // The copy lies in no project's folder: all its paths are absolute.
   return write_(originOf(copy), project.file.string()).and_then([&] {
@@ -97,7 +97,7 @@ Status RecoveryFolder::writeOwn(const Project& project) const {
   });
 }
 
-void RecoveryFolder::removeOwn() const {
+void RecoveryFolder::removeOwnBackup() const {
   removeFile(own());
   removeFile(originOf(own()));
 }
@@ -122,7 +122,7 @@ std::vector<RecoverableWork> RecoveryFolder::orphanedBackups() const {
   return all;
 }
 
-Result<Project> RecoveryFolder::read(const RecoverableWork& work) {
+Result<Project> RecoveryFolder::readBackup(const RecoverableWork& work) {
   auto project = loadProject(work.file);
   if (project) {
     project->file = readTextFile(originOf(work.file)).value_or(std::string());

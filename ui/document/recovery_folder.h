@@ -20,7 +20,7 @@ namespace dewpoint::ui {
 struct RecoverableWork {
   std::filesystem::path file; ///< file with the copy, a complete project
   QString name;               ///< project name
-  QString time;               ///< time of the last write, formatted for display
+  QString backupTimeText;     ///< time of the last write, formatted for display
 };
 
 /// Function that writes text to a file, like `writeTextFile()`.
@@ -40,7 +40,7 @@ public:
   /// Returns the copies in the folder that belong to closed windows, newest first.
   std::vector<RecoverableWork> orphanedBackups() const;
   /// Reads the project in a copy. The project names the file from which it was originally loaded.
-  static Result<Project> read(const RecoverableWork& work);
+  static Result<Project> readBackup(const RecoverableWork& work);
   /// Discards a copy: it is no longer offered, and it is deleted after a week. `restore()` undoes
   /// the discarding.
   static void discard(const RecoverableWork& work);
@@ -48,8 +48,8 @@ public:
   static void remove(const RecoverableWork& work);
 
   /// Writes `project`, which was loaded from `project.file`, to this window's copy.
-  Status writeOwn(const Project& project) const;
-  void removeOwn() const;
+  Status writeOwnBackup(const Project& project) const;
+  void removeOwnBackup() const;
 
 private:
   void removeLeftovers() const;

@@ -168,7 +168,7 @@ void BoxExportDialog::start() {
     return std::function<void()>([this, folder, written] {
       const QString place = QString::fromStdString(folder.string());
       if (written) {
-        Q_EMIT wrote(QDir(place).filePath(QStringLiteral("boxes.csv")));
+        Q_EMIT fileWritten(QDir(place).filePath(QStringLiteral("boxes.csv")));
         Q_EMIT done(tr("Saved boxes.csv and boxes_mot.txt in %1.").arg(place));
       } else {
         Q_EMIT failed(errorText(written.error()));

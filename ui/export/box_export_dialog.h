@@ -36,7 +36,7 @@ Q_SIGNALS:
   void done(const QString& sentence);
   void failed(const QString& sentence);
   /// Emitted when both files were written, with the path of one of them.
-  void wrote(const QString& file);
+  void fileWritten(const QString& file);
 
 protected:
   void showEvent(QShowEvent* event) override;

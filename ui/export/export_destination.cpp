@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 ExportDestination::ExportDestination(const Document& document, QObject* parent)
     : QObject(parent), document_(document) {}
 
-ExportDestination* ExportDestination::of(const Workbench& bench) {
+ExportDestination* ExportDestination::forWorkbench(const Workbench& bench) {
   auto* found = bench.window.findChild<ExportDestination*>(QString(), Qt::FindDirectChildrenOnly);
   return found != nullptr ? found : new ExportDestination(bench.document, &bench.window);
 }
@@ -35,7 +35,7 @@ QString ExportDestination::folder() const {
   return chosen_.isEmpty() ? projectFolder() : chosen_;
 }
 
-QString ExportDestination::file(const QString& kind) const {
+QString ExportDestination::proposedFile(const QString& kind) const {
   const Project& project = document_.project();
   const auto named =
       project.name.empty() && !project.file.empty() ? project.file : proposedProjectFile(project);
@@ -43,7 +43,7 @@ QString ExportDestination::file(const QString& kind) const {
       QStringLiteral("%1-%2").arg(QString::fromStdString(named.stem().string()), kind));
 }
 
-void ExportDestination::remember(const QString& file) {
+void ExportDestination::rememberFolder(const QString& file) {
   const QString used = QFileInfo(file).absolutePath();
   chosen_ = used == projectFolder() ? QString() : used;
 }

@@ -19,14 +19,14 @@ class ExportDestination : public QObject {
   Q_OBJECT
 public:
   /// Returns the object that all export dialogs of a window share.
-  static ExportDestination* of(const Workbench& bench);
+  static ExportDestination* forWorkbench(const Workbench& bench);
 
   QString folder() const;
   /// Returns the path of a file in the proposed folder, named after the project: "NAME-kind",
   /// without a suffix.
-  QString file(const QString& kind) const;
+  QString proposedFile(const QString& kind) const;
   /// Makes the folder of a file that was exported the proposed folder.
-  void remember(const QString& file);
+  void rememberFolder(const QString& file);
 
 private:
   ExportDestination(const Document& document, QObject* parent);

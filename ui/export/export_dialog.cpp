@@ -124,7 +124,7 @@ void ExportDialog::reportDone(const QString& sentence, const QString& file) {
     outcome_->showResult(sentence, file);
   }
   if (!file.isEmpty()) {
-    Q_EMIT wrote(file);
+    Q_EMIT fileWritten(file);
   }
   Q_EMIT done(sentence);
 }

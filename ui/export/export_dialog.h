@@ -52,7 +52,7 @@ Q_SIGNALS:
   void done(const QString& sentence);
   void failed(const QString& sentence);
   /// Emitted when an export has written this file.
-  void wrote(const QString& file);
+  void fileWritten(const QString& file);
 
 protected:
   void showEvent(QShowEvent* event) override;

@@ -164,7 +164,7 @@ void ExportForm::fillChoices() {
 }
 
 void ExportForm::updateUsualChoices() {
-  const TableDefaults& usual = format().table;
+  const TableDefaults& usual = format().tableDefaults;
   const auto show = [](QComboBox& box, int row) {
     box.setItemText(0, tr("%1 (usual for this format)").arg(box.itemText(row)));
   };
@@ -226,9 +226,9 @@ ExportOptions ExportForm::options() const {
     options.to = RangeBound{to_->value(), false};
   }
   if (rate_->value() > 0.0) {
-    options.rate = rate_->value();
+    options.rowsPerSecond = rate_->value();
   }
-  options.gaps = gaps_->currentIndex() == 1 ? GapRule::Fill : GapRule::LeaveEmpty;
+  options.gapRule = gaps_->currentIndex() == 1 ? GapRule::Fill : GapRule::LeaveEmpty;
   options.longestGap = longestGap_->value();
   if (axes_->currentIndex() > 0) {
     options.axes = axes_->currentIndex() == 1 ? WorldAxes::ZUp : WorldAxes::YUp;
@@ -236,7 +236,7 @@ ExportOptions ExportForm::options() const {
   if (unit_->currentIndex() > 0) {
     options.unit = unit_->currentIndex() == 1 ? LengthUnit::Meter : LengthUnit::Millimeter;
   }
-  options.header = notes_->isChecked();
+  options.writesHeader = notes_->isChecked();
   options.smooth = estimates_->currentIndex() == 1;
   options.date = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
   return options;

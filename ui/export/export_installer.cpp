@@ -43,11 +43,11 @@ void connectMessages(const Workbench& bench, BoxExportDialog* dialog) {
 }
 
 QString trajectoryFile(const ExportDestination& destination) {
-  return destination.file(QStringLiteral("trajectory"));
+  return destination.proposedFile(QStringLiteral("trajectory"));
 }
 
 void exportBoxes(const Workbench& bench) {
-  ExportDestination* destination = ExportDestination::of(bench);
+  ExportDestination* destination = ExportDestination::forWorkbench(bench);
   auto* dialog = bench.window.findChild<BoxExportDialog*>();
   if (dialog == nullptr) {
     const auto boxes = [run = &bench.session] {
@@ -57,7 +57,8 @@ void exportBoxes(const Workbench& bench) {
     connectMessages(bench, dialog);
     const auto reset = [dialog, destination] { dialog->resetFolder(destination->folder()); };
     QObject::connect(&bench.document, &Document::replaced, dialog, reset);
-    QObject::connect(dialog, &BoxExportDialog::wrote, destination, &ExportDestination::remember);
+    QObject::connect(dialog, &BoxExportDialog::fileWritten, destination,
+                     &ExportDestination::rememberFolder);
     reset();
   }
   dialog->proposeFolder(destination->folder());
@@ -65,7 +66,7 @@ void exportBoxes(const Workbench& bench) {
 }
 
 void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
-  ExportDestination* destination = ExportDestination::of(bench);
+  ExportDestination* destination = ExportDestination::forWorkbench(bench);
   auto* dialog = bench.window.findChild<ExportDialog*>();
   if (dialog == nullptr) {
     const auto trajectory = [run = &bench.session] {
@@ -77,7 +78,8 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
       dialog->resetChoices(trajectoryFile(*destination));
     };
     QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
-    QObject::connect(dialog, &ExportDialog::wrote, destination, &ExportDestination::remember);
+    QObject::connect(dialog, &ExportDialog::fileWritten, destination,
+                     &ExportDestination::rememberFolder);
     resetChoices();
     const auto sayOld = [dialog, results = &bench.session.results()] {
       dialog->setHasOldResults(!results->oldResults().frames.empty());
@@ -98,7 +100,7 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
 
 void installExport(const Workbench& bench, const Timeline& timeline) {
   bench.onTriggered("actionExportTrajectory", &bench.window, [bench, &timeline] {
-    if (bench.document.presentation().showsBoxes) {
+    if (bench.document.methodPresentation().resultsAreBoxes) {
       exportBoxes(bench);
     } else {
       exportTrajectory(bench, timeline.model());

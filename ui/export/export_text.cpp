@@ -61,30 +61,31 @@ QString exportUnitsText(const ExportPreview& preview) {
 
 QString exportSizeText(const ExportPreview& preview) {
   const QLocale locale;
-  const QString gaps = preview.gaps == 0
+  const QString gaps = preview.gapCount == 0
                            ? translatedExport(QT_TRANSLATE_NOOP("Export", "no gaps"))
                            : translatedExport(QT_TRANSLATE_NOOP("Export", "%1 positions unknown"))
-                                 .arg(locale.toString(static_cast<qulonglong>(preview.gaps)));
+                                 .arg(locale.toString(static_cast<qulonglong>(preview.gapCount)));
   return translatedExport(
              QT_TRANSLATE_NOOP("Export", "Targets: %1, rows: %2 at %3 per second, %4."))
-      .arg(locale.toString(static_cast<qulonglong>(preview.targets)),
-           locale.toString(static_cast<qulonglong>(preview.rows)), rateText(preview.rate), gaps);
+      .arg(locale.toString(static_cast<qulonglong>(preview.targetCount)),
+           locale.toString(static_cast<qulonglong>(preview.rowCount)),
+           rateText(preview.rowsPerSecond), gaps);
 }
 
 QString exportedText(const ExportSummary& summary) {
   const QString name = QString::fromStdString(summary.files.back().string());
-  if (summary.rows == 0) {
+  if (summary.rowCount == 0) {
     return QCoreApplication::translate("ExportDialog", "Wrote the figure %1.").arg(name);
   }
   if (summary.files.size() > 1) {
     return QCoreApplication::translate("ExportDialog",
                                        "Exported %1 rows to %2 files; the last is %3.")
-        .arg(summary.rows)
+        .arg(summary.rowCount)
         .arg(summary.files.size())
         .arg(name);
   }
   return QCoreApplication::translate("ExportDialog", "Exported %1 rows to %2.")
-      .arg(summary.rows)
+      .arg(summary.rowCount)
       .arg(name);
 }
 

@@ -137,7 +137,7 @@ void PreviewPane::showPreview(const ExportPreview& preview) {
   // that follows the run stays where it was scrolled to.
   QScrollBar* scroll = lines_->verticalScrollBar();
   const int before = scroll->value();
-  const int notes = static_cast<int>(preview.noteLines);
+  const int notes = static_cast<int>(preview.noteLineCount);
   lines_->setPlainText(QString::fromStdString(preview.text));
   scroll->setValue(notes == noteLines_ ? before : std::max(0, notes - 1));
   noteLines_ = notes;

@@ -52,7 +52,7 @@ void drawLabel(QPainter& painter, const FigureDrawing::Label& label) {
 
 void drawCurve(QPainter& painter, const FigureDrawing::Curve& curve, const QColor& color) {
   painter.save();
-  painter.setClipRect(rectangle(curve.within));
+  painter.setClipRect(rectangle(curve.clipRectangle));
   if (!curve.band.empty()) {
     QColor veil = color;
     veil.setAlphaF(0.2F);

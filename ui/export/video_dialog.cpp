@@ -123,7 +123,7 @@ void VideoDialog::connectFields() {
   connect(cancel_, &QPushButton::clicked, exporter_, &VideoExporter::cancel);
   connect(exporter_, &VideoExporter::progressChanged, progress_, &QProgressBar::setValue);
   connect(exporter_, &VideoExporter::finished, this, [this](const QString& file) {
-    Q_EMIT wrote(file);
+    Q_EMIT fileWritten(file);
     report(tr("Saved the video %1.").arg(file), file, false);
   });
   connect(exporter_, &VideoExporter::canceled, this,

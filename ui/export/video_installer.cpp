@@ -59,7 +59,8 @@ std::vector<VideoView> cameraViewsOf(const Workbench& bench) {
 
 void addSceneTo(VideoOffer& offer, const Workbench& bench) {
   const auto* scene = bench.window.findChild<BirdsEyeView*>();
-  if (scene == nullptr || !scene->hasImage() || !bench.document.presentation().hasBirdsEyeView) {
+  if (scene == nullptr || !scene->hasImage() ||
+      !bench.document.methodPresentation().hasBirdsEyeView) {
     return;
   }
   const double aspect = static_cast<double>(scene->width()) / std::max(1, scene->height());
@@ -98,7 +99,7 @@ VideoOffer offerOf(const Workbench& bench, const TimelineModel& time) {
 }
 
 QString videoFile(const ExportDestination& destination) {
-  return destination.file(QStringLiteral("video"));
+  return destination.proposedFile(QStringLiteral("video"));
 }
 
 VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) {
@@ -114,12 +115,13 @@ VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) 
       messages->showError(text);
     }
   });
-  ExportDestination* destination = ExportDestination::of(bench);
+  ExportDestination* destination = ExportDestination::forWorkbench(bench);
   const auto resetChoices = [dialog, destination] {
     dialog->resetChoices(videoFile(*destination));
   };
   QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
-  QObject::connect(dialog, &VideoDialog::wrote, destination, &ExportDestination::remember);
+  QObject::connect(dialog, &VideoDialog::fileWritten, destination,
+                   &ExportDestination::rememberFolder);
   resetChoices();
   QObject::connect(&bench.session, &SessionController::runEnded, dialog, [dialog] {
     dialog->stop(VideoDialog::tr("The export was stopped because the run has ended."));
@@ -146,7 +148,7 @@ void installVideoExport(const Workbench& bench, const Timeline& timeline) {
     if (dialog == nullptr) {
       dialog = makeVideoDialog(bench, time);
     }
-    dialog->proposeFile(videoFile(*ExportDestination::of(bench)));
+    dialog->proposeFile(videoFile(*ExportDestination::forWorkbench(bench)));
     const auto& range = bench.selection.selectedRange();
     dialog->setSelectedRange(
         range ? std::optional(std::pair(time.secondsOf(range->first), time.secondsOf(range->last)))

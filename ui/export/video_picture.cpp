@@ -104,7 +104,7 @@ QString videoStamp(const VideoLayout& look, const TrackSnapshotPtr& snapshot) {
 QImage videoPicture(const VideoLayout& look, const TrackSnapshotPtr& snapshot,
                     const QImage& scene) {
   QImage picture(look.size, QImage::Format_RGB32);
-  picture.fill(imageGround(look.palette));
+  picture.fill(imageBackgroundColor(look.palette));
   QPainter painter(&picture);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
   const std::vector<QRect> areas = videoAreas(look);

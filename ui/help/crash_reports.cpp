@@ -98,7 +98,7 @@ CrashReports::CrashReports(const Workbench& bench, fs::path folder)
 }
 
 void CrashReports::noteActions() {
-  for (QAction* action : bench_.actions.all()) {
+  for (QAction* action : bench_.actions.allActions()) {
     connect(action, &QAction::triggered, this,
             [action] { addCrashReportNote(now() + " " + action->objectName().toStdString()); });
   }

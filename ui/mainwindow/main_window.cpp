@@ -127,10 +127,10 @@ void MainWindow::installFeatures() {
   installCameras(bench);
   auto* color = new ColorDock(bench, *cameras, targets);
   auto* people = new PeopleDock(bench, *cameras, *birdsEye, {targets.dock, color->dock()});
-  connect(&cameras->pick(), &ImagePickTool::imageClicked, people, &PeopleDock::selectSeenAt);
+  connect(&cameras->pickTool(), &ImagePickTool::imageClicked, people, &PeopleDock::selectSeenAt);
   new CorrectionMode(bench, *cameras, *birdsEye, *trajectory);
   auto* calibration = new CalibrationMode(bench);
-  connect(calibration, &CalibrationMode::shown, &color->panel(),
+  connect(calibration, &CalibrationMode::pageShown, &color->panel(),
           [panel = &color->panel()](const QString& page) {
             panel->setClicksUsedElsewhere(!page.isEmpty());
           });
@@ -147,7 +147,7 @@ void MainWindow::installFeatures() {
   installCameraSources(bench);
   auto* outputs = new OutputController(bench);
   auto* takes = new TakeController(bench);
-  connect(outputs, &OutputController::recordRequested, takes, &TakeController::startNamed);
+  connect(outputs, &OutputController::recordingRequested, takes, &TakeController::startNamed);
   connect(takes, &TakeController::openRequested, this, &MainWindow::openProject);
   new RunAlerts(bench, *notices_, *calibration);
   new OldResultsOffer(bench);

@@ -154,7 +154,7 @@ void ProjectController::connectRun() {
       recent_->add(QString::fromStdString(file.string()));
     }
     if (request.recovered && recovery_ != nullptr) {
-      recovery_->takeOver(*request.recovered);
+      recovery_->adoptBackup(*request.recovered);
     }
   });
   connect(run, &SessionController::opened, this, [this](const OpenRequest& request) {

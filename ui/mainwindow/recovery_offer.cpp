@@ -22,7 +22,7 @@ RecoveryOffer::RecoveryOffer(const Workbench& bench, const std::filesystem::path
     : QObject(&bench.window), bench_(bench),
       recovery_(new Recovery(bench.document, folder, this, std::move(write))) {
   connect(recovery_, &Recovery::failed, &bench_.messages, &MessageBar::showError);
-  connect(recovery_, &Recovery::writing, &bench_.docks, &DockManager::storeLayout);
+  connect(recovery_, &Recovery::backupStarting, &bench_.docks, &DockManager::storeLayout);
   offer();
   // A window that was killed may take a while to be gone, and one that is alive may be killed
   // later.
@@ -52,7 +52,7 @@ void RecoveryOffer::ask(const std::vector<RecoverableWork>& left) {
   // Meanwhile a project may be opened, and much be said: the question comes back after that.
   bench_.messages.showLastingQuestion(
       tr("Dewpoint closed unexpectedly. Unsaved changes to “%1” from %2 can be recovered.")
-          .arg(work.name, work.time),
+          .arg(work.name, work.backupTimeText),
       {{tr("Recover"), [this, work] { Q_EMIT recoveryRequested(work); }},
        {tr("Discard"), [this, work] { discardWork(work); }}});
 }

@@ -24,7 +24,7 @@ public:
   /// Sets how often the folder is searched until work is found.
   void setInterval(std::chrono::milliseconds interval) { searchTimer_.setInterval(interval); }
   /// Notes that the document now contains this recovered work.
-  void takeOver(const RecoverableWork& work) { recovery_->takeOver(work); }
+  void adoptBackup(const RecoverableWork& work) { recovery_->adoptBackup(work); }
   /// Removes the copy of this window's work. Call this when the work was saved or discarded.
   void removeBackup() { recovery_->removeBackup(); }
   /// Reads the work. Emits `recovered()` afterwards, or shows an error in the window.

@@ -48,7 +48,7 @@ RunAlerts::RunAlerts(const Workbench& bench, NoticeList& notices, CalibrationMod
 
 void RunAlerts::connectAgreement(const CalibrationMode& calibration) {
   auto* alerts = new CameraAgreementAlerts(bench_.messages, this);
-  connect(&calibration, &CalibrationMode::shown, alerts,
+  connect(&calibration, &CalibrationMode::pageShown, alerts,
           [alerts](const QString& page) { alerts->setSuppressed(!page.isEmpty()); });
   bench_.connectView(alerts);
   connect(alerts, &CameraAgreementAlerts::rigCorrectionRequested, this, &RunAlerts::correctRig);
@@ -126,7 +126,7 @@ void RunAlerts::applyNewPose(int camera) {
     return;
   }
   const MovedCameraPose solved = *report->newPose; // the report goes with the next snapshot
-  Camera now = manual_.cameraAt(camera);
+  Camera now = manual_.projectCamera(camera);
   now.cameraFromWorld = solved.camera.cameraFromWorld;
   manual_.changeCamera(camera, tr("Recompute pose of %1").arg(name), now);
   QString sentence =

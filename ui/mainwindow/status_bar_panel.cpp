@@ -204,7 +204,7 @@ void StatusBarPanel::refresh() {
   name_ = several ? QString::fromStdString(target->target.name) : QString();
   const bool mustSay = target != nullptr && target->status != TargetStatus::Held;
   stateText_.clear();
-  if (presentationOf(snapshot).countsPeople && target_ < 0) { // nobody in particular
+  if (presentationOf(snapshot).listsPeople && target_ < 0) { // nobody in particular
     state_ = trackingState(snapshot);
     name_.clear();
     const QString there = numberText(peopleCount(snapshot), 0);

@@ -176,7 +176,7 @@ void WindowMenus::fillLanguageMenu(QMenu* menu) {
   auto* choice = new QActionGroup(menu);
   const QString now = Preferences().language();
   languages_.clear();
-  const auto addChoice = [&](const QString& text, const QString& language) {
+  const auto addComboBox = [&](const QString& text, const QString& language) {
     QAction* entry = menu->addAction(text);
     entry->setObjectName(QStringLiteral("qt_language_") + language); // each in its own words
     entry->setCheckable(true);
@@ -185,9 +185,9 @@ void WindowMenus::fillLanguageMenu(QMenu* menu) {
     connect(entry, &QAction::triggered, this, [this, language] { owners_.setLanguage(language); });
     languages_.push_back(entry);
   };
-  addChoice(tr("Follow system"), {});
+  addComboBox(tr("Follow system"), {});
   for (const QString& language : languages()) {
-    addChoice(nameOfLanguage(language), language);
+    addComboBox(nameOfLanguage(language), language);
   }
 }
 

@@ -73,7 +73,7 @@ void BackgroundImageTaker::capture(int camera) {
 }
 
 void BackgroundImageTaker::write(int camera, const cv::Mat& image) {
-  const std::shared_ptr<const Project> project = document_.state();
+  const std::shared_ptr<const Project> project = document_.sharedProject();
   if (camera >= static_cast<int>(project->cameras.size())) {
     return; // there are fewer now
   }

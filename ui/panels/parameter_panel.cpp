@@ -57,14 +57,14 @@ QLabel* smallLabel(const char* name, QWidget* parent) {
 /// What a parameter and the one that bounds it mean together, if the bound counts.
 QString boundNote(const ParameterValues& used, const ParameterDeclaration& declaration) {
   const auto declarations = used.declarations();
-  if (tracking::exceedsBound(used, declaration)) {
+  if (tracking::exceedsUpperLimit(used, declaration)) {
     const auto bound =
-        std::ranges::find(declarations, declaration.bound, &ParameterDeclaration::key);
+        std::ranges::find(declarations, declaration.upperLimitKey, &ParameterDeclaration::key);
     return ParameterPanel::tr("This value is larger than “%1”, so %2 is used instead.")
-        .arg(labelText(*bound), parameterValueText(used.at(declaration.bound)));
+        .arg(labelText(*bound), parameterValueText(used.at(declaration.upperLimitKey)));
   }
   const auto bounded = std::ranges::find_if(declarations, [&](const ParameterDeclaration& other) {
-    return other.bound == declaration.key && tracking::exceedsBound(used, other);
+    return other.upperLimitKey == declaration.key && tracking::exceedsUpperLimit(used, other);
   });
   return bounded == declarations.end()
              ? QString()
@@ -171,7 +171,7 @@ void ParameterPanel::addEssentialRows() {
 }
 
 void ParameterPanel::addSections() {
-  if (document_.presentation().searchesVolume) {
+  if (document_.methodPresentation().searchesVolume) {
     addVolume();
   }
   for (const ParameterGroup group : furtherGroups(document_.project().parameters)) {

@@ -173,7 +173,7 @@ void ParameterRow::setValue(double value) {
 double ParameterRow::fromSlider(int position) const {
   const double part = static_cast<double>(position) / kSliderSteps;
   const ParameterDeclaration& d = declaration_;
-  const bool factors = d.logarithmic && d.minimum > 0.0;
+  const bool factors = d.hasLogarithmicSlider && d.minimum > 0.0;
   double value = factors ? d.minimum * std::pow(d.maximum / d.minimum, part)
                          : d.minimum + part * (d.maximum - d.minimum);
   if (d.kind == ParameterKind::Integer) {
@@ -190,7 +190,7 @@ int ParameterRow::toSlider(double value) const {
   if (d.maximum <= d.minimum) {
     return 0;
   }
-  const bool factors = d.logarithmic && d.minimum > 0.0;
+  const bool factors = d.hasLogarithmicSlider && d.minimum > 0.0;
   const double part = factors ? std::log(value / d.minimum) / std::log(d.maximum / d.minimum)
                               : (value - d.minimum) / (d.maximum - d.minimum);
   return static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * kSliderSteps));
@@ -201,12 +201,12 @@ QString ParameterRow::tooltip() const {
     return QCoreApplication::translate(
                "ParameterRow",
                "%1\nFrom %2 to %3%4; the default comes from the region that the cameras see.")
-        .arg(QCoreApplication::translate("Parameter", declaration_.sentence.c_str()),
+        .arg(QCoreApplication::translate("Parameter", declaration_.description.c_str()),
              parameterValueText(declaration_.minimum), parameterValueText(declaration_.maximum),
              unitSuffix(declaration_));
   }
   return QCoreApplication::translate("ParameterRow", "%1\nFrom %2 to %3%4; default %5%4.")
-      .arg(QCoreApplication::translate("Parameter", declaration_.sentence.c_str()),
+      .arg(QCoreApplication::translate("Parameter", declaration_.description.c_str()),
            parameterValueText(declaration_.minimum), parameterValueText(declaration_.maximum),
            unitSuffix(declaration_), parameterValueText(declaration_.defaultValue));
 }

@@ -195,7 +195,7 @@ void TargetPanel::refresh() {
   choose(std::min(std::max(0, before), static_cast<int>(targets.size()) - 1));
   refreshing_ = false;
   shown_ = chosen();
-  const bool boxes = document_.presentation().targetsAreBoxes;
+  const bool boxes = document_.methodPresentation().targetsAreBoxes;
   radiusLabel_->setVisible(!boxes);
   radius_->setVisible(!boxes);
   shapeLabel_->setVisible(!boxes);
@@ -216,7 +216,7 @@ void TargetPanel::refresh() {
 
 QString TargetPanel::hintOf(int row) const {
   const auto& targets = document_.project().targets;
-  if (document_.presentation().targetsAreBoxes) {
+  if (document_.methodPresentation().targetsAreBoxes) {
     return tr("Click the object or drag a box around it in any camera view. It is tracked from "
               "there.");
   }
@@ -275,7 +275,7 @@ QString TargetPanel::speedText(std::size_t target) const {
 
 void TargetPanel::showRows() {
   const auto& targets = document_.project().targets;
-  const bool showsColors = !document_.presentation().targetsAreBoxes;
+  const bool showsColors = !document_.methodPresentation().targetsAreBoxes;
   const std::vector<QColor> colors = targetColors(
       displayColorSources(targets, document_.methodFamily()), displayGround(palette()));
   std::vector<TargetRow> rows;
@@ -310,7 +310,8 @@ void TargetPanel::changeEvent(QEvent* event) {
 
 void TargetPanel::showBox() {
   const auto index = static_cast<std::size_t>(std::max(0, chosen()));
-  if (!snapshot_ || !presentationOf(*snapshot_).showsBoxes || index >= snapshot_->targets.size()) {
+  if (!snapshot_ || !presentationOf(*snapshot_).resultsAreBoxes ||
+      index >= snapshot_->targets.size()) {
     box_->clear();
     histograms_->setHistograms(nullptr);
     return;
@@ -374,7 +375,7 @@ void TargetPanel::toggleShown(int row) {
 void TargetPanel::removeChosen() {
   editChosen(tr("Remove target"),
              [](Project& project, std::size_t index) { removeTarget(project, index); });
-  document_.endMerging();
+  document_.endStepMerging();
 }
 
 } // namespace dewpoint::ui

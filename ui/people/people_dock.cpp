@@ -76,12 +76,12 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
 }
 
 bool PeopleDock::tracksPeople() const {
-  return bench_.document.presentation().countsPeople;
+  return bench_.document.methodPresentation().listsPeople;
 }
 
 void PeopleDock::connectPlacer(const CameraDocks& cameras) {
   QAction* place = bench_.action("actionPlacePerson");
-  connect(&cameras, &CameraDocks::viewMade, addPersonTool_, &AddPersonTool::attach);
+  connect(&cameras, &CameraDocks::viewCreated, addPersonTool_, &AddPersonTool::attach);
   connect(addPersonTool_, &AddPersonTool::personClicked, this,
           [this, place](int camera, const Eigen::Vector2d& pixel) {
             correct(tr("Add a person"), {.click = PersonCorrection::Click{camera, pixel}});

@@ -144,7 +144,7 @@ int PeoplePanel::chosen() const {
 void PeoplePanel::showLearning() {
   double least = 1.0;
   for (const PeopleCameraState& camera : snapshot_->peopleCameras) {
-    least = std::min(least, camera.learned);
+    least = std::min(least, camera.learningProgress);
   }
   const bool learns = least < 1.0;
   learning_->setVisible(learns);
@@ -158,7 +158,7 @@ void PeoplePanel::showLearning() {
 
 void PeoplePanel::refresh() {
   sinceRefresh_.start();
-  if (!snapshot_ || !presentationOf(*snapshot_).countsPeople) {
+  if (!snapshot_ || !presentationOf(*snapshot_).listsPeople) {
     learning_->hide();
     summary_->setText(tr("People appear here once a method for people runs."));
     table_->setRowCount(0);
@@ -210,8 +210,9 @@ void PeoplePanel::showRow(int row, const TargetSnapshot& target, const PersonEst
           QStringLiteral("%1  %2").arg(meters(person.position.x()), meters(person.position.y())));
   setCell(row, kHeight, person.height > 0.0 ? meters(person.height) : QString());
   setCell(row, kSpeed, numberText(person.velocity.head<2>().norm(), 1, NumberForm::Rounded));
-  setCell(row, kCameras,
-          QStringLiteral("%1/%2").arg(person.camerasSeeing).arg(snapshot_->peopleCameras.size()));
+  setCell(
+      row, kCameras,
+      QStringLiteral("%1/%2").arg(person.seeingCameraCount).arg(snapshot_->peopleCameras.size()));
   setCell(row, kVolume,
           target.shape ? numberText(target.shape->volume, 2, NumberForm::Rounded) : QString());
   setCell(row, kSince, numberText(person.age, 0, NumberForm::Rounded));

@@ -235,15 +235,15 @@ void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   }
   updateTargetName();
   const QStringList cameras = snapshot->rig ? cameraNames(*snapshot->rig) : QStringList();
-  const bool showsBoxes = presentationOf(*snapshot).showsBoxes;
-  if (cameras != cameras_ || !camerasKnown_ || showsBoxes != showsBoxes_) {
+  const bool resultsAreBoxes = presentationOf(*snapshot).resultsAreBoxes;
+  if (cameras != cameras_ || !camerasKnown_ || resultsAreBoxes != showsBoxes_) {
     camerasKnown_ = true;
-    showsBoxes_ = showsBoxes;
+    showsBoxes_ = resultsAreBoxes;
     cameras_ = cameras;
     for (const auto& series : series_) {
       series->reset(runPlotColumns(static_cast<int>(cameras_.size())));
     }
-    convergence_->setBoxes(showsBoxes);
+    convergence_->setBoxes(resultsAreBoxes);
     updateCameras();
   }
 }

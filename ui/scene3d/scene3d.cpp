@@ -78,7 +78,7 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
     actors.showLinesOfSight(rays ? sightLines(snapshot, target) : std::vector<SightLine>());
     actors.showPath(isShown ? parts.path.of(i) : std::vector<Eigen::Vector3d>());
     actors.setChosen(static_cast<int>(i) == parts.chosenTarget);
-    actors.setBestShown(parts.bestShown);
+    actors.setBestParticleShown(parts.bestParticleShown);
   }
   if (added || sources != parts.colorSources) {
     parts.colorSources = std::move(sources);
@@ -102,9 +102,9 @@ void Scene3d::showImages(bool shown) {
 }
 
 void Scene3d::showBest(bool shown) {
-  parts_->bestShown = shown;
+  parts_->bestParticleShown = shown;
   for (const auto& target : parts_->targets) {
-    target->setBestShown(shown);
+    target->setBestParticleShown(shown);
   }
 }
 
@@ -207,7 +207,7 @@ void Scene3d::copyView(const Scene3d& other, double aspect) {
   SceneParts& parts = *parts_;
   const SceneParts& from = *other.parts_;
   parts.dark = from.dark;
-  parts.bestShown = from.bestShown;
+  parts.bestParticleShown = from.bestParticleShown;
   parts.raysShown = from.raysShown;
   parts.chosenTarget = from.chosenTarget;
   showImages(from.imagesShown);

@@ -88,7 +88,7 @@ public:
   View view = View::Free;
   bool dark = false;
   int chosenTarget = -1;
-  bool bestShown = false;
+  bool bestParticleShown = false;
   bool raysShown = true;
   bool imagesShown = false;
   bool moved = false; ///< whether the user has moved the view

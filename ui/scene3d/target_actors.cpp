@@ -114,7 +114,7 @@ void TargetActors::showLinesOfSight(const std::vector<SightLine>& lines) {
   hidden_.show(hidden);
 }
 
-void TargetActors::setBestShown(bool shown) {
+void TargetActors::setBestParticleShown(bool shown) {
   bestShown_ = shown;
   showBest();
 }

@@ -38,7 +38,7 @@ public:
   /// Highlights the target if it is a selected person.
   void setChosen(bool chosen);
   /// Sets whether the highest-weight particle is marked; off by default.
-  void setBestShown(bool shown);
+  void setBestParticleShown(bool shown);
   void setColors(const SceneColor& color, const ScenePalette& palette, bool dark);
   const SceneColor& color() const { return color_; }
   void prepareFrame(const ScreenScale& scale);

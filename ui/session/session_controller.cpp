@@ -130,7 +130,7 @@ void SessionController::applyOpened(const OpenRequest& request,
   endRun();
   Q_EMIT replacing(request);
   if (!request.keepHistory) {
-    document_.replace(inputs->project, request.unsaved);
+    document_.replaceProject(inputs->project, request.unsaved);
   } else if (inputs->source->isLive()) {
     storeImageSizes(inputs->project);
   }
@@ -183,7 +183,7 @@ void SessionController::start(const OpenRequest& request, SessionInputs inputs) 
 void SessionController::close() {
   ++starts_;
   endRun();
-  document_.replace({});
+  document_.replaceProject({});
   Q_EMIT closed();
 }
 

@@ -23,7 +23,8 @@ const PeopleCameraState* stateOf(const TrackSnapshot& snapshot, int camera) {
 
 std::optional<double> backgroundLearned(const TrackSnapshot& snapshot, int camera) {
   const PeopleCameraState* state = stateOf(snapshot, camera);
-  return state != nullptr && state->learned < 1.0 ? std::optional(state->learned) : std::nullopt;
+  return state != nullptr && state->learningProgress < 1.0 ? std::optional(state->learningProgress)
+                                                           : std::nullopt;
 }
 
 QString learningText(double share) {
@@ -40,11 +41,11 @@ QString peopleObstacleText(const TrackSnapshot& snapshot, int camera) {
     return learningText(*share);
   }
   const PeopleCameraState* state = stateOf(snapshot, camera);
-  if (state == nullptr || state->usable || state->foregroundShare <= 0.0) {
+  if (state == nullptr || state->isUsable || state->foregroundFraction <= 0.0) {
     return {};
   }
   return QCoreApplication::translate("People", "image ignored: %1 % of it is moving")
-      .arg(percentText(state->foregroundShare));
+      .arg(percentText(state->foregroundFraction));
 }
 
 int peopleCount(const TrackSnapshot& snapshot) {

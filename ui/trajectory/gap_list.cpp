@@ -68,7 +68,7 @@ void GapList::fill() {
     const QStringList texts{tr("frame %1").arg(gap.firstFrame + 1),
                             tr("frame %1").arg(gap.lastFrame + 1),
                             secondsText(gap.seconds(), 2) + QStringLiteral(" · ") +
-                                tr("%n frames", nullptr, static_cast<int>(gap.frames())),
+                                tr("%n frames", nullptr, static_cast<int>(gap.frameCount())),
                             QString::fromStdString(gap.target)};
     for (int column = 0; column < columnCount(); ++column) {
       auto* cell = item(row, column);

@@ -17,18 +17,18 @@ void MotionSeries::clear() {
   series_.reset(kColumns);
 }
 
-void MotionSeries::update(const std::vector<MotionLog::Row>& rows, std::size_t firstChanged) {
-  if (firstChanged < rows.size()) {
-    series_.removeFrom(rows[firstChanged].sample.frame);
+void MotionSeries::update(const std::vector<MotionLog::Row>& rows, std::size_t firstChangedRow) {
+  if (firstChangedRow < rows.size()) {
+    series_.removeFrom(rows[firstChangedRow].sample.frame);
     // All rows of that frame, whichever of them changed.
-    while (firstChanged > 0 &&
-           rows[firstChanged - 1].sample.frame == rows[firstChanged].sample.frame) {
-      --firstChanged;
+    while (firstChangedRow > 0 &&
+           rows[firstChangedRow - 1].sample.frame == rows[firstChangedRow].sample.frame) {
+      --firstChangedRow;
     }
   } else {
     series_.removeFrom(rows.empty() ? 0 : rows.back().sample.frame + 1);
   }
-  for (std::size_t i = firstChanged; i < rows.size(); ++i) {
+  for (std::size_t i = firstChangedRow; i < rows.size(); ++i) {
     const TrajectorySample& sample = rows[i].sample;
     if (sample.target == target_) {
       const float unknown = std::numeric_limits<float>::quiet_NaN();

@@ -23,8 +23,8 @@ public:
   const std::string& target() const { return target_; }
   /// Selects a target, and fills the series with its speed and height from all rows of the log.
   void setTarget(const std::string& target, const std::vector<MotionLog::Row>& rows);
-  /// Updates the series after the log rows from `firstChanged` onward have changed.
-  void update(const std::vector<MotionLog::Row>& rows, std::size_t firstChanged);
+  /// Updates the series after the log rows from `firstChangedRow` onward have changed.
+  void update(const std::vector<MotionLog::Row>& rows, std::size_t firstChangedRow);
   void clear();
 
 private:

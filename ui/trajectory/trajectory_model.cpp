@@ -20,7 +20,7 @@ std::size_t TrajectoryModel::replaceFrom(std::size_t first,
                                          const std::vector<TrajectorySample>& samples) {
   const MotionLog::Change change = log_.replaceFrom(first, samples);
   const int now = static_cast<int>(log_.rows().size());
-  if (change.droppedRows > 0 || now < rows_) {
+  if (change.droppedRowCount > 0 || now < rows_) {
     beginResetModel();
     rows_ = now;
     endResetModel();
@@ -32,10 +32,10 @@ std::size_t TrajectoryModel::replaceFrom(std::size_t first,
     rows_ = now;
     endInsertRows();
   }
-  if (const int changed = static_cast<int>(change.firstChanged); changed < before) {
+  if (const int changed = static_cast<int>(change.firstChangedRow); changed < before) {
     Q_EMIT dataChanged(index(changed, 0), index(before - 1, ColumnCount - 1));
   }
-  return change.firstChanged;
+  return change.firstChangedRow;
 }
 
 std::pair<int, int> TrajectoryModel::rowsOf(const SelectedRange& selectedRange) const {
@@ -79,12 +79,12 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   case SigmaX:
   case SigmaY:
   case SigmaZ:
-    return lengthNumber(sigmaOf(sample, index.column() - SigmaX), LengthScale::Millimeters, 1,
+    return lengthNumber(positionSigma(sample, index.column() - SigmaX), LengthScale::Millimeters, 1,
                         NumberForm::Table);
   case Speed:
     return tableText(row.speed, 2);
   case Cameras:
-    return QString::number(sample.cameras);
+    return QString::number(sample.cameraCount);
   case Existence:
     return tableText(sample.existenceProbability, 2);
   case Held:

@@ -216,8 +216,8 @@ void TrajectoryPanel::fetch() {
   sinceRefresh_.restart();
 }
 
-void TrajectoryPanel::updatePlots(std::size_t firstChanged) {
-  motion_.update(model_->log().rows(), firstChanged);
+void TrajectoryPanel::updatePlots(std::size_t firstChangedRow) {
+  motion_.update(model_->log().rows(), firstChangedRow);
   plots_->refresh();
 }
 
@@ -226,7 +226,7 @@ void TrajectoryPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   if (!snapshot) {
     return; // what follows the run empties the table
   }
-  pages_->setCurrentIndex(presentationOf(*snapshot).showsBoxes ? 1 : 0);
+  pages_->setCurrentIndex(presentationOf(*snapshot).resultsAreBoxes ? 1 : 0);
   names_.clear();
   for (const TargetSnapshot& target : snapshot->targets) {
     names_.push_back(target.target.name);

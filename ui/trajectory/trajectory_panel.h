@@ -88,7 +88,7 @@ private:
   void makePlots();
   void connectViews();
   void fetch();
-  void updatePlots(std::size_t firstChanged);
+  void updatePlots(std::size_t firstChangedRow);
   void chooseRows();
   void selectRange();
   void highlight();

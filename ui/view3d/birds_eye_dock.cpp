@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 namespace {
 
 void showForMethod(const Workbench& bench, ViewDock* dock) {
-  const bool hasBirdsEyeView = bench.document.presentation().hasBirdsEyeView;
+  const bool hasBirdsEyeView = bench.document.methodPresentation().hasBirdsEyeView;
   if (!bench.session.isRunning() || dock->isHidden() != hasBirdsEyeView) {
     return;
   }
@@ -39,7 +39,8 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   QObject::connect(&bench.document, &Document::replaced, view, &BirdsEyeView::resetForNewProject);
   QObject::connect(&bench.selection, &Selection::targetSelected, view,
                    &BirdsEyeView::setChosenTarget);
-  bench.onToggled("actionShowBest", view, [view](bool shown) { view->setBestShown(shown); });
+  bench.onToggled("actionShowBest", view,
+                  [view](bool shown) { view->setBestParticleShown(shown); });
   bench.onToggled("actionShowRays", view, [view](bool shown) { view->setRaysShown(shown); });
   bench.onToggled("actionShowImagesInScene", view,
                   [view](bool shown) { view->setImagesShown(shown); });

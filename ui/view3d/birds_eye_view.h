@@ -75,7 +75,7 @@ public:
   /// highlighted.
   void setChosenTarget(int target);
   /// Sets whether each target's highest-weight particle is shown.
-  void setBestShown(bool shown) {
+  void setBestParticleShown(bool shown) {
     scene_.showBest(shown);
     requestRendering();
   }

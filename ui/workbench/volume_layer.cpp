@@ -15,7 +15,7 @@ void connectVolume(const Workbench& bench, QObject* view,
   const Document* document = &bench.document;
   const QAction* layer = bench.action("actionShowVolumeOfInterest");
   const auto update = [document, layer, show] {
-    const bool isShown = layer->isChecked() && document->presentation().searchesVolume;
+    const bool isShown = layer->isChecked() && document->methodPresentation().searchesVolume;
     show(isShown ? document->project().volumeOfInterest : std::nullopt);
   };
   QObject::connect(document, &Document::volumeChanged, view, update);

@@ -9,7 +9,7 @@ Status applySettings(const std::vector<std::string>& settings, ParameterValues& 
     if (equals == std::string::npos) {
       return failure(ErrorCode::BadValue, "", "--set", "expected key=value, found " + setting);
     }
-    if (auto set = parameters.setText(setting.substr(0, equals), setting.substr(equals + 1));
+    if (auto set = parameters.setFromText(setting.substr(0, equals), setting.substr(equals + 1));
         !set) {
       set.error().file = "--set";
       return set;

@@ -40,7 +40,7 @@ JobRecord makeJobRecord(const std::string& command, const Project& project,
 
 bool isAlreadyDone(const std::filesystem::path& folder, const JobRecord& job,
                    const JobOptions& options) {
-  if (options.force || !JobFolder::finished(folder, job.key)) {
+  if (options.force || !JobFolder::finishedRecord(folder, job.key)) {
     return false;
   }
   fmt::print("Nothing to do: {} already contains this result. Use --force to track again.\n",

@@ -19,12 +19,12 @@ const char* axesText(WorldAxes axes) {
 std::string exportTable() {
   std::vector<std::vector<std::string>> rows;
   for (const ExportFormat& format : exportFormats()) {
-    rows.push_back({markdownCode(format.id), markdownText(format.title),
-                    markdownCode(format.suffix), markdownText(format.fields),
-                    axesText(format.table.axes),
-                    format.table.unit == LengthUnit::Meter ? "m" : "mm",
-                    format.table.evenRows ? "at equal distances in time" : "as recorded",
-                    format.covariance ? "yes" : "no"});
+    rows.push_back(
+        {markdownCode(format.id), markdownText(format.title), markdownCode(format.suffix),
+         markdownText(format.contents), axesText(format.tableDefaults.axes),
+         format.tableDefaults.unit == LengthUnit::Meter ? "m" : "mm",
+         format.tableDefaults.requiresEvenRows ? "at equal distances in time" : "as recorded",
+         format.hasFullCovariance ? "yes" : "no"});
   }
   return markdownTable(
       {"format", "name in the window", "file", "holds", "axes", "unit", "rows", "whole covariance"},

@@ -17,9 +17,9 @@ std::string defaultText(const ParameterDeclaration& declaration) {
 }
 
 std::string meaningText(const ParameterDeclaration& declaration) {
-  std::string text = markdownText(declaration.sentence);
-  if (!declaration.bound.empty()) {
-    text += fmt::format(" Never more than {}.", markdownCode(declaration.bound));
+  std::string text = markdownText(declaration.description);
+  if (!declaration.upperLimitKey.empty()) {
+    text += fmt::format(" Never more than {}.", markdownCode(declaration.upperLimitKey));
   }
   return text;
 }

@@ -59,7 +59,7 @@ void listMethods() {
     fmt::print("{}: {}\n", method, methodSummary(method));
     for (const ParameterDeclaration& one : methodParameters(method)) {
       fmt::print("  {:<20} {:>9} {:<5} {} to {}. {}\n", one.key, one.defaultValue, one.unit,
-                 one.minimum, one.maximum, one.sentence);
+                 one.minimum, one.maximum, one.description);
     }
   }
 }
@@ -81,17 +81,18 @@ Status applyOptions(const PeopleOptions& options, Project& project) {
 /// Whether somebody's middle can be there: above the floor that is watched.
 Status inArea(const std::string& text, const Eigen::Vector3d& position, const PeopleArea& area) {
   constexpr double kReach = 3.0; // meters above the floor
-  if (area.contains(position.head<2>()) && position.z() >= area.floor &&
-      position.z() <= area.floor + kReach) {
+  if (area.contains(position.head<2>()) && position.z() >= area.floorHeight &&
+      position.z() <= area.floorHeight + kReach) {
     return {};
   }
-  const Eigen::Vector2d low = area.center - area.half;
-  const Eigen::Vector2d high = area.center + area.half;
+  const Eigen::Vector2d low = area.center - area.halfSize;
+  const Eigen::Vector2d high = area.center + area.halfSize;
   return failure(
       ErrorCode::BadValue, "", "--person",
       fmt::format("{} lies outside the tracked area: x {:g} to {:g}, y {:g} to {:g}, z {:g} to "
                   "{:g} m; area_x, area_y, area_half_x, area_half_y and floor_z define it",
-                  text, low.x(), high.x(), low.y(), high.y(), area.floor, area.floor + kReach));
+                  text, low.x(), high.x(), low.y(), high.y(), area.floorHeight,
+                  area.floorHeight + kReach));
 }
 
 Status addPersons(const std::vector<std::string>& texts, const PeopleArea& area, TrackingRun& run) {
@@ -245,9 +246,9 @@ int runPeople(const PeopleOptions& options) {
   if (interruptionRequested()) {
     return kExitInterrupted;
   }
-  job.frames = observer.frames();
-  job.seconds = clock.seconds();
-  job.threads = options.threads;
+  job.frameCount = observer.frames();
+  job.trackingSeconds = clock.seconds();
+  job.threadCount = options.threads;
   job.targets = observer.targets();
   const auto finished = begun->finish(std::move(job), kPeopleFiles);
   return finished ? kExitDone : report(finished.error());

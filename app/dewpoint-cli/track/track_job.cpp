@@ -212,10 +212,10 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth, const Cam
                  (*one.framesToConverge + 1) * iterationsPerFrame);
       fmt::print("error RMSE              {:>7.1f} mm\n", inMillimeters(one.rmse));
       fmt::print("error p95               {:>7.1f} mm\n", inMillimeters(one.p95));
-      fmt::print("frames lost             {:>10}\n", one.lostFrames);
+      fmt::print("frames lost             {:>10}\n", one.lostFrameCount);
     } else {
       fmt::print("iterations to converge  {:>10}\n", "never");
-      fmt::print("error RMSE, all frames  {:>7.1f} mm\n", inMillimeters(one.rmseAll));
+      fmt::print("error RMSE, all frames  {:>7.1f} mm\n", inMillimeters(one.rmseOfAllFrames));
     }
   }
 }
@@ -288,9 +288,9 @@ int TrackJob::run(SessionInputs inputs) const {
     return kExitInterrupted;
   }
   JobRecord done = record;
-  done.frames = figures.frames;
-  done.seconds = figures.seconds;
-  done.threads = threads;
+  done.frameCount = figures.frames;
+  done.trackingSeconds = figures.seconds;
+  done.threadCount = threads;
   done.targets = output.targets();
   const auto finished = begun->finish(std::move(done), results);
   return finished ? kExitDone : report(finished.error());

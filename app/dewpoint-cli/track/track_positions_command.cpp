@@ -47,7 +47,7 @@ int trackPositionsIn(const TrackPositionsOptions& options) {
               "the filter of each target starts at its first position"});
       return kExitUsage;
     }
-    if (const auto set = parameters.setText(setting.substr(0, equals), value); !set) {
+    if (const auto set = parameters.setFromText(setting.substr(0, equals), value); !set) {
       report(set.error());
       return kExitUsage;
     }

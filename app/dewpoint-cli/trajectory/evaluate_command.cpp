@@ -48,7 +48,7 @@ Result<Trajectory> readTruth(const EvaluateOptions& options, const Trajectory& e
     return truth;
   }
   if (!options.truthUnit.empty()) {
-    return inMeters(std::move(*truth), parseLengthUnit(options.truthUnit).value_or(1.0));
+    return toMeters(std::move(*truth), parseLengthUnit(options.truthUnit).value_or(1.0));
   }
   if (const auto unit = likelyTruthUnit(estimate, *truth)) {
     const bool isMillimeter = *unit < 0.005;

@@ -100,14 +100,14 @@ Status completeOptions(ExportCommand& command) {
   ExportOptions& options = command.options;
   options.from = *from;
   options.to = *to;
-  options.gaps = command.gaps == "fill" ? GapRule::Fill : GapRule::LeaveEmpty;
+  options.gapRule = command.gaps == "fill" ? GapRule::Fill : GapRule::LeaveEmpty;
   if (!command.axes.empty()) {
     options.axes = command.axes == "y-up" ? WorldAxes::YUp : WorldAxes::ZUp;
   }
   if (!command.unit.empty()) {
     options.unit = command.unit == "mm" ? LengthUnit::Millimeter : LengthUnit::Meter;
   }
-  options.header = !command.noHeader;
+  options.writesHeader = !command.noHeader;
   const auto now = std::chrono::system_clock::now();
   options.date = fmt::format("{:%FT%TZ}", std::chrono::floor<std::chrono::seconds>(now));
   return {};
@@ -127,7 +127,7 @@ int showPreview(const ExportCommand& command, const Trajectory& trajectory) {
   if (!preview) {
     return reportAbout(preview.error(), command.source);
   }
-  fmt::print("{}\n{}\n{}\n", preview->units, preview->size, preview->text);
+  fmt::print("{}\n{}\n{}\n", preview->unitsSentence, preview->sizeSentence, preview->text);
   return kExitDone;
 }
 
@@ -153,9 +153,9 @@ int writeExport(const ExportCommand& command, const Trajectory& trajectory) {
   if (!summary) {
     return reportAbout(summary.error(), command.source);
   }
-  fmt::print("{} rows of {} target{}{} in {}.\n", summary->rows, summary->targets,
-             summary->targets == 1 ? "" : "s",
-             summary->gaps > 0 ? fmt::format(", {} positions unknown,", summary->gaps) : "",
+  fmt::print("{} rows of {} target{}{} in {}.\n", summary->rowCount, summary->targetCount,
+             summary->targetCount == 1 ? "" : "s",
+             summary->gapCount > 0 ? fmt::format(", {} positions unknown,", summary->gapCount) : "",
              summary->files.size() == 1
                  ? summary->files.back().string()
                  : fmt::format("{} files, the last is {}", summary->files.size(),
@@ -226,7 +226,7 @@ void addExportCommand(CLI::App& app, int& exitCode) {
   command->add_option("--from", arguments->from,
                       "First time in seconds, or first frame, such as 75f");
   command->add_option("--to", arguments->to, "Last time in seconds, or last frame, such as 150f");
-  command->add_option("--rate", options.rate, "Rows per second; as recorded if omitted")
+  command->add_option("--rate", options.rowsPerSecond, "Rows per second; as recorded if omitted")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--gaps", arguments->gaps,

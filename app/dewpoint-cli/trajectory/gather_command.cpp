@@ -46,7 +46,7 @@ Status writeGathered(const GatheredJobs& gathered, const std::filesystem::path& 
     return failure(ErrorCode::FileUnwritable, folder.string(), "--out", problem.message());
   }
   return writeTextFile(folder / "results.csv", gatheredTable(gathered))
-      .and_then([&] { return writeTextFile(folder / "times.csv", gatheredTimes(gathered)); })
+      .and_then([&] { return writeTextFile(folder / "times.csv", gatheredDurations(gathered)); })
       .and_then([&] { return writeTextFile(folder / "report.md", gatheredReport(gathered)); });
 }
 
@@ -62,18 +62,18 @@ int gather(const GatherOptions& options) {
   if (const auto written = writeGathered(*gathered, options.out); !written) {
     return report(written.error());
   }
-  for (const auto& [kept, other] : gathered->repeated) {
+  for (const auto& [kept, other] : gathered->repeatedFolders) {
     fmt::print(stderr, "dewpoint-cli: note: {} has the same result as {}; it is counted once.\n",
                other, kept);
   }
-  for (const std::string& folder : gathered->missing) {
+  for (const std::string& folder : gathered->missingFolders) {
     fmt::print(stderr, "dewpoint-cli: note: {} is missing.\n", folder);
   }
-  for (const std::string& folder : gathered->unfinished) {
+  for (const std::string& folder : gathered->unfinishedFolders) {
     fmt::print(stderr, "dewpoint-cli: note: {} is unfinished.\n", folder);
   }
   fmt::print("{} results, {} missing, {} unfinished: {}\n", gathered->jobs.size(),
-             gathered->missing.size(), gathered->unfinished.size(),
+             gathered->missingFolders.size(), gathered->unfinishedFolders.size(),
              (std::filesystem::path(options.out) / "results.csv").string());
   return gathered->isComplete() ? kExitDone : kExitEndedEarly;
 }

@@ -52,7 +52,7 @@ Result<ParameterValues> parametersFor(const std::string& method, const ScenarioR
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
     const auto k = static_cast<Eigen::Index>(axis);
     told["start_" + axes[axis]] = start.center[k];
-    told["start_half_" + axes[axis]] = start.half[k];
+    told["start_half_" + axes[axis]] = start.halfSize[k];
   }
   if (run.exactSensing) {
     told["calibration_error"] = 0.0;

@@ -215,7 +215,7 @@ ExpectedPosition BaselineTracker::expectedPositionOf(const Tracked& tracked) con
     const double sigma = std::max(kLeastStepSigma, kSpeedSigma * tracked.sinceSeen);
     return {*tracked.last, squared(Eigen::Vector3d::Constant(sigma)), std::nullopt};
   }
-  const Eigen::Vector3d sigmas = (kStartShare * start_.half).cwiseMax(kLeastStartSigma);
+  const Eigen::Vector3d sigmas = (kStartShare * start_.halfSize).cwiseMax(kLeastStartSigma);
   return {start_.center, squared(sigmas), std::nullopt};
 }
 
@@ -223,7 +223,7 @@ void BaselineTracker::updateEstimate(std::size_t target,
                                      const std::optional<TriangulatedPoint>& position) {
   Tracked& tracked = tracked_[target];
   SphereEstimate estimate;
-  estimate.camerasSeeing = position ? static_cast<int>(position->bearings.size()) : 0;
+  estimate.seeingCameraCount = position ? static_cast<int>(position->bearings.size()) : 0;
   if (position) {
     tracked.sinceSeen = 0.0;
   }

@@ -24,12 +24,13 @@ StartVolume startVolumeFromRig(const ScenarioRun& run) {
   if (!view) {
     return given;
   }
-  if (given.half.isZero()) {
+  if (given.halfSize.isZero()) {
     return *view;
   }
   const Eigen::AlignedBox3d common =
-      Eigen::AlignedBox3d(given.center - given.half, given.center + given.half)
-          .intersection(Eigen::AlignedBox3d(view->center - view->half, view->center + view->half));
+      Eigen::AlignedBox3d(given.center - given.halfSize, given.center + given.halfSize)
+          .intersection(
+              Eigen::AlignedBox3d(view->center - view->halfSize, view->center + view->halfSize));
   return common.isEmpty() ? given : StartVolume{common.center(), 0.5 * common.sizes()};
 }
 

@@ -19,12 +19,12 @@ smoothedEstimates(const std::vector<std::vector<SphereEstimate>>& live, double f
       sample.covariance = estimate.covariance;
       sample.valid = estimate.valid;
       if (estimate.measurement) {
-        sample.seen =
+        sample.measurement =
             PositionMeasurement{estimate.measurement->mean, estimate.measurement->covariance};
       }
     }
   }
-  const Trajectory after = smoothed(trajectory);
+  const Trajectory after = smoothedTrajectory(trajectory);
   auto result = live;
   std::size_t next = 0;
   for (auto& estimates : result) {

@@ -42,7 +42,7 @@ public:
     frame_ = 0;
     auto* const following = capability<BoxTracking>(*tracker_);
     assert(following != nullptr);
-    return following->follow(0, bgr, {0, frame_, box}, seed_);
+    return following->startFollowing(0, bgr, {0, frame_, box}, seed_);
   }
   std::optional<ImageBox> step(const cv::Mat& bgr) override {
     ++frame_;

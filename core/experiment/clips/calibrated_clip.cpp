@@ -62,7 +62,7 @@ Result<Target> learnedTarget(const ClipTarget& target, const CameraRig& rig, Cli
 
 /// The marks of a clip: its own, or the projections of its positions into the images that hold
 /// them.
-std::vector<MarkedCenter> marksOf(const CalibratedClip& clip) {
+std::vector<MarkedCenter> marksUsedBy(const CalibratedClip& clip) {
   if (!clip.marks.empty()) {
     return clip.marks;
   }
@@ -180,7 +180,7 @@ Result<ScenarioRun> clipRun(const CalibratedClip& clip, std::uint64_t seed) {
     run.targets.push_back(std::move(*learned));
   }
   run.truth = truthOfClip(clip);
-  run.marks = marksOf(clip);
+  run.marks = marksUsedBy(clip);
   run.markGate = clip.markGate;
   run.measuredFrames = measuredInstants(run);
   if (startsOf(clip).empty()) {

@@ -98,7 +98,7 @@ Result<std::map<std::int64_t, MotionFrame>> motionFrames(const OfficeRenderer& r
     shown.quality = maskQuality(mask, people);
     if (frame == pictured) {
       shown.image = set->frames[0]->image;
-      shown.map = run->capability<MotionMapping>()->motionLikelihoods().front();
+      shown.map = run->capability<MotionMapping>()->motionLikelihoodMaps().front();
     }
   }
   return frames;

@@ -74,7 +74,7 @@ TrajectorySample sampleOf(const PersonEstimate& person, std::int64_t frame, doub
   sample.position = person.position;
   sample.covariance = person.covariance;
   sample.effectiveSampleSize = person.effectiveSampleSize;
-  sample.cameras = person.camerasSeeing;
+  sample.cameraCount = person.seeingCameraCount;
   sample.existenceProbability = person.existenceProbability;
   return sample;
 }

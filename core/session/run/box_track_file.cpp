@@ -14,7 +14,7 @@ std::string notesOf(const BoxTrack& track) {
   std::string text = "# dewpoint boxes\n# units: time s, box px from the image's upper left "
                      "corner\n";
   for (const auto& [key, value] : track.header) {
-    text += fmt::format("# {}: {}\n", oneLine(key), oneLine(value));
+    text += fmt::format("# {}: {}\n", withoutLineBreaks(key), withoutLineBreaks(value));
   }
   return text;
 }

@@ -12,14 +12,15 @@ TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& targe
   sample.position = sphere.mean;
   sample.covariance = sphere.covariance;
   sample.effectiveSampleSize = sphere.effectiveSampleSize;
-  sample.cameras = sphere.camerasSeeing;
+  sample.cameraCount = sphere.seeingCameraCount;
   sample.valid = sphere.valid;
   sample.existenceProbability = sphere.existenceProbability;
-  sample.best = bestParticleOf(sphere);
+  sample.bestParticle = bestParticleOf(sphere);
   sample.ambiguous = sphere.ambiguous;
   sample.extent = sphere.extent;
   if (sphere.measurement) {
-    sample.seen = PositionMeasurement{sphere.measurement->mean, sphere.measurement->covariance};
+    sample.measurement =
+        PositionMeasurement{sphere.measurement->mean, sphere.measurement->covariance};
   }
   return sample;
 }

@@ -46,7 +46,7 @@ Result<TrackerPtr> trackerAt(const Eigen::Vector3d& position, ParameterValues pa
 TrajectoryHeader headerOf(const ParameterValues& parameters, std::uint64_t seed) {
   TrajectoryHeader header;
   header.entries = {{"method", "dynamics"}, {"seed", std::to_string(seed)}};
-  header.hasBest = true;
+  header.hasBestParticles = true;
   for (const auto& declaration : parameters.declarations()) {
     if (isStartPositionParameter(declaration.key)) {
       continue; // its own of each target
@@ -123,10 +123,10 @@ Result<Trajectory> trackPositions(const Trajectory& measured, const ParameterVal
     }
     TrajectorySample result = sample;
     result.position = estimate.mean;
-    result.best = estimate.best;
+    result.bestParticle = estimate.best;
     result.covariance = estimate.covariance;
     result.effectiveSampleSize = estimate.effectiveSampleSize;
-    result.cameras = 0;
+    result.cameraCount = 0;
     result.valid = usable;
     result.existenceProbability = estimate.existenceProbability;
     tracked.samples.push_back(std::move(result));

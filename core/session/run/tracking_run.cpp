@@ -47,13 +47,13 @@ TrajectoryHeader trajectoryHeader(const Project& project) {
         {camera.camera.name, camera.camera.center(), camera.camera.opticalAxis()});
   }
   const Method* const method = findMethod(project.method);
-  header.hasSeen = method != nullptr && method->writesMeasurements;
-  header.hasBest = method != nullptr && method->family.hasBestParticle;
+  header.hasMeasurements = method != nullptr && method->writesMeasurements;
+  header.hasBestParticles = method != nullptr && method->family.hasBestParticle;
   header.hasAmbiguous = method != nullptr && method->writesAmbiguity;
   const auto mayBeNoBall = [](const Target& target) { return target.shape != TargetShape::Ball; };
   header.hasExtent = method != nullptr && method->tracksAnyShape &&
                      std::ranges::any_of(project.targets, mayBeNoBall);
-  header.hasCorrected = header.hasBest && !project.corrections.empty();
+  header.hasCorrected = header.hasBestParticles && !project.corrections.empty();
   return header;
 }
 

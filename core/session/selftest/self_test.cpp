@@ -122,7 +122,7 @@ SelfTestLine outcomeOf(const SceneRun& run, const std::vector<Evaluation>& targe
   std::int64_t lost = 0;
   for (const Evaluation& target : targets) {
     error = std::max(error, target.rmse);
-    lost += target.lostFrames;
+    lost += target.lostFrameCount;
   }
   const bool isRight = error <= kLargestError && lost == 0;
   const bool isFast = run.rate >= kUsualRate;

@@ -81,7 +81,7 @@ bool isShownIn(const TargetSnapshot& target, int camera) {
 
 TrackingState stateOfPeople(const TrackSnapshot& snapshot) {
   if (std::ranges::any_of(snapshot.peopleCameras,
-                          [](const auto& camera) { return camera.learned < 1.0; })) {
+                          [](const auto& camera) { return camera.learningProgress < 1.0; })) {
     return TrackingState::Learning;
   }
   TrackingState state = TrackingState::Nobody;

@@ -92,7 +92,8 @@ bool isSameNumber(double a, double b) {
 
 /// Files contain the upper half of a covariance.
 bool isSameEstimate(const TrajectorySample& a, const TrajectorySample& b) {
-  bool same = a.valid == b.valid && a.cameras == b.cameras && isSameNumber(a.time, b.time) &&
+  bool same = a.valid == b.valid && a.cameraCount == b.cameraCount &&
+              isSameNumber(a.time, b.time) &&
               isSameNumber(a.effectiveSampleSize, b.effectiveSampleSize);
   for (int row = 0; row < 3 && a.valid; ++row) {
     same = same && isSameNumber(a.position[row], b.position[row]);

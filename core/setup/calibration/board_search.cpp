@@ -349,7 +349,7 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
       return first;
     }
     if (first->hasOnlyOtherBoard()) {
-      first->hasSearchedAll = false;
+      first->hasSearchedAllFrames = false;
       return first;
     }
   }
@@ -374,7 +374,7 @@ Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pic
       return first;
     }
     if (first->hasOnlyOtherBoard()) {
-      first->hasSearchedAll = false;
+      first->hasSearchedAllFrames = false;
       return first;
     }
   }

@@ -72,7 +72,7 @@ struct BoardDetections {
   /// of the images show the requested board.
   std::optional<BoardGuess> otherBoard = std::nullopt;
   /// False if the search ended after a few frames, because these show only another board.
-  bool hasSearchedAll = true;
+  bool hasSearchedAllFrames = true;
 
   /// Returns whether the images show only another board than the requested one.
   bool hasOnlyOtherBoard() const;

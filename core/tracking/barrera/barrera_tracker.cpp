@@ -42,7 +42,7 @@ SphereEstimate BarreraTracker::iterate(ThreadTeam& team) {
   SphereEstimate result = step(observation_, team);
   addEvidence(result);
   const int needed = std::clamp(static_cast<int>(observation_.cameraCount()), 1, 2);
-  result.valid = result.camerasSeeing >= needed && isInVolumeOfInterest(result.mean);
+  result.valid = result.seeingCameraCount >= needed && isInVolumeOfInterest(result.mean);
   result.existenceProbability =
       result.valid ? 1.0 : 0.0; // the paper's filter has no existence probability
   estimate_ = result;
@@ -57,7 +57,7 @@ SphereEstimate BarreraTracker::correct(const Gaussian3& position) {
 
 void BarreraTracker::addEvidence(SphereEstimate& estimate) const {
   estimate.cameras = evidence(estimate.mean);
-  estimate.camerasSeeing = static_cast<int>(std::ranges::count_if(
+  estimate.seeingCameraCount = static_cast<int>(std::ranges::count_if(
       estimate.cameras, [](const CameraEvidence& camera) { return camera.visible > 0.0; }));
 }
 

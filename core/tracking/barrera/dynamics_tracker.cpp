@@ -61,7 +61,7 @@ SphereEstimate DynamicsTracker::iterate(ThreadTeam& team) {
     result.cameras[camera].visible = seen_[camera] ? 1.0 : 0.0;
     result.cameras[camera].existenceProbability = result.cameras[camera].visible;
   }
-  result.camerasSeeing = static_cast<int>(std::ranges::count(seen_, true));
+  result.seeingCameraCount = static_cast<int>(std::ranges::count(seen_, true));
   result.valid = measured_.has_value() && isInVolumeOfInterest(result.mean);
   result.existenceProbability = result.valid ? 1.0 : 0.0; // the filter has no opinion of its own
   if (measured_) {

@@ -80,7 +80,7 @@ std::size_t RandomWalkTracker::memoryBytes() const {
 
 Eigen::ArrayXXd RandomWalkTracker::drawStartParticles() const {
   const StartVolume start = startVolume(parameters_);
-  return drawUniformly(volume_ ? within(start, *volume_) : start,
+  return drawUniformly(volume_ ? startVolumeWithin(start, *volume_) : start,
                        static_cast<Eigen::Index>(parameters_.at("particles")),
                        RandomStream(key_.seed, 0, 0, RandomPurpose::Start));
 }

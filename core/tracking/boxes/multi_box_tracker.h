@@ -49,8 +49,8 @@ public:
   void iterate(ThreadTeam& team) override;
   std::size_t trackCount() const override { return followed_.size(); }
   TrackEstimate estimate(std::size_t track) const override;
-  Status follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
-                std::uint64_t seed) override;
+  Status startFollowing(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
+                        std::uint64_t seed) override;
   BoxParticles boxParticles(std::size_t target, int limit) const override;
   std::vector<double> referenceHistogram(std::size_t target) const override {
     return followed_.at(target).referenceHistogram;
@@ -144,13 +144,14 @@ template <BoxFilter F> void MultiBoxTracker<F>::start(std::size_t target) {
   }
   if (const cv::Mat* image = imageOf(*one.box)) {
     // The box is outside the image: there is nothing to track.
-    (void)follow(target, *image, *one.box, derivedSeed(seed_, static_cast<std::uint32_t>(target)));
+    (void)startFollowing(target, *image, *one.box,
+                         derivedSeed(seed_, static_cast<std::uint32_t>(target)));
   }
 }
 
 template <BoxFilter F>
-Status MultiBoxTracker<F>::follow(std::size_t target, const cv::Mat& bgr, const TargetBox& box,
-                                  std::uint64_t seed) {
+Status MultiBoxTracker<F>::startFollowing(std::size_t target, const cv::Mat& bgr,
+                                          const TargetBox& box, std::uint64_t seed) {
   TrackedBox& one = followed_.at(target);
   F filter(parameters_);
   if (const Status started = filter.start(bgr, box.box, seed); !started) {

@@ -10,7 +10,7 @@ std::string parameterText(const ParameterDeclaration& declaration) {
                      declaration.unit.empty() ? "" : " ", declaration.unit, declaration.minimum,
                      declaration.maximum,
                      declaration.derivedFromCameras ? ", unless given as the cameras show." : ".",
-                     declaration.sentence);
+                     declaration.description);
 }
 
 std::string methodReference(const Method& method) {

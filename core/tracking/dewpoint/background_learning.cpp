@@ -46,7 +46,7 @@ bool noTargetIsElsewhere(const TrackedObjects& objects, std::size_t cameraCount,
         best->logLikelihoodRatio <
             TrackHypothesis::kMostlyVisibleShare * best->fullyVisibleLogLikelihoodRatio ||
         !estimate.valid || estimate.existenceProbability < kSurelyThere ||
-        estimate.camerasSeeing < fewest) {
+        estimate.seeingCameraCount < fewest) {
       return false;
     }
   }

@@ -176,7 +176,7 @@ std::vector<LikelihoodMap> likelihoodMapsOf(const TrackedObjects& objects,
   // Labels of its own: making more of them must not change what the tracker does next.
   SphereObservation observation = objects.makeObservation();
   images.passTo(observation, own.color);
-  objects.explainOthers(observation, own);
+  objects.markPixelsOfOthers(observation, own);
   for (std::size_t camera = 0; camera < cameraCount; ++camera) {
     LabelImage& labels = observation.labels(camera);
     const auto outline = observation.projector(camera).project(estimate.mean, radius);

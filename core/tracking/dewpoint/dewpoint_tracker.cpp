@@ -115,17 +115,17 @@ void DewpointTracker::correctPosition(std::size_t target, const Gaussian3& posit
   // Without what other objects explain: what the user points at is the target.
   images_.passTo(object.observation, object.color);
   if (object.isBall()) {
-    object.track.correct(position, object.observation, object.keyIn(key_), team);
+    object.track.correct(position, object.observation, object.randomKeyIn(key_), team);
   } else {
     images_.passTo(object.shape->observation(), object.color);
-    object.shape->correct(position, object.track.target().radius, object.keyIn(key_), team);
+    object.shape->correct(position, object.track.target().radius, object.randomKeyIn(key_), team);
     object.track.setOnlyHypothesis(object.shape->track().hypothesis());
   }
   updateEstimate(target);
   if (!estimates_[target].measurement) {
     estimates_[target].measurement = position; // what the user measured in this frame
   }
-  for (const std::size_t other : objects_.clearPositionOf(target)) {
+  for (const std::size_t other : objects_.removeOthersAtPositionOf(target)) {
     updateEstimate(other);
   }
 }
@@ -149,7 +149,7 @@ void DewpointTracker::restart(std::uint64_t seed) {
     object.unseenFrames = 0;
     object.unseenSeconds = 0.0;
     object.track.configure(trackSettings());
-    object.track.restart(startVolume(parameters_), object.keyIn(key_).seed);
+    object.track.restart(startVolume(parameters_), object.randomKeyIn(key_).seed);
     object.shape->track().configure(trackSettings());
     object.shape->restart(startVolume(parameters_));
   }
@@ -207,10 +207,10 @@ void DewpointTracker::iterate(ThreadTeam& team) {
 void DewpointTracker::predictTracks() {
   for (TrackedObject& object : objects_) {
     if (object.isBall()) {
-      object.track.predict(secondsSinceLastFrame(), object.keyIn(key_));
+      object.track.predict(secondsSinceLastFrame(), object.randomKeyIn(key_));
     }
     if (object.shape) {
-      object.shape->predict(secondsSinceLastFrame(), object.keyIn(key_));
+      object.shape->predict(secondsSinceLastFrame(), object.randomKeyIn(key_));
     }
   }
 }

@@ -83,7 +83,7 @@ void DistractorSearch::searchFor(std::size_t target, const Context& context, Thr
   TrackedObject probe = objects.makeDistractorProbe(target, context.settings);
   context.images.passTo(probe.observation, probe.color);
   // Otherwise the wrongly crossed rays of two known objects would make a third.
-  objects.explainOthers(probe.observation, probe);
+  objects.markPixelsOfOthers(probe.observation, probe);
   probe.observation.setRadius(radius);
   for (const Candidate& candidate :
        context.candidates.find(probe.observation, radius > 0.0, kMaxDistractors)) {
@@ -126,7 +126,7 @@ void DistractorSearch::searchInSlices(const Context& context, ThreadTeam& team) 
   // The candidates are some frames old: finds where they are now.
   TrackedObject probe = objects.makeDistractorProbe(slicedTarget_, context.settings);
   context.images.passTo(probe.observation, probe.color);
-  objects.explainOthers(probe.observation, probe);
+  objects.markPixelsOfOthers(probe.observation, probe);
   for (Candidate candidate : candidates) {
     OutlinePrior prior;
     prior.center = candidate.center;
@@ -151,7 +151,7 @@ void DistractorSearch::add(TrackedObject distractor, const Candidate& candidate,
   // Shown again, without what the search had explained by others.
   context.images.passTo(added.observation, added.color);
   added.track.initializeAt(candidate.center, candidate.radius, added.observation,
-                           added.keyIn(context.key), team);
+                           added.randomKeyIn(context.key), team);
 }
 
 } // namespace dewpoint::tracking

@@ -40,11 +40,11 @@ void ObjectUpdate::updateShape(std::size_t target) {
     in_.images.passTo(object.observation, object.color);
   }
   in_.images.passTo(shape.observation(), object.color);
-  in_.objects.explainOtherTargets(target);
+  in_.objects.markPixelsOfOtherTargets(target);
   if (ball != nullptr) {
-    shape.measureBall(*ball, object.keyIn(in_.key), team_);
+    shape.measureBall(*ball, object.randomKeyIn(in_.key), team_);
   } else {
-    shape.update(in_.objects.occupiedByOtherTargets(target), object.keyIn(in_.key), team_);
+    shape.update(in_.objects.occupiedByOtherTargets(target), object.randomKeyIn(in_.key), team_);
   }
   const TrackHypothesis* const other = shape.track().hypothesis();
   if (!object.isBall()) {
@@ -52,7 +52,7 @@ void ObjectUpdate::updateShape(std::size_t target) {
     object.track.setOnlyHypothesis(other);
   } else if (!wasBall && other != nullptr) {
     object.track.initializeAt(other->position(), other->radius, object.observation,
-                              object.keyIn(in_.key), team_);
+                              object.randomKeyIn(in_.key), team_);
   }
 }
 
@@ -66,7 +66,7 @@ void ObjectUpdate::updateAsBall(std::size_t index) {
   TrackedObject& object = in_.objects[index];
   alignTimesFor(object);
   in_.images.passTo(object.observation, object.color);
-  in_.objects.explainOthers(object.observation, object);
+  in_.objects.markPixelsOfOthers(object.observation, object);
   const auto findNow = [&](SphereObservation& observation, bool radiusKnown, std::size_t limit) {
     return in_.candidates.find(observation, radiusKnown, limit, object.track.bounds());
   };
@@ -81,7 +81,7 @@ void ObjectUpdate::updateAsBall(std::size_t index) {
   const CandidateSource search =
       in_.budget.isLimited() ? CandidateSource(findInSlices) : CandidateSource(findNow);
   object.track.update(object.observation, search, in_.objects.occupiedByOthers(index),
-                      object.keyIn(in_.key), team_);
+                      object.randomKeyIn(in_.key), team_);
   if (!searched) {
     object.search.reset(); // candidates in old images are of no use later
   }

@@ -31,7 +31,7 @@ struct TrackedObject {
 
   /// Returns the key of the object's random numbers. `run` is the key of the run in the same frame
   /// and iteration.
-  RandomKey keyIn(const RandomKey& run) const {
+  RandomKey randomKeyIn(const RandomKey& run) const {
     return {derivedSeed(run.seed, stream), run.frame, run.iteration};
   }
 };

@@ -158,7 +158,8 @@ bool TrackedObjects::allTargetsVisible() const {
                      });
 }
 
-void TrackedObjects::explainOthers(SphereObservation& observation, const TrackedObject& own) const {
+void TrackedObjects::markPixelsOfOthers(SphereObservation& observation,
+                                        const TrackedObject& own) const {
   const TrackHypothesis* mine = own.track.confidentHypothesis();
   for (const TrackedObject& object : objects_) {
     const TrackHypothesis* other = &object != &own ? object.track.confidentHypothesis() : nullptr;
@@ -186,7 +187,7 @@ void TrackedObjects::explainOthers(SphereObservation& observation, const Tracked
   }
 }
 
-void TrackedObjects::explainOtherTargets(std::size_t target) {
+void TrackedObjects::markPixelsOfOtherTargets(std::size_t target) {
   const TrackedObject& own = objects_[target];
   for (std::size_t k = 0; k < targetCount_; ++k) {
     const TrackHypothesis* other = k != target ? objects_[k].track.confidentHypothesis() : nullptr;
@@ -212,7 +213,7 @@ std::unique_ptr<SlicedSearch> TrackedObjects::startSearch(const TrackedObject& o
   auto search = std::make_unique<SlicedSearch>(rig_, own.color, own.track.target().radius,
                                                images.frames(), own.track.bounds());
   images.passTo(search->observation(), search->color());
-  explainOthers(search->observation(), own);
+  markPixelsOfOthers(search->observation(), own);
   return search;
 }
 
@@ -230,7 +231,7 @@ void TrackedObjects::suppressIfAtTarget(std::size_t distractor) {
   }
 }
 
-std::vector<std::size_t> TrackedObjects::clearPositionOf(std::size_t target) {
+std::vector<std::size_t> TrackedObjects::removeOthersAtPositionOf(std::size_t target) {
   const TrackHypothesis* const own = objects_[target].track.mostLikelyHypothesis();
   std::vector<std::size_t> changed;
   for (std::size_t k = objects_.size(); own->wasOutlineFound && k-- > 0;) {

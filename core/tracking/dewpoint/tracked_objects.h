@@ -68,11 +68,11 @@ public:
   /// Marks pixels of other objects as explained in the labels of an observation, so that they are
   /// not evidence for `own`. Only objects that are mostly visible and have the color of `own` are
   /// considered. `own` need not be tracked yet.
-  void explainOthers(SphereObservation& observation, const TrackedObject& own) const;
-  /// Marks pixels of other targets as explained, like explainOthers(), in the images from which the
-  /// shape of a target is learned. Distractors are not considered, because a supposed distractor
-  /// may be a part of this target.
-  void explainOtherTargets(std::size_t target);
+  void markPixelsOfOthers(SphereObservation& observation, const TrackedObject& own) const;
+  /// Marks pixels of other targets as explained, like markPixelsOfOthers(), in the images from
+  /// which the shape of a target is learned. Distractors are not considered, because a supposed
+  /// distractor may be a part of this target.
+  void markPixelsOfOtherTargets(std::size_t target);
   /// Starts a search for an object in the images of this frame; the work is spread over several
   /// frames. Pixels of other objects are first marked as explained. The object need not be tracked
   /// yet.
@@ -84,7 +84,7 @@ public:
   /// Removes distractors and hypotheses of other targets at the position of a target, if the
   /// outline of the target was found where the user has placed the target. Returns the indices of
   /// the other targets that were changed.
-  std::vector<std::size_t> clearPositionOf(std::size_t target);
+  std::vector<std::size_t> removeOthersAtPositionOf(std::size_t target);
   /// If two objects are at one position, makes this position improbable for the object with the
   /// smaller log likelihood ratio.
   void resolveConflicts();

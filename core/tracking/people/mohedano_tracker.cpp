@@ -35,10 +35,10 @@ void MohedanoTracker::configure(const ParameterValues& parameters) {
 
 Eigen::Vector2d MohedanoTracker::colorAt(const Eigen::Vector3d& position, double pick) const {
   std::vector<Eigen::Vector2d> seen;
-  for (std::size_t k = 0; k < cameras().count(); ++k) {
+  for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
     const auto pixel = cameras().projector(k).project(position);
     cv::Point at;
-    if (pixel && cameras().usable(k) &&
+    if (pixel && cameras().isUsable(k) &&
         nearestPixel(pixel->x(), pixel->y(), cameras().mask(k), at) &&
         cameras().mask(k).at<unsigned char>(at) != 0) {
       const Eigen::Vector2d color = hueAndSaturation(cameras().image(k).ptr(at.y, at.x));
@@ -58,7 +58,7 @@ void MohedanoTracker::createBelief(const PersonEstimate& person, const RandomKey
   const RandomStream stream = key.stream(RandomPurpose::Start);
   Eigen::ArrayXXd states(count, color_ ? 8 : 6);
   // An upright box around the middle, as high as the middle is above the floor and again.
-  const double halfHeight = std::max(0.2, person.position.z() - settings().area.floor);
+  const double halfHeight = std::max(0.2, person.position.z() - settings().area.floorHeight);
   const Eigen::Vector3d half(kBirthHalfWidth, kBirthHalfWidth, halfHeight);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto index = static_cast<std::uint32_t>(i);
@@ -101,7 +101,7 @@ std::size_t MohedanoTracker::beliefBytes() const {
 
 PersonObservation MohedanoTracker::observation() const {
   std::vector<PersonCamera> views;
-  for (std::size_t k = 0; k < cameras().count(); ++k) {
+  for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
     views.push_back({&cameras().projector(k), likelihoods_[k], cameras().image(k)});
   }
   std::optional<ColorCue> cue;
@@ -113,21 +113,21 @@ PersonObservation MohedanoTracker::observation() const {
 }
 
 void MohedanoTracker::update(ThreadTeam& team) {
-  likelihoods_.assign(cameras().count(), cv::Mat());
-  team.forEachRange(
-      static_cast<std::int64_t>(cameras().count()), [&](std::int64_t begin, std::int64_t end) {
-        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-          if (cameras().usable(k) && !people_.empty()) {
-            motionLikelihood(cameras().mask(k), parameters_.at("mask_sigma"),
-                             parameters_.at("motion_floor"), likelihoods_[k]);
-          }
-        }
-      });
+  likelihoods_.assign(cameras().cameraCount(), cv::Mat());
+  team.forEachRange(static_cast<std::int64_t>(cameras().cameraCount()), [&](std::int64_t begin,
+                                                                            std::int64_t end) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      if (cameras().isUsable(k) && !people_.empty()) {
+        motionLikelihood(cameras().mask(k), parameters_.at("mask_sigma"),
+                         parameters_.at("motion_floor"), likelihoods_[k]);
+      }
+    }
+  });
   if (people_.empty()) {
     return;
   }
   PersonMotion motion;
-  motion.interval = cameras().interval();
+  motion.interval = cameras().secondsBetweenFrames();
   motion.positionSigma = parameters_.at("position_sigma");
   motion.velocitySigma = parameters_.at("velocity_sigma");
   motion.colorSigma = color_ ? parameters_.at("color_noise") : 0.0;
@@ -137,7 +137,7 @@ void MohedanoTracker::update(ThreadTeam& team) {
   for (std::size_t k = 0; k < beliefs_.size(); ++k) {
     Belief& belief = beliefs_[k];
     const StateEstimate estimate = belief.filter.iterate(proposal, model, SystematicResampling{},
-                                                         count, keyOf(belief.identity), team);
+                                                         count, randomKeyOf(belief.identity), team);
     describe(estimate, belief, people_[k]);
   }
 }

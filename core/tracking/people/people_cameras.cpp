@@ -51,13 +51,13 @@ void PeopleCameras::setRig(const CameraRig& rig) {
   std::vector<View> views;
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const int width = rig[k].intrinsics.width;
-    const bool reduce = settings_.imageWidth > 0 && width > settings_.imageWidth;
+    const bool reduce = settings_.maxImageWidth > 0 && width > settings_.maxImageWidth;
     const Camera camera =
-        reduced(rig[k], reduce ? double(settings_.imageWidth) / std::max(1, width) : 1.0);
+        reduced(rig[k], reduce ? double(settings_.maxImageWidth) / std::max(1, width) : 1.0);
     View view{camera, Projector(camera), {}, {}, {}, 0};
     if (k < views_.size()) { // what was learned stays
       view.model = std::move(views_[k].model);
-      view.learnedFrames = views_[k].learnedFrames;
+      view.learnedFrameCount = views_[k].learnedFrameCount;
     }
     views.push_back(std::move(view));
   }
@@ -91,7 +91,7 @@ ForegroundSettings PeopleCameras::foregroundSettings() const {
   ForegroundSettings settings = settings_.foreground;
   const double rate = 1.0 / std::max(1e-3, interval_);
   settings.learningFrames = static_cast<int>(std::ceil(settings_.learningTime * rate));
-  settings.memoryFrames = settings_.memory * rate;
+  settings.memoryFrames = settings_.backgroundMemory * rate;
   return settings;
 }
 
@@ -122,8 +122,8 @@ void PeopleCameras::learnBackgroundImage(std::size_t camera) {
 void PeopleCameras::updateMask(const FrameSet& frames, std::size_t camera, const cv::Mat& keep) {
   View& view = views_[camera];
   PeopleCameraState& state = states_[camera];
-  state.usable = false;
-  state.foregroundShare = 0.0;
+  state.isUsable = false;
+  state.foregroundFraction = 0.0;
   view.mask = cv::Mat();
   if (camera >= frames.frames.size() || !frames.frames[camera] ||
       frames.frames[camera]->image.empty()) {
@@ -139,18 +139,18 @@ void PeopleCameras::updateMask(const FrameSet& frames, std::size_t camera, const
     }
   }
   const bool learning = !knowsRoom && sinceStart_ < settings_.learningTime;
-  state.learned = learning ? sinceStart_ / settings_.learningTime : 1.0;
+  state.learningProgress = learning ? sinceStart_ / settings_.learningTime : 1.0;
   if (learning || !view.model) {
     if (view.model) {
       view.model->learn(view.image);
-      ++view.learnedFrames;
+      ++view.learnedFrameCount;
     }
     return;
   }
   view.model->subtract(view.image, keep, view.mask);
-  state.foregroundShare =
+  state.foregroundFraction =
       static_cast<double>(cv::countNonZero(view.mask)) / static_cast<double>(view.mask.total());
-  state.usable = state.foregroundShare < kOverwhelmed;
+  state.isUsable = state.foregroundFraction < kOverwhelmed;
 }
 
 } // namespace dewpoint::tracking

@@ -31,23 +31,23 @@ public:
 
   void setRig(const CameraRig& rig);
   void configure(const PeopleSettings& settings) { settings_ = settings; }
-  void setBackgroundImages(const std::vector<cv::Mat>& rooms) { backgroundImages_ = rooms; }
+  void setBackgroundImages(const std::vector<cv::Mat>& images) { backgroundImages_ = images; }
   /// Restarts, so that the next frame is treated as the first frame.
   void restart();
   /// Computes the motion masks of a frame. `keep` has one image per camera, of the mask's size or
   /// empty. Pixels that are nonzero in `keep` are not learned as background.
   void computeMasks(const FrameSet& frames, const std::vector<cv::Mat>& keep, ThreadTeam& team);
 
-  std::size_t count() const { return views_.size(); }
+  std::size_t cameraCount() const { return views_.size(); }
   const Projector& projector(std::size_t camera) const { return views_[camera].projector; }
   /// Returns the camera with intrinsics for the reduced images. The pose is unchanged.
   const Camera& camera(std::size_t camera) const { return views_[camera].camera; }
-  bool usable(std::size_t camera) const { return states_[camera].usable; }
+  bool isUsable(std::size_t camera) const { return states_[camera].isUsable; }
   const cv::Mat& image(std::size_t camera) const { return views_[camera].image; }
   const cv::Mat& mask(std::size_t camera) const { return views_[camera].mask; }
   const std::vector<PeopleCameraState>& states() const { return states_; }
   /// Returns the seconds between the last two frames.
-  double interval() const { return interval_; }
+  double secondsBetweenFrames() const { return interval_; }
   std::int64_t frame() const { return frame_; }
 
 private:
@@ -73,7 +73,7 @@ private:
     cv::Mat image; ///< its pixels and those of the mask are never changed afterward
     cv::Mat mask;
     Model model;
-    int learnedFrames = 0;
+    int learnedFrameCount = 0;
   };
 
   void updateMask(const FrameSet& frames, std::size_t camera, const cv::Mat& keep);

@@ -152,17 +152,17 @@ Declarations ours() {
 PeopleSettings peopleSettings(const ParameterValues& parameters) {
   PeopleSettings result;
   result.area.center = {parameters.at("area_x"), parameters.at("area_y")};
-  result.area.half = {parameters.at("area_half_x"), parameters.at("area_half_y")};
-  result.area.floor = parameters.at("floor_z");
+  result.area.halfSize = {parameters.at("area_half_x"), parameters.at("area_half_y")};
+  result.area.floorHeight = parameters.at("floor_z");
   result.foreground.method =
       static_cast<BackgroundMethod>(static_cast<int>(parameters.at("background")));
   result.foreground.darkestShadow = parameters.at("darkest_shadow");
   result.learningTime = parameters.at("learning_time");
-  result.memory = parameters.at("background_memory");
-  result.imageWidth = static_cast<int>(parameters.at("image_width"));
-  result.birthTime = parameters.at("birth_time");
+  result.backgroundMemory = parameters.at("background_memory");
+  result.maxImageWidth = static_cast<int>(parameters.at("image_width"));
+  result.confirmationTime = parameters.at("birth_time");
   result.survivalTime = parameters.at("survival_time");
-  result.births = parameters.at("births") != 0.0;
+  result.createsTracks = parameters.at("births") != 0.0;
   return result;
 }
 

@@ -14,11 +14,11 @@ namespace dewpoint::tracking {
 /// Floor on which people walk: a rectangle, meters, world frame.
 struct PeopleArea {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  Eigen::Vector2d half{3.5, 3.5};
-  double floor = 0.0; ///< height z of the floor
+  Eigen::Vector2d halfSize{3.5, 3.5};
+  double floorHeight = 0.0; ///< z of the floor
 
   bool contains(const Eigen::Vector2d& position) const {
-    return ((position - center).cwiseAbs() - half).maxCoeff() <= 0.0;
+    return ((position - center).cwiseAbs() - halfSize).maxCoeff() <= 0.0;
   }
 };
 
@@ -32,15 +32,15 @@ struct PeopleSettings {
   ForegroundSettings foreground; ///< in frames of 1/30 s until the frame rate is known
   /// Time at the start during which only the background is learned, seconds.
   double learningTime = 1.0;
-  double memory = 40.0; ///< time after which a new object counts as background, seconds
+  double backgroundMemory = 40.0; ///< time after which a new object counts as background, seconds
   /// Maximum image width in pixels. Wider images are reduced to this width. 0: images keep their
   /// size.
-  int imageWidth = 0;
+  int maxImageWidth = 0;
   /// Time for which a new person must be visible before a track begins, seconds.
-  double birthTime = 0.2;
+  double confirmationTime = 0.2;
   /// Time for which a track is kept while fewer than two cameras see the person, seconds.
   double survivalTime = 0.6;
-  bool births = true;
+  bool createsTracks = true; ///< false: only the user adds people
 };
 
 /// Returns the common settings from the parameters of a method for people.

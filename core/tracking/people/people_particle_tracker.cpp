@@ -151,9 +151,9 @@ cv::Mat PeopleParticleTracker::coveredByOthers(std::size_t person, std::size_t c
 }
 
 std::vector<ScoreSums> PeopleParticleTracker::scoresFor(std::size_t person) const {
-  std::vector<ScoreSums> result(cameras().count());
-  for (std::size_t k = 0; k < cameras().count(); ++k) {
-    if (!cameras().usable(k)) {
+  std::vector<ScoreSums> result(cameras().cameraCount());
+  for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
+    if (!cameras().isUsable(k)) {
       continue;
     }
     cv::Mat scores = maskScores(cameras().mask(k), coveredByOthers(person, k));
@@ -173,10 +173,10 @@ std::vector<ScoreSums> PeopleParticleTracker::scoresFor(std::size_t person) cons
 
 void PeopleParticleTracker::weigh(std::size_t person, ThreadTeam& team) {
   std::vector<const SilhouetteProjector*> makers;
-  for (std::size_t k = 0; k < cameras().count(); ++k) {
+  for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
     makers.push_back(&silhouetteProjector(k));
   }
-  StandingObservation observation(std::move(makers), scoresFor(person), settings().area.floor,
+  StandingObservation observation(std::move(makers), scoresFor(person), settings().area.floorHeight,
                                   parameters_.at("evidence"), parameters_.at("usual_height"));
   std::vector<Eigen::Vector2d> others;
   for (std::size_t k = 0; k < people_.size(); ++k) {
@@ -186,17 +186,17 @@ void PeopleParticleTracker::weigh(std::size_t person, ThreadTeam& team) {
   }
   observation.keepFrom(std::move(others), parameters_.at("least_distance"));
   WalkingMotion motion;
-  motion.interval = cameras().interval();
+  motion.interval = cameras().secondsBetweenFrames();
   motion.accelerationSigma = parameters_.at("acceleration_sigma");
   motion.usualHeight = parameters_.at("usual_height");
   Belief& belief = beliefs_[person];
   const StateEstimate estimate = belief.filter.iterate(
       MotionProposal<WalkingMotion>{motion}, observation, SystematicResampling{},
-      static_cast<Eigen::Index>(parameters_.at("particles")), keyOf(belief.identity), team);
+      static_cast<Eigen::Index>(parameters_.at("particles")), randomKeyOf(belief.identity), team);
   PersonEstimate& result = people_[person];
   result.height = estimate.mean[4];
   result.position = {estimate.mean[0], estimate.mean[1],
-                     settings().area.floor + 0.5 * result.height};
+                     settings().area.floorHeight + 0.5 * result.height};
   result.velocity = {estimate.mean[2], estimate.mean[3], 0.0};
   result.covariance.setZero();
   result.covariance.topLeftCorner<2, 2>() = estimate.covariance.topLeftCorner<2, 2>();
@@ -208,7 +208,7 @@ void PeopleParticleTracker::weigh(std::size_t person, ThreadTeam& team) {
 void PeopleParticleTracker::update(ThreadTeam& team) {
   // Where everybody is expected, so that those who come later explain what is theirs.
   for (PersonEstimate& person : people_) {
-    person.position += cameras().interval() * person.velocity;
+    person.position += cameras().secondsBetweenFrames() * person.velocity;
   }
   for (std::size_t k = 0; k < people_.size(); ++k) {
     weigh(k, team);
@@ -226,8 +226,8 @@ void PeopleParticleTracker::learnClothes() {
     if (!alone) {
       continue;
     }
-    for (std::size_t k = 0; k < cameras().count(); ++k) {
-      if (cameras().usable(k)) {
+    for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
+      if (cameras().isUsable(k)) {
         beliefs_[person].clothes.learn(cameras().image(k), cameras().mask(k),
                                        silhouette(people_[person], k), coveredByOthers(person, k));
       }
@@ -240,8 +240,8 @@ double PeopleParticleTracker::clothesEvidence(std::size_t one, std::size_t other
   double sum = 0.0;
   for (const auto& [own, foreign] : {std::pair(one, other), std::pair(other, one)}) {
     const ClothesRatio ratio = beliefs_[own].clothes.logRatioAgainst(beliefs_[foreign].clothes);
-    for (std::size_t k = 0; k < cameras().count(); ++k) {
-      if (cameras().usable(k)) {
+    for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
+      if (cameras().isUsable(k)) {
         sum += ClothesModel::meanRatio(ratio, cameras().image(k), cameras().mask(k),
                                        silhouette(people_[own], k), coveredByOthers(own, k));
       }
@@ -268,20 +268,20 @@ void PeopleParticleTracker::updateMeetings() {
     for (std::size_t other = one + 1; other < people_.size(); ++other) {
       const std::pair key(people_[one].identity, people_[other].identity);
       if (areNear(one, other)) {
-        meetings_[key].sinceNear = 0.0;
+        meetings_[key].secondsSinceNear = 0.0;
       }
       const auto found = meetings_.find(key);
       if (found == meetings_.end()) {
         continue;
       }
       Meeting& meeting = found->second;
-      meeting.sinceNear += cameras().interval();
+      meeting.secondsSinceNear += cameras().secondsBetweenFrames();
       meeting.evidence = kEvidenceLoss * meeting.evidence + clothesEvidence(one, other);
       if (meeting.evidence < kMistaken) {
         swapIdentities(one, other);
         meeting.evidence = 0.0;
       }
-      if (meeting.sinceNear > kMeetingMemory) {
+      if (meeting.secondsSinceNear > kMeetingMemory) {
         meetings_.erase(found);
       }
     }
@@ -294,14 +294,14 @@ BodyCloud PeopleParticleTracker::body(int identity) const {
     return {};
   }
   std::vector<PersonCamera> views;
-  std::vector<cv::Mat> likelihoods(cameras().count());
-  for (std::size_t k = 0; k < cameras().count(); ++k) {
-    if (cameras().usable(k)) {
+  std::vector<cv::Mat> likelihoods(cameras().cameraCount());
+  for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
+    if (cameras().isUsable(k)) {
       motionLikelihood(cameras().mask(k), kBodyMaskSigma, kBodyMaskFloor, likelihoods[k]);
     }
     views.push_back({&cameras().projector(k), likelihoods[k], cv::Mat()});
   }
-  const RandomStream stream = keyOf(identity).stream(RandomPurpose::Search);
+  const RandomStream stream = randomKeyOf(identity).stream(RandomPurpose::Search);
   const auto count = static_cast<Eigen::Index>(parameters_.at("body_points"));
   Ancestors ancestors;
   SystematicResampling{}.ancestors(found->filter.weights().all(), count, stream, ancestors);
@@ -316,7 +316,7 @@ BodyCloud PeopleParticleTracker::body(int identity) const {
     const double angle = 2.0 * std::numbers::pi * uniform[2];
     cloud.points(i, 0) = state[0] + radius * std::cos(angle);
     cloud.points(i, 1) = state[1] + radius * std::sin(angle);
-    cloud.points(i, 2) = settings().area.floor + height * uniform[0];
+    cloud.points(i, 2) = settings().area.floorHeight + height * uniform[0];
   }
   Eigen::ArrayXd logWeights = Eigen::ArrayXd::Zero(count);
   PersonObservation(std::move(views), kBodyMaskFloor, std::nullopt)

@@ -31,11 +31,11 @@ private:
     ClothesModel clothes;
   };
   /// Data about two people who are or were near each other. `evidence` comes from their clothes,
-  /// and is negative if their identities seem to be exchanged. `sinceNear` is the time in seconds
-  /// since the two were near each other.
+  /// and is negative if their identities seem to be exchanged. `secondsSinceNear` is the time in
+  /// seconds since the two were near each other.
   struct Meeting {
     double evidence = 0.0;
-    double sinceNear = 0.0;
+    double secondsSinceNear = 0.0;
   };
 
   void createBelief(const PersonEstimate& person, const RandomKey& key) override;

@@ -49,20 +49,20 @@ void drawSilhouette(const BodySilhouette& silhouette, unsigned char value, cv::M
 void PeopleTrackInitiation::setCameras(const PeopleCameras& cameras, const PeopleArea& area,
                                        double height) {
   cells_.clear();
-  const double wanted = 4.0 * area.half.prod() / static_cast<double>(kMostCells);
+  const double wanted = 4.0 * area.halfSize.prod() / static_cast<double>(kMostCells);
   const double step = std::max(kStep, std::sqrt(wanted));
-  const int columns = static_cast<int>(std::floor(area.half.x() / step));
-  const int rows = static_cast<int>(std::floor(area.half.y() / step));
+  const int columns = static_cast<int>(std::floor(area.halfSize.x() / step));
+  const int rows = static_cast<int>(std::floor(area.halfSize.y() / step));
   std::vector<SilhouetteProjector> makers;
-  for (std::size_t k = 0; k < cameras.count(); ++k) {
+  for (std::size_t k = 0; k < cameras.cameraCount(); ++k) {
     makers.emplace_back(cameras.camera(k));
   }
   for (int j = -rows; j <= rows; ++j) {
     for (int i = -columns; i <= columns; ++i) {
       Cell cell{area.center + step * Eigen::Vector2d(i, j), {}};
       int useful = 0;
-      for (std::size_t k = 0; k < cameras.count(); ++k) {
-        auto silhouette = makers[k].project(cell.position, area.floor, height);
+      for (std::size_t k = 0; k < cameras.cameraCount(); ++k) {
+        auto silhouette = makers[k].project(cell.position, area.floorHeight, height);
         silhouette.visible = shareInImage(silhouette, cameras.camera(k).intrinsics) >= kInImage;
         useful += silhouette.visible ? 1 : 0;
         cell.silhouettes.push_back(silhouette);
@@ -81,7 +81,7 @@ double PeopleTrackInitiation::scoreOf(const Cell& cell, const PeopleCameras& cam
   double sum = 0.0;
   for (std::size_t k = 0; k < scores.size(); ++k) {
     const BodySilhouette& silhouette = cell.silhouettes[k];
-    if (!silhouette.visible || !cameras.usable(k)) {
+    if (!silhouette.visible || !cameras.isUsable(k)) {
       continue;
     }
     // The chest first: where that is not seen, nothing more is scored.
@@ -104,33 +104,33 @@ double PeopleTrackInitiation::scoreOf(const Cell& cell, const PeopleCameras& cam
 
 void PeopleTrackInitiation::updateCandidates(const std::vector<Candidate>& peaks, double interval) {
   for (Candidate& candidate : candidates_) {
-    candidate.seen = false;
+    candidate.isVisible = false;
   }
   for (const Candidate& peak : peaks) {
     const auto same = std::ranges::find_if(candidates_, [&](const Candidate& one) {
-      return !one.seen && (one.position - peak.position).norm() < kSame;
+      return !one.isVisible && (one.position - peak.position).norm() < kSame;
     });
     if (same == candidates_.end()) {
       candidates_.push_back({peak.position, peak.score, 0.0, true});
     } else {
-      *same = {peak.position, peak.score, std::max(0.0, same->since) + interval, true};
+      *same = {peak.position, peak.score, std::max(0.0, same->visibleSeconds) + interval, true};
     }
   }
   std::erase_if(candidates_, [&](Candidate& one) {
-    if (!one.seen) {
-      one.since -= interval; // it loses what it had gained
+    if (!one.isVisible) {
+      one.visibleSeconds -= interval; // it loses what it had gained
     }
-    return !one.seen && one.since < -kPatience;
+    return !one.isVisible && one.visibleSeconds < -kPatience;
   });
 }
 
 std::vector<Eigen::Vector2d>
 PeopleTrackInitiation::update(const PeopleCameras& cameras, const std::vector<cv::Mat>& explained,
-                              const std::vector<Eigen::Vector2d>& taken, double birthTime) {
-  std::vector<ScoreSums> scores(cameras.count());
+                              const std::vector<Eigen::Vector2d>& taken, double confirmationTime) {
+  std::vector<ScoreSums> scores(cameras.cameraCount());
   int usable = 0;
-  for (std::size_t k = 0; k < cameras.count(); ++k) {
-    if (cameras.usable(k)) {
+  for (std::size_t k = 0; k < cameras.cameraCount(); ++k) {
+    if (cameras.isUsable(k)) {
       ++usable;
       scores[k].build(maskScores(cameras.mask(k), k < explained.size() ? explained[k] : cv::Mat()));
     }
@@ -157,9 +157,10 @@ PeopleTrackInitiation::update(const PeopleCameras& cameras, const std::vector<cv
       peaks.push_back(one);
     }
   }
-  updateCandidates(peaks, cameras.interval());
-  const auto ready = std::ranges::find_if(
-      candidates_, [&](const Candidate& one) { return one.seen && one.since >= birthTime - 1e-9; });
+  updateCandidates(peaks, cameras.secondsBetweenFrames());
+  const auto ready = std::ranges::find_if(candidates_, [&](const Candidate& one) {
+    return one.isVisible && one.visibleSeconds >= confirmationTime - 1e-9;
+  });
   if (ready == candidates_.end()) {
     return {};
   }

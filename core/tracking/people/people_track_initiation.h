@@ -34,10 +34,11 @@ public:
   /// Processes the masks of a frame. Returns at most one position (world x, y, meters) at which to
   /// create a track. `explained` has one mask per camera (CV_8UC1) that is nonzero at pixels of
   /// people who are already tracked, or is empty. `taken` has the positions of the tracked people.
-  /// A new person must be visible for `birthTime` seconds.
+  /// A new person must be visible for `confirmationTime` seconds.
   std::vector<Eigen::Vector2d> update(const PeopleCameras& cameras,
                                       const std::vector<cv::Mat>& explained,
-                                      const std::vector<Eigen::Vector2d>& taken, double birthTime);
+                                      const std::vector<Eigen::Vector2d>& taken,
+                                      double confirmationTime);
 
 private:
   struct Cell {
@@ -47,8 +48,8 @@ private:
   struct Candidate {
     Eigen::Vector2d position;
     double score = 0.0;
-    double since = 0.0; ///< seconds
-    bool seen = true;   ///< seen in this frame
+    double visibleSeconds = 0.0; ///< decreases while not visible
+    bool isVisible = true;       ///< seen in this frame
   };
 
   double scoreOf(const Cell& cell, const PeopleCameras& cameras,

@@ -41,7 +41,7 @@ void PeopleTrackLifecycle::apply(const ParameterValues& parameters) {
 
 void PeopleTrackLifecycle::prepare() {
   makers_.clear();
-  for (std::size_t k = 0; k < cameras_.count(); ++k) {
+  for (std::size_t k = 0; k < cameras_.cameraCount(); ++k) {
     makers_.emplace_back(cameras_.camera(k));
   }
   initiation_.setCameras(cameras_, settings_.area, usualHeight_);
@@ -126,7 +126,7 @@ std::size_t PeopleTrackLifecycle::memoryBytes() const {
          allPeople_.capacity() * (sizeof(Target) + sizeof(TrackEstimate));
 }
 
-RandomKey PeopleTrackLifecycle::keyOf(int identity) const {
+RandomKey PeopleTrackLifecycle::randomKeyOf(int identity) const {
   return {derivedSeed(seed_, static_cast<std::uint32_t>(identity)),
           static_cast<std::uint32_t>(std::max<std::int64_t>(0, cameras_.frame())), 0};
 }
@@ -148,7 +148,7 @@ int PeopleTrackLifecycle::createTrack(const Eigen::Vector3d& center) {
   person.position = center;
   unseen_.push_back(0.0);
   const PersonEstimate copy = person; // createBelief() may look at people_
-  createBelief(copy, keyOf(copy.identity));
+  createBelief(copy, randomKeyOf(copy.identity));
   return copy.identity;
 }
 
@@ -168,13 +168,14 @@ void PeopleTrackLifecycle::removeTrack(int identity) {
 
 BodySilhouette PeopleTrackLifecycle::silhouette(const PersonEstimate& person,
                                                 std::size_t camera) const {
-  return makers_[camera].project(floorPosition(person), settings_.area.floor, heightOf(person));
+  return makers_[camera].project(floorPosition(person), settings_.area.floorHeight,
+                                 heightOf(person));
 }
 
 std::vector<cv::Mat> PeopleTrackLifecycle::silhouettesOfAll(double wider) const {
-  std::vector<cv::Mat> masks(cameras_.count());
-  for (std::size_t k = 0; k < cameras_.count(); ++k) {
-    if (people_.empty() || !cameras_.usable(k)) {
+  std::vector<cv::Mat> masks(cameras_.cameraCount());
+  for (std::size_t k = 0; k < cameras_.cameraCount(); ++k) {
+    if (people_.empty() || !cameras_.isUsable(k)) {
       continue;
     }
     masks[k] = cv::Mat::zeros(cameras_.mask(k).size(), CV_8UC1);
@@ -196,7 +197,7 @@ std::vector<cv::Mat> PeopleTrackLifecycle::silhouettesOfAll(double wider) const 
 PeopleTrackLifecycle::Visibility PeopleTrackLifecycle::visibilityOf(std::size_t person,
                                                                     std::size_t camera) const {
   Visibility sight;
-  if (!cameras_.usable(camera)) {
+  if (!cameras_.isUsable(camera)) {
     return sight;
   }
   const cv::Mat& mask = cameras_.mask(camera);
@@ -228,35 +229,35 @@ PeopleTrackLifecycle::Visibility PeopleTrackLifecycle::visibilityOf(std::size_t 
         }
       }
     }
-    sight.inView = sight.inView || withinImage(body.pieces[k], mask) > 0.0;
+    sight.isInView = sight.isInView || withinImage(body.pieces[k], mask) > 0.0;
   }
-  sight.free = all > 0.0 ? free / all : 0.0;
+  sight.uncoveredFraction = all > 0.0 ? free / all : 0.0;
   sight.score = free > 0.0 ? moving / free : 0.0;
   return sight;
 }
 
 void PeopleTrackLifecycle::updateVisibility() {
-  const double interval = cameras_.interval();
+  const double interval = cameras_.secondsBetweenFrames();
   for (std::size_t person = 0; person < people_.size(); ++person) {
     PersonEstimate& estimate = people_[person];
     int seeing = 0;
     int unable = 0;
-    for (std::size_t k = 0; k < cameras_.count(); ++k) {
+    for (std::size_t k = 0; k < cameras_.cameraCount(); ++k) {
       const Visibility sight = visibilityOf(person, k);
-      if (sight.inView && sight.free < kFreeShare) {
+      if (sight.isInView && sight.uncoveredFraction < kFreeShare) {
         ++unable;
-      } else if (sight.inView && sight.score >= kSeenScore) {
+      } else if (sight.isInView && sight.score >= kSeenScore) {
         ++seeing;
       }
     }
-    const int needed = std::min<int>(2, static_cast<int>(cameras_.count()));
+    const int needed = std::min<int>(2, static_cast<int>(cameras_.cameraCount()));
     double& unseen = unseen_[person];
     if (seeing >= needed) {
       unseen = std::max(0.0, unseen - 2.0 * interval);
     } else {
       unseen += seeing > 0 && seeing + unable >= needed ? interval / kHiddenPatience : interval;
     }
-    estimate.camerasSeeing = seeing;
+    estimate.seeingCameraCount = seeing;
     estimate.existenceProbability = std::clamp(1.0 - unseen / settings_.survivalTime, 0.0, 1.0);
     estimate.age += interval;
     estimate.interacting = std::ranges::any_of(people_, [&](const PersonEstimate& other) {
@@ -266,19 +267,19 @@ void PeopleTrackLifecycle::updateVisibility() {
   }
 }
 
-std::vector<LikelihoodMap> PeopleTrackLifecycle::motionLikelihoods() const {
+std::vector<LikelihoodMap> PeopleTrackLifecycle::motionLikelihoodMaps() const {
   const MotionSmoothing smoothing = motionSmoothing();
-  std::vector<LikelihoodMap> maps(cameras_.count());
+  std::vector<LikelihoodMap> maps(cameras_.cameraCount());
   for (std::size_t k = 0; k < maps.size(); ++k) {
     const cv::Mat& mask = cameras_.mask(k);
     if (mask.empty()) {
       continue;
     }
     cv::Mat likelihood;
-    motionLikelihood(mask, smoothing.sigma, smoothing.floor, likelihood);
+    motionLikelihood(mask, smoothing.sigma, smoothing.minLikelihood, likelihood);
     cv::log(likelihood, maps[k].logLikelihood);
     maps[k].area = {{0, 0}, mask.size()};
-    maps[k].minLogLikelihood = std::log(smoothing.floor);
+    maps[k].minLogLikelihood = std::log(smoothing.minLikelihood);
     maps[k].maxLogLikelihood = 0.0; // D = 1: motion all around
   }
   return maps;
@@ -300,24 +301,25 @@ void PeopleTrackLifecycle::initiateTracks() {
   }
   const auto explained = silhouettesOfAll(kExplainedWider);
   PeopleArea inside = settings_.area;
-  inside.half.array() -= kBirthMargin;
-  for (const auto& position : initiation_.update(cameras_, explained, taken, settings_.birthTime)) {
+  inside.halfSize.array() -= kBirthMargin;
+  for (const auto& position :
+       initiation_.update(cameras_, explained, taken, settings_.confirmationTime)) {
     if (inside.contains(position)) {
-      createTrack({position.x(), position.y(), settings_.area.floor + 0.5 * usualHeight_});
+      createTrack({position.x(), position.y(), settings_.area.floorHeight + 0.5 * usualHeight_});
     }
   }
 }
 
 void PeopleTrackLifecycle::step(const FrameSet& frames, ThreadTeam& team) {
   cameras_.computeMasks(frames, silhouettesOfAll(kExplainedWider), team);
-  const bool anyUsable = std::ranges::any_of(cameras_.states(), &PeopleCameraState::usable);
+  const bool anyUsable = std::ranges::any_of(cameras_.states(), &PeopleCameraState::isUsable);
   if (!anyUsable) {
     return; // learning, or no images: what is believed stays as it is
   }
   update(team);
   updateVisibility();
   terminateTracks();
-  if (settings_.births) {
+  if (settings_.createsTracks) {
     initiateTracks();
   }
 }

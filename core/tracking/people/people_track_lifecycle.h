@@ -43,7 +43,7 @@ public:
   const std::vector<PersonEstimate>& people() const override { return people_; }
   const std::vector<PeopleCameraState>& cameraStates() const override { return cameras_.states(); }
   cv::Mat foreground(std::size_t camera) const override { return cameras_.mask(camera); }
-  std::vector<LikelihoodMap> motionLikelihoods() const override;
+  std::vector<LikelihoodMap> motionLikelihoodMaps() const override;
   int addPerson(const Eigen::Vector3d& center) override;
   void removePerson(int identity) override;
   bool canBeCopied() const override { return cameras_.canBeCopied(); }
@@ -55,13 +55,13 @@ protected:
   /// Parameters of motionLikelihood(): the width of g, and p_B, of Mohedano et al. 2009.
   struct MotionSmoothing {
     double sigma = 4.0; ///< pixels of the mask
-    double floor = 0.2;
+    double minLikelihood = 0.2;
   };
   /// Visibility of a person in a camera.
   struct Visibility {
-    bool inView = false;
-    double score = 0.0; ///< 1 if all of the person's visible part is foreground
-    double free = 0.0;  ///< fraction of the silhouette that no other person covers
+    bool isInView = false;
+    double score = 0.0;             ///< 1 if all of the person's visible part is foreground
+    double uncoveredFraction = 0.0; ///< fraction of the silhouette that no other person covers
   };
 
   /// Creates the method's belief about a new person, who is the last of `people_`.
@@ -78,7 +78,7 @@ protected:
   /// person is visible.
   virtual bool ignoresCoveredForeground() const = 0;
 
-  RandomKey keyOf(int identity) const;
+  RandomKey randomKeyOf(int identity) const;
   Eigen::Vector2d floorPosition(const PersonEstimate& person) const {
     return person.position.head<2>();
   }

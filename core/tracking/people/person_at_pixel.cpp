@@ -97,18 +97,19 @@ std::optional<Eigen::Vector3d> personAtPixel(const PeopleFinding& people, const 
   }
   const PeopleArea area = peopleSettings(parameters).area;
   const double height = heightIn(parameters);
-  const double step = std::max(kPlaceStep, 2.0 * area.half.maxCoeff() / kMostSteps);
+  const double step = std::max(kPlaceStep, 2.0 * area.halfSize.maxCoeff() / kMostSteps);
   double best = -std::numeric_limits<double>::infinity();
   std::optional<Eigen::Vector2d> found;
-  for (double x = -area.half.x(); x <= area.half.x(); x += step) {
-    for (double y = -area.half.y(); y <= area.half.y(); y += step) {
+  for (double x = -area.halfSize.x(); x <= area.halfSize.x(); x += step) {
+    for (double y = -area.halfSize.y(); y <= area.halfSize.y(); y += step) {
       const Eigen::Vector2d position = area.center + Eigen::Vector2d(x, y);
       const auto beside =
-          besideMiddle(views[clicked].maker.project(position, area.floor, height), pixel);
+          besideMiddle(views[clicked].maker.project(position, area.floorHeight, height), pixel);
       if (!beside) {
         continue;
       }
-      const double score = scoreOf(views, position, area.floor, height) - kBesideCost * *beside;
+      const double score =
+          scoreOf(views, position, area.floorHeight, height) - kBesideCost * *beside;
       if (score > best) {
         best = score;
         found = position;

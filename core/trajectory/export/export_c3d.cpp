@@ -111,7 +111,7 @@ private:
 std::vector<std::string> labels(const ExportTable& table) {
   std::vector<std::string> result;
   for (const std::string& target : table.targets) {
-    result.push_back(oneLine(target).substr(0, kMostInByte));
+    result.push_back(withoutLineBreaks(target).substr(0, kMostInByte));
   }
   return result;
 }
@@ -125,7 +125,7 @@ std::string parameterSection(const ExportTable& table, double scale, std::size_t
   parameters.word("FRAMES", std::min(frames, most));
   parameters.word("DATA_START", static_cast<std::uint32_t>(dataBlock));
   parameters.real("SCALE", scale);
-  parameters.real("RATE", table.rate);
+  parameters.real("RATE", table.rowsPerSecond);
   if (frames > most) {
     parameters.real("LONG_FRAMES", frames);
   }
@@ -137,9 +137,9 @@ std::string parameterSection(const ExportTable& table, double scale, std::size_t
   parameters.group("ANALOG");
   parameters.word("USED", 0);
   parameters.real("GEN_SCALE", 1.0);
-  parameters.real("RATE", table.rate);
+  parameters.real("RATE", table.rowsPerSecond);
   parameters.group("TRIAL");
-  parameters.real("CAMERA_RATE", table.rate);
+  parameters.real("CAMERA_RATE", table.rowsPerSecond);
   // 32 bits in two words, the low one first.
   parameters.words("ACTUAL_START_FIELD", {1, 0});
   parameters.words("ACTUAL_END_FIELD", {frames & 0xFFFFU, frames >> 16U});
@@ -163,7 +163,7 @@ std::string headerSection(const ExportTable& table, double scale, std::size_t da
   putLittleEndian(bytes, static_cast<float>(scale));
   word(dataBlock);
   word(0); // analog samples per frame
-  putLittleEndian(bytes, static_cast<float>(table.rate));
+  putLittleEndian(bytes, static_cast<float>(table.rowsPerSecond));
   padToBlock(bytes);
   return bytes;
 }
@@ -171,7 +171,7 @@ std::string headerSection(const ExportTable& table, double scale, std::size_t da
 /// The fourth word of a point: which cameras saw it and its residual; -1 for a gap, residual 0 for
 /// what was not seen but filled. Which cameras it were is not known, only how many.
 float fourthWord(const ExportCell& cell, double scale) {
-  if (!cell.present) {
+  if (!cell.hasPosition) {
     return -1.0F;
   }
   if (cell.filled) {
@@ -180,7 +180,7 @@ float fourthWord(const ExportCell& cell, double scale) {
   const double sigma =
       cell.covariance ? std::sqrt(std::max(0.0, cell.covariance->trace() / 3.0)) : 0.0;
   const double residual = std::clamp(std::round(sigma / -scale), 1.0, kMostResidual);
-  const int cameras = (1 << std::clamp(cell.cameras, 0, kMostCameras)) - 1;
+  const int cameras = (1 << std::clamp(cell.cameraCount, 0, kMostCameras)) - 1;
   return static_cast<float>(cameras * 256 + static_cast<int>(residual));
 }
 

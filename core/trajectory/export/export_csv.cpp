@@ -35,20 +35,20 @@ std::string positionCells(const Eigen::Vector3d& p) {
 
 std::string tidyRow(const ExportCell& cell, const ExportTable& table) {
   std::string text =
-      cell.present
-          ? fmt::format("{}{},{},{},1,{}", positionCells(cell.position), covarianceCells(cell),
-                        cell.cameras, covarianceText(cell.effectiveSampleSize), cell.filled ? 1 : 0)
-          : std::string(13, ',') + "0,,0,0";
-  if (table.best) {
-    text += cell.best ? positionCells(*cell.best) : std::string(3, ',');
+      cell.hasPosition ? fmt::format("{}{},{},{},1,{}", positionCells(cell.position),
+                                     covarianceCells(cell), cell.cameraCount,
+                                     covarianceText(cell.effectiveSampleSize), cell.filled ? 1 : 0)
+                       : std::string(13, ',') + "0,,0,0";
+  if (table.hasBest) {
+    text += cell.bestParticle ? positionCells(*cell.bestParticle) : std::string(3, ',');
   }
-  if (table.corrected) {
+  if (table.hasCorrected) {
     text += cell.corrected ? ",1" : ",0";
   }
-  if (table.ambiguous) {
+  if (table.hasAmbiguous) {
     text += cell.ambiguous ? ",1" : ",0";
   }
-  if (table.extent) {
+  if (table.hasExtent) {
     text += cell.extent ? symmetricCells(*cell.extent) : std::string(6, ',');
   }
   return text + '\n';
@@ -62,13 +62,13 @@ EncodedFiles encodeTidyCsv(const ExportTable& table, const std::string& /*name*/
                       "cov_xy_{0}2,cov_xz_{0}2,cov_yy_{0}2,cov_yz_{0}2,cov_zz_{0}2,cameras,ess,"
                       "valid,filled",
                       table.unitName());
-  text += table.best ? fmt::format(",best_x_{0},best_y_{0},best_z_{0}", table.unitName()) : "";
-  text += table.corrected ? ",corrected" : "";
-  text += table.ambiguous ? ",ambiguous" : "";
-  text += table.extent ? fmt::format(",extent_xx_{0}2,extent_xy_{0}2,extent_xz_{0}2,"
-                                     "extent_yy_{0}2,extent_yz_{0}2,extent_zz_{0}2",
-                                     table.unitName())
-                       : "";
+  text += table.hasBest ? fmt::format(",best_x_{0},best_y_{0},best_z_{0}", table.unitName()) : "";
+  text += table.hasCorrected ? ",corrected" : "";
+  text += table.hasAmbiguous ? ",ambiguous" : "";
+  text += table.hasExtent ? fmt::format(",extent_xx_{0}2,extent_xy_{0}2,extent_xz_{0}2,"
+                                        "extent_yy_{0}2,extent_yz_{0}2,extent_zz_{0}2",
+                                        table.unitName())
+                          : "";
   text += '\n';
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
     for (std::size_t target = 0; target < table.targets.size(); ++target) {
@@ -93,7 +93,7 @@ EncodedFiles encodeWideCsv(const ExportTable& table, const std::string& /*name*/
     for (const auto& column : table.cells) {
       const ExportCell& cell = column[row];
       for (int axis = 0; axis < 3; ++axis) {
-        text += ',' + (cell.present ? lengthText(cell.position[axis]) : std::string());
+        text += ',' + (cell.hasPosition ? lengthText(cell.position[axis]) : std::string());
       }
     }
     text += '\n';

@@ -8,12 +8,12 @@
 namespace dewpoint::trajectory::encoders {
 
 std::string commentHeader(const ExportTable& table) {
-  if (!table.header) {
+  if (!table.writesHeader) {
     return {};
   }
   std::string text = "# dewpoint trajectory\n# " + unitsSentence(table) + '\n';
-  for (const auto& [key, value] : table.entries) {
-    text += fmt::format("# {}: {}\n", oneLine(key), oneLine(value));
+  for (const auto& [key, value] : table.headerEntries) {
+    text += fmt::format("# {}: {}\n", withoutLineBreaks(key), withoutLineBreaks(value));
   }
   return text;
 }

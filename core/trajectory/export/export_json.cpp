@@ -15,7 +15,7 @@ std::string quoted(const std::string& text) {
 std::string headerLine(const ExportTable& table) {
   std::string text = fmt::format("{{\"format\":\"dewpoint trajectory\",\"units\":{}",
                                  quoted(unitsSentence(table)));
-  for (const auto& [key, value] : table.entries) {
+  for (const auto& [key, value] : table.headerEntries) {
     text += fmt::format(",{}:{}", quoted(key), quoted(value));
   }
   return text + "}\n";
@@ -39,13 +39,13 @@ std::string targetText(const std::string& name, const ExportCell& cell) {
   if (cell.covariance) {
     text += fmt::format(",\"cov\":{}", matrixText(*cell.covariance));
   }
-  if (cell.best) {
-    text += fmt::format(",\"best\":{}", vectorText(*cell.best));
+  if (cell.bestParticle) {
+    text += fmt::format(",\"best\":{}", vectorText(*cell.bestParticle));
   }
   if (cell.extent) {
     text += fmt::format(",\"extent\":{}", matrixText(*cell.extent));
   }
-  return text + fmt::format(",\"cams\":{},\"ess\":{}{}{}{}}}", cell.cameras,
+  return text + fmt::format(",\"cams\":{},\"ess\":{}{}{}{}}}", cell.cameraCount,
                             covarianceText(cell.effectiveSampleSize),
                             cell.filled ? ",\"filled\":true" : "",
                             cell.corrected ? ",\"corrected\":true" : "",
@@ -55,14 +55,14 @@ std::string targetText(const std::string& name, const ExportCell& cell) {
 } // namespace
 
 EncodedFiles encodeJsonLines(const ExportTable& table, const std::string& /*name*/) {
-  std::string text = table.header ? headerLine(table) : std::string();
+  std::string text = table.writesHeader ? headerLine(table) : std::string();
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
     text += fmt::format("{{\"t\":{},\"frame\":{},\"targets\":[", timeText(table.times[row]),
                         table.frames[row]);
     bool first = true;
     for (std::size_t target = 0; target < table.targets.size(); ++target) {
       const ExportCell& cell = table.cells[target][row];
-      if (cell.present) {
+      if (cell.hasPosition) {
         text.append(first ? "" : ",").append(targetText(table.targets[target], cell));
         first = false;
       }

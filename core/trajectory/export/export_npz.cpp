@@ -95,14 +95,14 @@ std::string cellArray(const ExportTable& table, const char* type, const std::str
 }
 
 std::array<double, 3> positionOfCell(const ExportCell& cell) {
-  if (!cell.present) {
+  if (!cell.hasPosition) {
     return {kNaN, kNaN, kNaN};
   }
   return {cell.position.x(), cell.position.y(), cell.position.z()};
 }
 
 std::array<double, 3> bestOf(const ExportCell& cell) {
-  const Eigen::Vector3d best = cell.best.value_or(Eigen::Vector3d::Constant(kNaN));
+  const Eigen::Vector3d best = cell.bestParticle.value_or(Eigen::Vector3d::Constant(kNaN));
   return {best.x(), best.y(), best.z()};
 }
 
@@ -142,39 +142,39 @@ EncodedFiles encodeNpz(const ExportTable& table, const std::string& /*name*/) {
                                              [](const ExportCell& c) { return Flag{c.filled}; })},
       {"cameras.npy",
        cellArray<std::int32_t>(table, "<i4", "",
-                               [](const ExportCell& c) { return std::array{c.cameras}; })},
+                               [](const ExportCell& c) { return std::array{c.cameraCount}; })},
       {"ess.npy",
        cellArray<double>(table, "<f8", "",
                          [](const ExportCell& c) { return std::array{c.effectiveSampleSize}; })},
       {"names.npy", textArray(table.targets, fmt::format("{},", table.targets.size()))},
       {"units.npy", textArray({unitsSentence(table)}, "")},
   };
-  if (table.best) {
+  if (table.hasBest) {
     entries.push_back({"best.npy", cellArray<double>(table, "<f8", ", 3", bestOf)});
   }
-  if (table.corrected) {
+  if (table.hasCorrected) {
     entries.push_back(
         {"corrected.npy", cellArray<std::uint8_t>(table, "|b1", "", [](const ExportCell& c) {
            return Flag{c.corrected};
          })});
   }
-  if (table.ambiguous) {
+  if (table.hasAmbiguous) {
     entries.push_back(
         {"ambiguous.npy", cellArray<std::uint8_t>(table, "|b1", "", [](const ExportCell& c) {
            return Flag{c.ambiguous};
          })});
   }
-  if (table.extent) {
+  if (table.hasExtent) {
     entries.push_back({"extent.npy", cellArray<double>(table, "<f8", ", 3, 3", extentOf)});
   }
-  if (table.header) {
+  if (table.writesHeader) {
     std::string about;
-    for (const auto& [key, value] : table.entries) {
+    for (const auto& [key, value] : table.headerEntries) {
       about += fmt::format("{}: {}\n", key, value);
     }
     entries.push_back({"about.npy", textArray({about}, "")});
   }
-  auto archive = storedZip(entries);
+  auto archive = uncompressedZip(entries);
   if (!archive) {
     return tl::make_unexpected(archive.error());
   }

@@ -34,15 +34,15 @@ struct RangeBound {
 
 /// The user's choices for an export. Values that are not set take the default of the format.
 struct ExportOptions {
-  std::string format = "csv";       ///< id of one of exportFormats()
-  std::vector<std::string> targets; ///< names of the targets to export; empty: all targets
-  std::optional<RangeBound> from;   ///< first row; not set: from the beginning
-  std::optional<RangeBound> to;     ///< last row; not set: to the end
-  std::optional<double> rate;       ///< rows per second; not set: as recorded
-  GapRule gaps = GapRule::LeaveEmpty;
+  std::string format = "csv";          ///< id of one of exportFormats()
+  std::vector<std::string> targets;    ///< names of the targets to export; empty: all targets
+  std::optional<RangeBound> from;      ///< first row; not set: from the beginning
+  std::optional<RangeBound> to;        ///< last row; not set: to the end
+  std::optional<double> rowsPerSecond; ///< not set: as recorded
+  GapRule gapRule = GapRule::LeaveEmpty;
   std::optional<WorldAxes> axes;
   std::optional<LengthUnit> unit;
-  bool header = true; ///< true to write metadata even if the format does not require it
+  bool writesHeader = true; ///< true to write metadata even if the format does not require it
   /// True to export estimates that are smoothed after the run, instead of the live estimates.
   bool smooth = false;
   double longestGap = 1.0; ///< longest gap that is filled, in seconds

@@ -64,17 +64,17 @@ bool isWithin(const TrajectorySample& sample, const ExportOptions& options) {
 
 ExportCell cellOf(const TrajectorySample& sample) {
   ExportCell cell;
-  cell.present = sample.valid;
-  if (cell.present) {
+  cell.hasPosition = sample.valid;
+  if (cell.hasPosition) {
     cell.position = sample.position;
     if (sample.covariance.allFinite() && !sample.covariance.isZero(0.0)) {
       cell.covariance = sample.covariance;
     }
-    if (sample.best && sample.best->allFinite()) {
-      cell.best = sample.best;
+    if (sample.bestParticle && sample.bestParticle->allFinite()) {
+      cell.bestParticle = sample.bestParticle;
     }
     cell.effectiveSampleSize = sample.effectiveSampleSize;
-    cell.cameras = sample.cameras;
+    cell.cameraCount = sample.cameraCount;
     cell.corrected = sample.corrected;
     cell.ambiguous = sample.ambiguous;
     if (sample.extent && sample.extent->allFinite()) {
@@ -141,8 +141,8 @@ Result<ExportTable> recordedTable(const Trajectory& live, const Trajectory& afte
     }
     ExportCell& cell = table.cells[column->second][row];
     cell = cellOf(sample);
-    cell.filled = cell.present && !live.samples[k].valid;
-    if (cell.filled && options.gaps == GapRule::LeaveEmpty) {
+    cell.filled = cell.hasPosition && !live.samples[k].valid;
+    if (cell.filled && options.gapRule == GapRule::LeaveEmpty) {
       cell = ExportCell();
     }
   }
@@ -179,7 +179,7 @@ public:
   Column(const ExportTable& table, std::size_t target, double longestStep)
       : cells_(table.cells[target]), times_(table.times), longestStep_(longestStep) {
     for (std::size_t row = 0; row < cells_.size(); ++row) {
-      if (cells_[row].present) {
+      if (cells_[row].hasPosition) {
         rows_.push_back(row);
       }
     }
@@ -220,10 +220,10 @@ private:
                  : std::nullopt;
     };
     ExportCell cell;
-    cell.present = true;
+    cell.hasPosition = true;
     cell.filled = b > a + 1 || cells_[a].filled || cells_[b].filled;
-    cell.position =
-        interpolated(neighbor(before, a), positionAt(a), positionAt(b), neighbor(after, b), time);
+    cell.position = interpolatedPosition(neighbor(before, a), positionAt(a), positionAt(b),
+                                         neighbor(after, b), time);
     const double share = (time - times_[a]) / (times_[b] - times_[a]);
     // Within a gap nobody knows how far it is off; between neighboring frames, whose errors are
     // alike, no more than they are.
@@ -235,7 +235,7 @@ private:
     cell.corrected = nearest.corrected;
     cell.ambiguous = cells_[a].ambiguous || cells_[b].ambiguous;
     cell.extent = nearest.extent;
-    cell.cameras = b == a + 1 ? std::min(cells_[a].cameras, cells_[b].cameras) : 0;
+    cell.cameraCount = b == a + 1 ? std::min(cells_[a].cameraCount, cells_[b].cameraCount) : 0;
     return cell;
   }
 
@@ -251,8 +251,8 @@ ExportTable atTimes(const ExportTable& table, std::vector<double> times,
   ExportTable result = table;
   result.times = std::move(times);
   result.frames = std::move(frames);
-  const double usualStep = table.rate > 0.0 ? 1.0 / table.rate : 0.0;
-  const double longest = options.gaps == GapRule::Fill
+  const double usualStep = table.rowsPerSecond > 0.0 ? 1.0 / table.rowsPerSecond : 0.0;
+  const double longest = options.gapRule == GapRule::Fill
                              ? std::max(options.longestGap + 1e-6, kUneven * usualStep)
                              : 1.5 * usualStep;
   for (std::size_t target = 0; target < table.targets.size(); ++target) {
@@ -280,7 +280,7 @@ Result<ExportTable> resampled(const ExportTable& table, double rate, const Expor
     frames.push_back(k);
   }
   ExportTable result = atTimes(table, std::move(times), std::move(frames), options);
-  result.rate = rate;
+  result.rowsPerSecond = rate;
   return result;
 }
 
@@ -296,34 +296,34 @@ void rotateAndScale(ExportTable& table) {
       if (cell.covariance) {
         const Eigen::Matrix3d rotated = turn * *cell.covariance * turn.transpose();
         cell.covariance = scale * scale * rotated;
-        table.covariance = true;
+        table.hasCovariance = true;
       }
-      if (cell.best) {
-        cell.best = Eigen::Vector3d(scale * (turn * *cell.best));
-        table.best = true;
+      if (cell.bestParticle) {
+        cell.bestParticle = Eigen::Vector3d(scale * (turn * *cell.bestParticle));
+        table.hasBest = true;
       }
-      table.corrected = table.corrected || cell.corrected;
-      table.ambiguous = table.ambiguous || cell.ambiguous;
+      table.hasCorrected = table.hasCorrected || cell.corrected;
+      table.hasAmbiguous = table.hasAmbiguous || cell.ambiguous;
       if (cell.extent) {
         const Eigen::Matrix3d rotated = turn * *cell.extent * turn.transpose();
         cell.extent = scale * scale * rotated;
-        table.extent = true;
+        table.hasExtent = true;
       }
     }
   }
 }
 
 void describe(ExportTable& table, const Trajectory& trajectory, const ExportOptions& options) {
-  table.entries = trajectory.header.entries;
-  table.entries.emplace_back("estimates", options.smooth ? "smoothed after the run" : "live");
-  if (options.gaps == GapRule::Fill) {
-    table.entries.emplace_back("gaps", fmt::format("filled up to {} s", options.longestGap));
+  table.headerEntries = trajectory.header.entries;
+  table.headerEntries.emplace_back("estimates", options.smooth ? "smoothed after the run" : "live");
+  if (options.gapRule == GapRule::Fill) {
+    table.headerEntries.emplace_back("gaps", fmt::format("filled up to {} s", options.longestGap));
   }
-  if (options.rate) {
-    table.entries.emplace_back("resampled", fmt::format("{} Hz", *options.rate));
+  if (options.rowsPerSecond) {
+    table.headerEntries.emplace_back("resampled", fmt::format("{} Hz", *options.rowsPerSecond));
   }
   if (!options.date.empty()) {
-    table.entries.emplace_back("exported", options.date);
+    table.headerEntries.emplace_back("exported", options.date);
   }
 }
 
@@ -333,7 +333,7 @@ std::size_t ExportTable::gapCount() const {
   std::size_t count = 0;
   for (const auto& column : cells) {
     count += static_cast<std::size_t>(
-        std::ranges::count_if(column, [](const ExportCell& cell) { return !cell.present; }));
+        std::ranges::count_if(column, [](const ExportCell& cell) { return !cell.hasPosition; }));
   }
   return count;
 }
@@ -341,22 +341,22 @@ std::size_t ExportTable::gapCount() const {
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,
                                     const TableDefaults& defaults,
                                     const std::function<bool(double)>& progress) {
-  const Trajectory after = options.smooth
-                               ? smoothed(trajectory, SmootherOptions{options.longestGap, progress})
-                               : Trajectory();
+  const Trajectory after =
+      options.smooth ? smoothedTrajectory(trajectory, SmootherOptions{options.longestGap, progress})
+                     : Trajectory();
   auto table = recordedTable(trajectory, options.smooth ? after : trajectory, options);
   if (!table) {
     return table;
   }
-  table->rate = usualRate(table->times);
-  table->recordedRate = table->rate;
+  table->rowsPerSecond = usualRate(table->times);
+  table->recordedRowsPerSecond = table->rowsPerSecond;
   const double span = table->times.back() - table->times.front();
-  table->recordedRows = 1 + static_cast<std::size_t>(std::lround(span * table->rate));
-  const bool mustBeEven =
-      defaults.evenRows && table->rate > 0.0 && !isEven(table->times, table->rate);
-  if (options.rate || mustBeEven) {
-    table = resampled(*table, options.rate.value_or(table->rate), options);
-  } else if (options.gaps == GapRule::Fill) {
+  table->recordedRowCount = 1 + static_cast<std::size_t>(std::lround(span * table->rowsPerSecond));
+  const bool mustBeEven = defaults.requiresEvenRows && table->rowsPerSecond > 0.0 &&
+                          !isEven(table->times, table->rowsPerSecond);
+  if (options.rowsPerSecond || mustBeEven) {
+    table = resampled(*table, options.rowsPerSecond.value_or(table->rowsPerSecond), options);
+  } else if (options.gapRule == GapRule::Fill) {
     table = atTimes(*table, table->times, table->frames, options);
   }
   if (!table) {
@@ -367,7 +367,7 @@ Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOp
   }
   table->axes = options.axes.value_or(defaults.axes);
   table->unit = options.unit.value_or(defaults.unit);
-  table->header = options.header;
+  table->writesHeader = options.writesHeader;
   rotateAndScale(*table);
   describe(*table, trajectory, options);
   return table;

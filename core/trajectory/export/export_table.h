@@ -18,18 +18,18 @@ namespace dewpoint::trajectory {
 /// One target in one row. Lengths are in the unit and along the axes of the table.
 struct ExportCell {
   /// False: the target has no position in this row, and no other field is set.
-  bool present = false;
+  bool hasPosition = false;
   bool filled = false;    ///< true if the position was interpolated over a gap
   bool corrected = false; ///< the user corrected the position in this frame
   bool ambiguous = false; ///< another object is about as likely to be the target
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Matrix3d> covariance; ///< covariance of the position; empty: not known
-  std::optional<Eigen::Vector3d> best;       ///< particle of highest weight; empty: not known
+  std::optional<Eigen::Matrix3d> covariance;   ///< covariance of the position; empty: not known
+  std::optional<Eigen::Vector3d> bestParticle; ///< particle of highest weight; empty: not known
   /// Extent of a target that is not a ball, see TrajectorySample::extent. Empty if the target is a
   /// ball or the extent is not known.
   std::optional<Eigen::Matrix3d> extent;
   double effectiveSampleSize = 0.0;
-  int cameras = 0; ///< number of cameras that show the target
+  int cameraCount = 0; ///< number of cameras that show the target
 };
 
 /// Contents of an export: one row per time, one column per target.
@@ -38,20 +38,20 @@ struct ExportTable {
   std::vector<double> times;                  ///< time of each row, seconds, ascending
   std::vector<std::int64_t> frames;           ///< frame number of each row
   std::vector<std::vector<ExportCell>> cells; ///< cells, indexed by [target][row]
-  double rate = 0.0;                          ///< rows per second
-  double recordedRate = 0.0;                  ///< rows per second before resampling
+  double rowsPerSecond = 0.0;
+  double recordedRowsPerSecond = 0.0; ///< rows per second before resampling
   /// Number of rows before resampling, including rows of dropped frames.
-  std::size_t recordedRows = 0;
-  bool covariance = false; ///< at least one cell has a covariance
-  bool best = false;       ///< at least one cell has a `best` position
-  bool corrected = false;  ///< at least one cell is corrected
-  bool ambiguous = false;  ///< at least one cell is ambiguous
-  bool extent = false;     ///< at least one cell has an extent
+  std::size_t recordedRowCount = 0;
+  bool hasCovariance = false; ///< at least one cell has a covariance
+  bool hasBest = false;       ///< at least one cell has a `bestParticle`
+  bool hasCorrected = false;  ///< at least one cell is corrected
+  bool hasAmbiguous = false;  ///< at least one cell is ambiguous
+  bool hasExtent = false;     ///< at least one cell has an extent
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
-  bool header = true; ///< see ExportOptions::header
+  bool writesHeader = true; ///< see ExportOptions::writesHeader
   /// Entries of the header: version, project, method, seed, ..., smoothed, date.
-  std::vector<std::pair<std::string, std::string>> entries;
+  std::vector<std::pair<std::string, std::string>> headerEntries;
 
   std::size_t rowCount() const { return times.size(); }
   /// Returns the number of cells without a position.
@@ -65,12 +65,12 @@ struct ExportTable {
 struct TableDefaults {
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
-  bool evenRows = false; ///< the format requires rows at equal time intervals
+  bool requiresEvenRows = false; ///< the format requires rows at equal time intervals
 };
 
 /// Creates the table for an export: selects targets and rows, smooths, resamples, fills gaps and
 /// rotates to the axes of the file. Positions between recorded positions are computed by
-/// interpolated() (path_interpolation.h), which is exact for a ball in free flight. Returns
+/// interpolatedPosition() (path_interpolation.h), which is exact for a ball in free flight. Returns
 /// NotFound with the name of an unknown target, or BadValue with the name of an empty or invalid
 /// option. If `progress` (called with 0 to 1) has returned false, the result is not usable.
 Result<ExportTable> makeExportTable(const Trajectory& trajectory, const ExportOptions& options,

@@ -8,17 +8,17 @@ namespace dewpoint::trajectory::encoders {
 
 EncodedFiles encodeTrc(const ExportTable& table, const std::string& name) {
   const std::size_t rows = table.rowCount();
-  const double rate = table.rate;
+  const double rate = table.rowsPerSecond;
   std::string text =
       fmt::format("PathFileType\t4\t(X/Y/Z)\t{}.trc\n"
                   "DataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\tOrigDataRate\t"
                   "OrigDataStartFrame\tOrigNumFrames\n"
                   "{:.6g}\t{:.6g}\t{}\t{}\t{}\t{:.6g}\t1\t{}\n",
-                  oneLine(name), rate, rate, rows, table.targets.size(), table.unitName(),
-                  table.recordedRate, table.recordedRows);
+                  withoutLineBreaks(name), rate, rate, rows, table.targets.size(), table.unitName(),
+                  table.recordedRowsPerSecond, table.recordedRowCount);
   text += "Frame#\tTime";
   for (const std::string& target : table.targets) {
-    text += fmt::format("\t{}\t\t", oneLine(target));
+    text += fmt::format("\t{}\t\t", withoutLineBreaks(target));
   }
   text += "\n\t";
   for (std::size_t k = 1; k <= table.targets.size(); ++k) {
@@ -30,7 +30,7 @@ EncodedFiles encodeTrc(const ExportTable& table, const std::string& name) {
     for (const auto& column : table.cells) {
       const ExportCell& cell = column[row];
       for (int axis = 0; axis < 3; ++axis) {
-        text += '\t' + (cell.present ? lengthText(cell.position[axis]) : std::string());
+        text += '\t' + (cell.hasPosition ? lengthText(cell.position[axis]) : std::string());
       }
     }
     text += '\n';

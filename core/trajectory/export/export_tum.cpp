@@ -41,13 +41,13 @@ EncodedFiles encodeTum(const ExportTable& table, const std::string& /*name*/) {
   for (std::size_t target = 0; target < table.targets.size(); ++target) {
     ExportFile& file =
         files.emplace_back(ExportFile{nameSuffix(table, target), commentHeader(table)});
-    if (table.header) {
+    if (table.writesHeader) {
       file.bytes += fmt::format("# target: {}\n# timestamp tx ty tz qx qy qz qw\n",
-                                oneLine(table.targets[target]));
+                                withoutLineBreaks(table.targets[target]));
     }
     for (std::size_t row = 0; row < table.rowCount(); ++row) {
       const ExportCell& cell = table.cells[target][row];
-      if (cell.present) {
+      if (cell.hasPosition) {
         file.bytes += fmt::format("{:.6f} {} {} {} 0 0 0 1\n", table.times[row],
                                   lengthText(cell.position.x()), lengthText(cell.position.y()),
                                   lengthText(cell.position.z()));

@@ -80,9 +80,10 @@ std::string textArray(const char* name, const std::vector<std::string>& values) 
 /// Meters (or the unit) per second at a node, from its neighbors in the row before and behind.
 double speedAt(const ExportTable& table, const Node& node) {
   const auto& column = table.cells[node.target];
-  const std::size_t before = node.row > 0 && column[node.row - 1].present ? node.row - 1 : node.row;
+  const std::size_t before =
+      node.row > 0 && column[node.row - 1].hasPosition ? node.row - 1 : node.row;
   const std::size_t after =
-      node.row + 1 < column.size() && column[node.row + 1].present ? node.row + 1 : node.row;
+      node.row + 1 < column.size() && column[node.row + 1].hasPosition ? node.row + 1 : node.row;
   return before == after ? kNoValue
                          : (column[after].position - column[before].position).norm() /
                                (table.times[after] - table.times[before]);
@@ -107,8 +108,8 @@ std::string vectorTuple(const std::optional<Eigen::Vector3d>& p) {
 std::string fieldData(const ExportTable& table) {
   std::string text = "<FieldData>\n" + textArray("targets", table.targets);
   text += textArray("units", {unitsSentence(table)});
-  if (table.header) {
-    for (const auto& [key, value] : table.entries) {
+  if (table.writesHeader) {
+    for (const auto& [key, value] : table.headerEntries) {
       text += textArray(escapedXml(key).c_str(), {value});
     }
   }
@@ -132,28 +133,28 @@ std::string pointData(const ExportTable& table, const Drawing& drawing) {
     return covarianceText(cellAt(node).effectiveSampleSize);
   });
   text += nodeArray(drawing, "Int32", "cameras", 1,
-                    [&](const Node& node) { return std::to_string(cellAt(node).cameras); });
+                    [&](const Node& node) { return std::to_string(cellAt(node).cameraCount); });
   text += nodeArray(drawing, "UInt8", "filled", 1,
                     [&](const Node& node) { return std::string(cellAt(node).filled ? "1" : "0"); });
-  if (table.covariance) {
+  if (table.hasCovariance) {
     text += nodeArray(drawing, "Float64", "covariance", 6,
                       [&](const Node& node) { return tensorText(cellAt(node).covariance); });
   }
-  if (table.best) {
+  if (table.hasBest) {
     text += nodeArray(drawing, "Float64", "best", 3,
-                      [&](const Node& node) { return vectorTuple(cellAt(node).best); });
+                      [&](const Node& node) { return vectorTuple(cellAt(node).bestParticle); });
   }
-  if (table.corrected) {
+  if (table.hasCorrected) {
     text += nodeArray(drawing, "UInt8", "corrected", 1, [&](const Node& node) {
       return std::string(cellAt(node).corrected ? "1" : "0");
     });
   }
-  if (table.ambiguous) {
+  if (table.hasAmbiguous) {
     text += nodeArray(drawing, "UInt8", "ambiguous", 1, [&](const Node& node) {
       return std::string(cellAt(node).ambiguous ? "1" : "0");
     });
   }
-  if (table.extent) {
+  if (table.hasExtent) {
     text += nodeArray(drawing, "Float64", "extent", 6,
                       [&](const Node& node) { return tensorText(cellAt(node).extent); });
   }
@@ -192,7 +193,7 @@ void addPath(const ExportTable& table, std::size_t target, Drawing& drawing) {
     line.clear();
   };
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
-    if (table.cells[target][row].present) {
+    if (table.cells[target][row].hasPosition) {
       line.push_back(drawing.nodes.size());
       drawing.nodes.push_back({target, row});
     } else {
@@ -226,7 +227,7 @@ EncodedFiles encodePvd(const ExportTable& table, const std::string& name) {
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
     Drawing drawing;
     for (std::size_t target = 0; target < table.targets.size(); ++target) {
-      if (table.cells[target][row].present) {
+      if (table.cells[target][row].hasPosition) {
         drawing.vertices.push_back(drawing.nodes.size());
         drawing.nodes.push_back({target, row});
       }

@@ -16,9 +16,9 @@ Eigen::Vector3d middleSlope(const TimedPosition& a, const TimedPosition& b,
 
 } // namespace
 
-Eigen::Vector3d interpolated(const std::optional<TimedPosition>& before, const TimedPosition& begin,
-                             const TimedPosition& end, const std::optional<TimedPosition>& after,
-                             double time) {
+Eigen::Vector3d interpolatedPosition(const std::optional<TimedPosition>& before,
+                                     const TimedPosition& begin, const TimedPosition& end,
+                                     const std::optional<TimedPosition>& after, double time) {
   const Eigen::Vector3d chord = slope(begin, end);
   std::optional<Eigen::Vector3d> first;
   std::optional<Eigen::Vector3d> last;

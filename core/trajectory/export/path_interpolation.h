@@ -21,8 +21,8 @@ struct TimedPosition {
 /// `begin` and `end`; its slope at `end` is that of the parabola through `begin`, `end` and
 /// `after`. If `before` or `after` is missing, both slopes are those of the remaining parabola. If
 /// both are missing, the curve is a straight line.
-Eigen::Vector3d interpolated(const std::optional<TimedPosition>& before, const TimedPosition& begin,
-                             const TimedPosition& end, const std::optional<TimedPosition>& after,
-                             double time);
+Eigen::Vector3d interpolatedPosition(const std::optional<TimedPosition>& before,
+                                     const TimedPosition& begin, const TimedPosition& end,
+                                     const std::optional<TimedPosition>& after, double time);
 
 } // namespace dewpoint::trajectory

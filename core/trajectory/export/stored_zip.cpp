@@ -53,7 +53,7 @@ std::uint32_t crc32(std::string_view bytes) {
   return value ^ 0xFFFFFFFFU;
 }
 
-Result<std::string> storedZip(const std::vector<ZipEntry>& entries) {
+Result<std::string> uncompressedZip(const std::vector<ZipEntry>& entries) {
   std::size_t total = 0;
   for (const ZipEntry& entry : entries) {
     total += entry.bytes.size() + 2 * entry.name.size() + 128;

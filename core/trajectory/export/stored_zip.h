@@ -22,6 +22,6 @@ std::uint32_t crc32(std::string_view bytes);
 /// Returns a ZIP archive without compression (APPNOTE 6.3). Entries are dated 1980-01-01, so the
 /// same content gives identical bytes. Returns BadValue for more than 4 GiB or more than 65,535
 /// entries.
-Result<std::string> storedZip(const std::vector<ZipEntry>& entries);
+Result<std::string> uncompressedZip(const std::vector<ZipEntry>& entries);
 
 } // namespace dewpoint::trajectory

@@ -145,7 +145,7 @@ Result<Encoded> encode(const Trajectory& trajectory, const ExportOptions& option
                        const ExportFormat& format, const std::filesystem::path& file,
                        const ExportProgress& progress) {
   bool wanted = true;
-  auto table = makeExportTable(trajectory, options, format.table, [&](double done) {
+  auto table = makeExportTable(trajectory, options, format.tableDefaults, [&](double done) {
     wanted = wanted && (!progress || progress(done));
     return wanted;
   });
@@ -183,7 +183,7 @@ std::size_t noteLineCount(const std::string& text) {
 std::string sizeSentence(const ExportTable& table) {
   const std::size_t gaps = table.gapCount();
   return fmt::format("{} target{}, {} rows at {:.4g} per second, {}.", table.targets.size(),
-                     table.targets.size() == 1 ? "" : "s", table.rowCount(), table.rate,
+                     table.targets.size() == 1 ? "" : "s", table.rowCount(), table.rowsPerSecond,
                      gaps == 0 ? std::string("no gaps")
                                : fmt::format("{} positions unknown", gaps));
 }
@@ -191,9 +191,9 @@ std::string sizeSentence(const ExportTable& table) {
 /// The first places of a file that is no text.
 std::string described(const ExportFormat& format, const ExportTable& table, std::size_t bytes,
                       std::size_t lineCount) {
-  std::string text = fmt::format("{}, {} bytes: {}\n", format.title, bytes, format.fields);
+  std::string text = fmt::format("{}, {} bytes: {}\n", format.title, bytes, format.contents);
   ExportTable plain = table;
-  plain.header = false;
+  plain.writesHeader = false;
   const auto rows = encoders::encodeWideCsv(plain, "");
   return text + firstLines(rows->front().bytes, lineCount > 1 ? lineCount - 1 : 1);
 }
@@ -213,7 +213,7 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
   if (summary.canceled) {
     return summary;
   }
-  auto table = makeExportTable(trajectory, options, (*format)->table,
+  auto table = makeExportTable(trajectory, options, (*format)->tableDefaults,
                                [&](double done) { return shouldContinue(kShareOfTable * done); });
   summary.canceled = !shouldContinue(kShareOfTable);
   if (summary.canceled) {
@@ -222,9 +222,9 @@ Result<ExportSummary> exportTrajectory(const Trajectory& trajectory, const Expor
   if (!table) {
     return tl::make_unexpected(table.error());
   }
-  summary.rows = table->rowCount();
-  summary.targets = table->targets.size();
-  summary.gaps = table->gapCount();
+  summary.rowCount = table->rowCount();
+  summary.targetCount = table->targets.size();
+  summary.gapCount = table->gapCount();
   const auto parts = (*format)->encode(*table, plainName(file));
   if (!parts) {
     return tl::make_unexpected(parts.error());
@@ -266,21 +266,22 @@ Result<ExportPreview> previewExport(const Trajectory& trajectory, const ExportOp
     return tl::make_unexpected(encoded.error());
   }
   ExportPreview preview;
-  preview.units = unitsSentence(encoded->table);
-  preview.size = sizeSentence(encoded->table);
+  preview.unitsSentence = unitsSentence(encoded->table);
+  preview.sizeSentence = sizeSentence(encoded->table);
   preview.axes = encoded->table.axes;
   preview.unit = encoded->table.unit;
-  preview.targets = encoded->table.targets.size();
-  preview.rows = encoded->table.rowCount();
-  preview.gaps = encoded->table.gapCount();
-  preview.rate = encoded->table.rate;
+  preview.targetCount = encoded->table.targets.size();
+  preview.rowCount = encoded->table.rowCount();
+  preview.gapCount = encoded->table.gapCount();
+  preview.rowsPerSecond = encoded->table.rowsPerSecond;
   const std::string& bytes = encoded->files.back().bytes;
-  preview.text = (*format)->binary ? described(**format, encoded->table, bytes.size(), lineCount)
-                                   : firstLines(encoded->files.size() > 1 && (*format)->id == "tum"
-                                                    ? encoded->files.front().bytes
-                                                    : bytes,
-                                                lineCount);
-  preview.noteLines = (*format)->binary ? 0 : noteLineCount(preview.text);
+  preview.text = (*format)->isBinary
+                     ? described(**format, encoded->table, bytes.size(), lineCount)
+                     : firstLines(encoded->files.size() > 1 && (*format)->id == "tum"
+                                      ? encoded->files.front().bytes
+                                      : bytes,
+                                  lineCount);
+  preview.noteLineCount = (*format)->isBinary ? 0 : noteLineCount(preview.text);
   return preview;
 }
 

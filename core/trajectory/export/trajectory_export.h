@@ -19,9 +19,9 @@ using ExportProgress = std::function<bool(double)>;
 /// Outcome of an export.
 struct ExportSummary {
   std::vector<std::filesystem::path> files; ///< files written, the main one last
-  std::size_t rows = 0;
-  std::size_t targets = 0;
-  std::size_t gaps = 0; ///< number of cells (one target in one row) left empty
+  std::size_t rowCount = 0;
+  std::size_t targetCount = 0;
+  std::size_t gapCount = 0; ///< cells (one target in one row) left empty
   bool canceled = false;
   /// Existing file that may not be overwritten. If it is set, nothing was written; otherwise it is
   /// empty.
@@ -30,19 +30,19 @@ struct ExportSummary {
 
 /// Preview of an export.
 struct ExportPreview {
-  std::string units; ///< units and axes in one sentence
-  std::string size;  ///< numbers of targets, rows and gaps, and the rate, in one sentence
-  std::string text;  ///< first lines of a text file, or a description of a binary one
+  std::string unitsSentence; ///< units and axes in one sentence
+  std::string sizeSentence;  ///< numbers of targets, rows and gaps, and the rate, in one sentence
+  std::string text;          ///< first lines of a text file, or a description of a binary one
   // The same information as values, for messages in other languages.
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
-  std::size_t targets = 0;
-  std::size_t rows = 0;
-  std::size_t gaps = 0;
-  double rate = 0.0; ///< rows per second
+  std::size_t targetCount = 0;
+  std::size_t rowCount = 0;
+  std::size_t gapCount = 0;
+  double rowsPerSecond = 0.0;
   /// Number of lines at the beginning of `text` that begin with '#': notes, and in some formats
   /// also the names of the columns.
-  std::size_t noteLines = 0;
+  std::size_t noteLineCount = 0;
 };
 
 /// Writes the trajectory to `file` in the format `options.format`. If the format uses several

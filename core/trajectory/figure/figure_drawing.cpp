@@ -45,15 +45,15 @@ public:
   void drawAxes(const std::string& horizontalName, const std::string& verticalName,
                 bool hasNumbersBelow) {
     using Align = FigureDrawing::Align;
-    for (const double x : gridLines(panel_.horizontal)) {
-      const Eigen::Vector2d foot = at({x, panel_.vertical.low});
+    for (const double x : gridLines(panel_.horizontalRange)) {
+      const Eigen::Vector2d foot = at({x, panel_.verticalRange.low});
       items_.emplace_back(FigureDrawing::GridLine{foot, {foot.x(), frame_.min().y()}});
       if (hasNumbersBelow) {
         label(boxAt(foot.x() - 40.0, foot.y() + 3.0, 80.0, 16.0), Align::Center, figureNumber(x));
       }
     }
-    for (const double y : gridLines(panel_.vertical)) {
-      const Eigen::Vector2d foot = at({panel_.horizontal.low, y});
+    for (const double y : gridLines(panel_.verticalRange)) {
+      const Eigen::Vector2d foot = at({panel_.horizontalRange.low, y});
       items_.emplace_back(FigureDrawing::GridLine{foot, {frame_.max().x(), foot.y()}});
       items_.emplace_back(FigureDrawing::Label{boxAt(foot.x() - 56.0, foot.y() - 8.0, 50.0, 16.0),
                                                Align::Right, true, figureNumber(y)});
@@ -77,8 +77,8 @@ public:
 
 private:
   Eigen::Vector2d at(const Eigen::Vector2d& value) const {
-    const AxisRange& across = panel_.horizontal;
-    const AxisRange& up = panel_.vertical;
+    const AxisRange& across = panel_.horizontalRange;
+    const AxisRange& up = panel_.verticalRange;
     return {frame_.min().x() + (value.x() - across.low) / across.size() * frame_.sizes().x(),
             frame_.max().y() - (value.y() - up.low) / up.size() * frame_.sizes().y()};
   }
@@ -144,7 +144,7 @@ std::string labelText(const FigureDrawing::Label& label) {
 /// An SVG of its own clips what lies outside of it.
 std::string curveText(const FigureDrawing::Curve& curve) {
   const std::string_view ink = kInks[curve.target % kInks.size()];
-  const Eigen::AlignedBox2d& box = curve.within;
+  const Eigen::AlignedBox2d& box = curve.clipRectangle;
   std::string text = fmt::format("<svg {} viewBox=\"{:.2f} {:.2f} {:.2f} {:.2f}\">\n", boxText(box),
                                  box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y());
   if (!curve.band.empty()) {
@@ -185,14 +185,14 @@ FigureDrawing figureDrawing(const ExportTable& table, const FigureTexts& texts) 
     PanelDrawer drawer(panel,
                        boxAt(kFigureMargin + kAxisSpace, top, kOverTimeWidth, kPanelHeight - 10.0),
                        drawing);
-    drawer.drawAxes(texts.time, axisName(table, panel.verticalAxis),
+    drawer.drawAxes(texts.timeAxisLabel, axisName(table, panel.verticalAxis),
                     axis + 1 == figure.overTime.size());
     drawer.drawCurves();
   }
   const Eigen::AlignedBox2d square = boxAt(kSquareLeft, kPanelsTop, kSquareSide, kSquareSide);
   PanelDrawer above(figure.fromAbove, square, drawing);
   above.drawAxes(axisName(table, figure.fromAbove.horizontalAxis),
-                 texts.topView + ", " + axisName(table, figure.fromAbove.verticalAxis), true);
+                 texts.topViewTitle + ", " + axisName(table, figure.fromAbove.verticalAxis), true);
   above.drawCurves();
   drawLegend(table, square, drawing);
   return drawing;

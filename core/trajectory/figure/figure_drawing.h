@@ -15,8 +15,8 @@ namespace dewpoint::trajectory {
 /// Texts of a figure, in the user's language.
 struct FigureTexts {
   std::string title;
-  std::string time;    ///< label of the time axis: "time (s)"
-  std::string topView; ///< title of the top view: "from above"
+  std::string timeAxisLabel; ///< for example "time (s)"
+  std::string topViewTitle;  ///< title of the top view: "from above"
 };
 
 /// Returns a title with the project and method of a run, taken from the header entries of its
@@ -53,7 +53,7 @@ struct FigureDrawing {
   /// Part of the curve of one target, without gaps.
   struct Curve {
     std::size_t target = 0;
-    Eigen::AlignedBox2d within; ///< clipping rectangle
+    Eigen::AlignedBox2d clipRectangle;
     std::vector<Eigen::Vector2d> path;
     /// Closed outline of the band, drawn below the path; empty: no band.
     std::vector<Eigen::Vector2d> band;

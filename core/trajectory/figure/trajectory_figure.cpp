@@ -18,7 +18,7 @@ double sigmaOf(const ExportCell& cell, int axis) {
 template <class Stretch> void forStretches(const std::vector<ExportCell>& cells, Stretch stretch) {
   for (std::size_t begin = 0; begin < cells.size();) {
     std::size_t end = begin;
-    while (end < cells.size() && cells[end].present) {
+    while (end < cells.size() && cells[end].hasPosition) {
       ++end;
     }
     if (end > begin) {
@@ -32,7 +32,7 @@ AxisRange rangeOf(const ExportTable& table, int axis) {
   AxisRange range;
   for (const auto& column : table.cells) {
     for (const ExportCell& cell : column) {
-      if (cell.present) {
+      if (cell.hasPosition) {
         range.include(cell.position[axis]);
       }
     }
@@ -78,7 +78,7 @@ FigurePanel fromAbove(const ExportTable& table) {
   FigurePanel panel; // of the two axes that lie on the floor
   panel.horizontalAxis = table.axes == WorldAxes::ZUp ? 0 : 2;
   panel.verticalAxis = table.axes == WorldAxes::ZUp ? 1 : 0;
-  std::tie(panel.horizontal, panel.vertical) = withEqualScale(
+  std::tie(panel.horizontalRange, panel.verticalRange) = withEqualScale(
       rangeOf(table, panel.horizontalAxis), rangeOf(table, panel.verticalAxis), 1.0, 1.0);
   for (std::size_t target = 0; target < table.targets.size(); ++target) {
     const auto& cells = table.cells[target];

@@ -51,8 +51,8 @@ struct FigureCurve {
 struct FigurePanel {
   int horizontalAxis = -1;
   int verticalAxis = 0;
-  AxisRange horizontal;
-  AxisRange vertical;
+  AxisRange horizontalRange;
+  AxisRange verticalRange;
   std::vector<FigureCurve> curves; ///< curves of the plot, ordered by target
 };
 

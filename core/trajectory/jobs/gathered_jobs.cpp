@@ -34,12 +34,12 @@ Evaluation evaluationOf(const nlohmann::ordered_json& json, JsonFieldReader& fil
   fields.readNumber("median", one.median);
   fields.readNumber("p95", one.p95);
   fields.readNumber("max", one.max);
-  fields.readNumber("rmse_all", one.rmseAll);
-  fields.readNumber("inside_95", one.inside95);
+  fields.readNumber("rmse_all", one.rmseOfAllFrames);
+  fields.readNumber("inside_95", one.fractionInside95);
   constexpr std::int64_t kNone = 0;
-  fields.readInteger("frames_compared", one.framesCompared, kNone, limits::kMaxFrames);
-  fields.readInteger("lost_frames", one.lostFrames, kNone, limits::kMaxFrames);
-  fields.readInteger("missing", one.missing, kNone, limits::kMaxFrames);
+  fields.readInteger("frames_compared", one.comparedFrameCount, kNone, limits::kMaxFrames);
+  fields.readInteger("lost_frames", one.lostFrameCount, kNone, limits::kMaxFrames);
+  fields.readInteger("missing", one.missingFrameCount, kNone, limits::kMaxFrames);
   fields.readInteger("frames_to_converge", one.framesToConverge, kNone, limits::kMaxFrames);
   file.recordErrorOf(fields);
   return one;
@@ -120,7 +120,7 @@ Status mergeRepeated(GatheredJobs& gathered) {
       return failure(ErrorCode::Mismatch, job.folder, kDoneFile,
                      "it has a different result of the same job than " + once.back().folder);
     }
-    gathered.repeated.emplace_back(once.back().folder, job.folder);
+    gathered.repeatedFolders.emplace_back(once.back().folder, job.folder);
   }
   gathered.jobs = std::move(once);
   return {};
@@ -128,7 +128,7 @@ Status mergeRepeated(GatheredJobs& gathered) {
 
 void putIdentity(const JobIdentity& identity, CsvLine& line) {
   line.put(identity.recording).put(identity.command).put(identity.method).put(identity.settings);
-  line.put(identity.frames).put(identity.seed);
+  line.put(identity.frameRange).put(identity.seed);
 }
 
 void putNothing(CsvLine& line, int cells) {
@@ -145,7 +145,7 @@ Result<GatheredJobs> gatherJobs(const std::vector<std::string>& folders) {
   for (const std::string& name : std::set<std::string>(folders.begin(), folders.end())) {
     std::error_code problem;
     if (!fs::is_directory(name, problem)) {
-      gathered.missing.push_back(name);
+      gathered.missingFolders.push_back(name);
       continue;
     }
     auto job = jobIn(name);
@@ -155,7 +155,7 @@ Result<GatheredJobs> gatherJobs(const std::vector<std::string>& folders) {
     if (*job) {
       gathered.jobs.push_back(std::move(**job));
     } else {
-      gathered.unfinished.push_back(name);
+      gathered.unfinishedFolders.push_back(name);
     }
   }
   std::ranges::sort(gathered.jobs, {}, orderOf);
@@ -177,23 +177,23 @@ std::string gatheredTable(const GatheredJobs& gathered) {
       "recording,command,method,settings,frame_range,seed,target,frames,coverage,frames_compared,"
       "rmse_mm,median_mm,p95_mm,max_mm,rmse_all_mm,inside_95,frames_to_converge,lost_frames,"
       "version\n";
-  for (const GatheredRow& row : rowsOf(gathered)) {
+  for (const GatheredRow& row : gatheredRowsOf(gathered)) {
     CsvLine line(text);
     putIdentity(row.job->record.identity, line);
-    line.put(row.target).put(row.job->record.frames).put(row.coverage());
+    line.put(row.target).put(row.job->record.frameCount).put(row.coverage());
     if (row.evaluation != nullptr) {
       const Evaluation& e = *row.evaluation;
-      line.put(e.framesCompared);
-      for (const double length : {e.rmse, e.median, e.p95, e.max, e.rmseAll}) {
+      line.put(e.comparedFrameCount);
+      for (const double length : {e.rmse, e.median, e.p95, e.max, e.rmseOfAllFrames}) {
         line.put(inMillimeters(length));
       }
-      line.put(e.inside95);
+      line.put(e.fractionInside95);
       if (e.framesToConverge) {
         line.put(*e.framesToConverge);
       } else {
         putNothing(line, 1);
       }
-      line.put(e.lostFrames);
+      line.put(e.lostFrameCount);
     } else {
       putNothing(line, 9);
     }
@@ -202,16 +202,18 @@ std::string gatheredTable(const GatheredJobs& gathered) {
   return text;
 }
 
-std::string gatheredTimes(const GatheredJobs& gathered) {
+std::string gatheredDurations(const GatheredJobs& gathered) {
   std::string text = "recording,command,method,settings,frame_range,seed,frames,seconds,"
                      "frames_per_second,threads\n";
   for (const GatheredJob& job : gathered.jobs) {
     const JobRecord& record = job.record;
     CsvLine line(text);
     putIdentity(record.identity, line);
-    line.put(record.frames).put(record.seconds);
-    line.put(record.seconds > 0.0 ? static_cast<double>(record.frames) / record.seconds : 0.0);
-    line.put(record.threads);
+    line.put(record.frameCount).put(record.trackingSeconds);
+    line.put(record.trackingSeconds > 0.0
+                 ? static_cast<double>(record.frameCount) / record.trackingSeconds
+                 : 0.0);
+    line.put(record.threadCount);
   }
   return text;
 }

@@ -24,13 +24,13 @@ struct GatheredJob {
 /// jobs were given or finished has no effect.
 struct GatheredJobs {
   std::vector<GatheredJob> jobs;
-  std::vector<std::string> missing;    ///< folders that do not exist
-  std::vector<std::string> unfinished; ///< folders whose job did not finish
+  std::vector<std::string> missingFolders;    ///< folders that do not exist
+  std::vector<std::string> unfinishedFolders; ///< folders whose job did not finish
   /// Pairs of folders that contain the same result of the same job: the folder that is used, and
   /// the folder that is ignored.
-  std::vector<std::pair<std::string, std::string>> repeated;
+  std::vector<std::pair<std::string, std::string>> repeatedFolders;
 
-  bool isComplete() const { return missing.empty() && unfinished.empty(); }
+  bool isComplete() const { return missingFolders.empty() && unfinishedFolders.empty(); }
 };
 
 /// Reads the output folders of jobs. Returns Mismatch if two folders contain different results of
@@ -46,7 +46,7 @@ std::string evaluationFileText(const std::vector<Evaluation>& evaluations,
 /// Returns a CSV table with one row per job and target. Identical results give identical bytes.
 std::string gatheredTable(const GatheredJobs& gathered);
 /// Returns a CSV table with the duration of each job, which differs from run to run.
-std::string gatheredTimes(const GatheredJobs& gathered);
+std::string gatheredDurations(const GatheredJobs& gathered);
 /// Returns a Markdown page with the results of each method, the worst results, and the missing
 /// jobs. Identical results give identical bytes.
 std::string gatheredReport(const GatheredJobs& gathered);

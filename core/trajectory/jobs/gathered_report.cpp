@@ -20,11 +20,11 @@ constexpr std::size_t kWorstRows = 10;
 struct MethodGroup {
   std::size_t jobs = 0;
   std::set<std::string> recordings;
-  std::int64_t frames = 0;
+  std::int64_t frameCount = 0;
   std::vector<double> coverage;
   std::vector<double> rmse; ///< meters
   std::vector<double> p95;  ///< meters
-  std::vector<double> inside95;
+  std::vector<double> fractionInside95;
 };
 using MethodName = std::tuple<std::string, std::string, std::string, std::string>;
 
@@ -55,15 +55,15 @@ std::map<MethodName, MethodGroup> methodGroups(const GatheredJobs& gathered) {
     MethodGroup& group = groupOf(job);
     ++group.jobs;
     group.recordings.insert(job.record.identity.recording);
-    group.frames += job.record.frames;
+    group.frameCount += job.record.frameCount;
   }
-  for (const GatheredRow& row : rowsOf(gathered)) {
+  for (const GatheredRow& row : gatheredRowsOf(gathered)) {
     MethodGroup& group = groupOf(*row.job);
     group.coverage.push_back(row.coverage());
     if (row.evaluation != nullptr) {
       group.rmse.push_back(row.evaluation->rmse);
       group.p95.push_back(row.evaluation->p95);
-      group.inside95.push_back(row.evaluation->inside95);
+      group.fractionInside95.push_back(row.evaluation->fractionInside95);
     }
   }
   return groups;
@@ -77,11 +77,11 @@ std::string methodsTable(const GatheredJobs& gathered) {
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const auto& [name, group] : methodGroups(gathered)) {
     const auto& [command, method, settings, version] = name;
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", command,
-                        method, markdownCell(settings), version, group.jobs,
-                        group.recordings.size(), group.frames, percent(median(group.coverage)),
-                        medianText(group.rmse), medianText(group.p95),
-                        group.inside95.empty() ? "" : percent(median(group.inside95)));
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", command, method,
+        markdownCell(settings), version, group.jobs, group.recordings.size(), group.frameCount,
+        percent(median(group.coverage)), medianText(group.rmse), medianText(group.p95),
+        group.fractionInside95.empty() ? "" : percent(median(group.fractionInside95)));
   }
   return text;
 }
@@ -120,7 +120,7 @@ std::string foldersText(const char* title, const std::vector<std::string>& folde
 
 } // namespace
 
-std::vector<GatheredRow> rowsOf(const GatheredJobs& gathered) {
+std::vector<GatheredRow> gatheredRowsOf(const GatheredJobs& gathered) {
   std::vector<GatheredRow> rows;
   for (const GatheredJob& job : gathered.jobs) {
     std::vector<JobTarget> targets = job.record.targets;
@@ -130,7 +130,7 @@ std::vector<GatheredRow> rowsOf(const GatheredJobs& gathered) {
     }
     for (const JobTarget& target : targets) {
       const auto found = std::ranges::find(job.evaluations, target.name, &Evaluation::target);
-      rows.push_back({&job, target.name, target.validFrames,
+      rows.push_back({&job, target.name, target.validFrameCount,
                       found == job.evaluations.end() ? nullptr : &*found});
     }
   }
@@ -144,10 +144,10 @@ std::string gatheredReport(const GatheredJobs& gathered) {
   }
   std::string text = fmt::format("# Results\n\n{} runs of {} recordings; {} missing, {} "
                                  "unfinished.\n\n",
-                                 gathered.jobs.size(), recordings.size(), gathered.missing.size(),
-                                 gathered.unfinished.size());
+                                 gathered.jobs.size(), recordings.size(),
+                                 gathered.missingFolders.size(), gathered.unfinishedFolders.size());
   text += methodsTable(gathered);
-  const std::vector<GatheredRow> rows = rowsOf(gathered);
+  const std::vector<GatheredRow> rows = gatheredRowsOf(gathered);
   text +=
       worstTable("Least coverage", rows, [](const GatheredRow& row) { return -row.coverage(); });
   std::vector<GatheredRow> evaluated = rows;
@@ -156,8 +156,8 @@ std::string gatheredReport(const GatheredJobs& gathered) {
     text += worstTable("Largest errors", evaluated,
                        [](const GatheredRow& row) { return row.evaluation->rmse; });
   }
-  text += foldersText("Missing", gathered.missing);
-  text += foldersText("Unfinished", gathered.unfinished);
+  text += foldersText("Missing", gathered.missingFolders);
+  text += foldersText("Unfinished", gathered.unfinishedFolders);
   return text;
 }
 

@@ -40,7 +40,7 @@ bool isThere(const fs::path& folder, const JobFile& file) {
 
 } // namespace
 
-std::optional<JobRecord> JobFolder::finished(const fs::path& folder, const std::string& key) {
+std::optional<JobRecord> JobFolder::finishedRecord(const fs::path& folder, const std::string& key) {
   auto record = readJobRecord(folder / kDoneFile);
   if (!record || key.empty() || record->key != key) {
     return std::nullopt;

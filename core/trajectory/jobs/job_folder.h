@@ -20,8 +20,8 @@ class JobFolder {
 public:
   /// Returns the record of a finished job with this key if all its files exist with their recorded
   /// sizes. Otherwise, and for an empty key, returns nothing.
-  static std::optional<JobRecord> finished(const std::filesystem::path& folder,
-                                           const std::string& key);
+  static std::optional<JobRecord> finishedRecord(const std::filesystem::path& folder,
+                                                 const std::string& key);
 
   /// Creates the folder and begins a job in it. Files of an earlier job are removed, done.json
   /// first. Files with these `names`, which the new job will write, are also removed. Other files

@@ -79,18 +79,19 @@ Result<JobRecord> recordOf(const Json& json, const std::string& file) {
   fields.readText("method", identity.method);
   fields.readInteger("seed", identity.seed, std::uint64_t{0}, std::uint64_t{UINT64_MAX});
   fields.readText("settings", identity.settings);
-  fields.readText("frame_range", identity.frames);
+  fields.readText("frame_range", identity.frameRange);
   fields.readText("version", identity.version);
   fields.readText("key", record.key);
-  fields.readInteger("frames", record.frames, std::int64_t{0}, limits::kMaxFrames);
-  fields.readNumber("seconds", record.seconds);
-  fields.readInteger("threads", record.threads, 0, kMostThreads);
+  fields.readInteger("frames", record.frameCount, std::int64_t{0}, limits::kMaxFrames);
+  fields.readNumber("seconds", record.trackingSeconds);
+  fields.readInteger("threads", record.threadCount, 0, kMostThreads);
   if (const Json* targets = fields.findObjects("targets")) {
     for (const Json& one : *targets) {
       JsonFieldReader entry(one, file, "targets.");
       JobTarget& target = record.targets.emplace_back();
       entry.readText("name", target.name);
-      entry.readInteger("valid_frames", target.validFrames, std::int64_t{0}, limits::kMaxFrames);
+      entry.readInteger("valid_frames", target.validFrameCount, std::int64_t{0},
+                        limits::kMaxFrames);
       fields.recordErrorOf(entry);
     }
   }
@@ -139,15 +140,15 @@ std::string jobRecordText(const JobRecord& record) {
   json["method"] = identity.method;
   json["seed"] = identity.seed;
   json["settings"] = identity.settings;
-  json["frame_range"] = identity.frames;
+  json["frame_range"] = identity.frameRange;
   json["version"] = identity.version;
   json["key"] = record.key;
-  json["frames"] = record.frames;
-  json["seconds"] = record.seconds;
-  json["threads"] = record.threads;
+  json["frames"] = record.frameCount;
+  json["seconds"] = record.trackingSeconds;
+  json["threads"] = record.threadCount;
   json["targets"] = Json::array();
   for (const JobTarget& target : record.targets) {
-    json["targets"].push_back({{"name", target.name}, {"valid_frames", target.validFrames}});
+    json["targets"].push_back({{"name", target.name}, {"valid_frames", target.validFrameCount}});
   }
   json["files"] = Json::array();
   for (const JobFile& file : record.files) {

@@ -29,7 +29,7 @@ struct JobFile {
 /// Number of a job's frames in which a target had a valid position.
 struct JobTarget {
   std::string name;
-  std::int64_t validFrames = 0;
+  std::int64_t validFrameCount = 0;
 
   bool operator==(const JobTarget&) const = default;
 };
@@ -42,8 +42,8 @@ struct JobIdentity {
   std::uint64_t seed = 0;
   /// Parameters that differ from the method's defaults, for example "particles=200 kld_error=0".
   std::string settings;
-  std::string frames;  ///< range of frames, for example "0:60"; empty: all frames
-  std::string version; ///< version of Dewpoint
+  std::string frameRange; ///< range of frames, for example "0:60"; empty: all frames
+  std::string version;    ///< version of Dewpoint
 
   auto operator<=>(const JobIdentity&) const = default; // NOLINT(modernize-use-nullptr)
 };
@@ -54,9 +54,9 @@ struct JobRecord {
   /// Checksum of everything that the result depends on; see jobKey(). Empty if the job is not
   /// repeatable.
   std::string key;
-  std::int64_t frames = 0;
-  double seconds = 0.0; ///< wall-clock time for tracking
-  int threads = 1;
+  std::int64_t frameCount = 0;
+  double trackingSeconds = 0.0; ///< wall-clock time for tracking
+  int threadCount = 1;
   std::vector<JobTarget> targets;
   std::vector<JobFile> files; ///< files that are identical when the job is repeated
 

@@ -98,7 +98,7 @@ TEST(Baselines, FollowOneBall) {
       const Eigen::Vector3d ball(0.005 * k, 0.02, 0.003 * k);
       const SphereEstimate estimate = step(*tracker, picture(run.rig, k, {ball})).front();
       EXPECT_TRUE(estimate.valid) << method << " at " << k;
-      EXPECT_EQ(estimate.camerasSeeing, 3);
+      EXPECT_EQ(estimate.seeingCameraCount, 3);
       // The filter needs some frames to learn the speed.
       if (method != "triangulation-kalman" || k >= 5) {
         EXPECT_LT((estimate.mean - ball).norm(), method == "camshift" ? kCamShiftBound : kBound)
@@ -219,7 +219,7 @@ TEST(Baselines, CsrtFollowsTheBoxOfTheFirstBlob) {
     const Eigen::Vector3d ball(0.005 * k, 0.02, 0.003 * k);
     const auto estimate = step(*tracker, picture(run.rig, k, {ball})).front();
     ASSERT_TRUE(estimate.valid) << k;
-    EXPECT_EQ(estimate.camerasSeeing, 2);
+    EXPECT_EQ(estimate.seeingCameraCount, 2);
     EXPECT_LT((estimate.mean - ball).norm(), 0.02) << k;
   }
 }
@@ -228,12 +228,12 @@ TEST(Baselines, FollowersWaitForACameraWithoutImagesAndJoinAgain) {
   const ScenarioRun run = threeCameraRun(1);
   const auto tracker = make("camshift", run);
   const Eigen::Vector3d ball(0.01, 0.02, 0.03);
-  EXPECT_EQ(step(*tracker, picture(run.rig, 0, {ball}, {2})).front().camerasSeeing, 2);
-  EXPECT_EQ(step(*tracker, picture(run.rig, 1, {ball})).front().camerasSeeing, 2)
+  EXPECT_EQ(step(*tracker, picture(run.rig, 0, {ball}, {2})).front().seeingCameraCount, 2);
+  EXPECT_EQ(step(*tracker, picture(run.rig, 1, {ball})).front().seeingCameraCount, 2)
       << "the third camera starts in this frame";
-  EXPECT_EQ(step(*tracker, picture(run.rig, 2, {ball})).front().camerasSeeing, 3);
-  EXPECT_EQ(step(*tracker, picture(run.rig, 3, {ball}, {0})).front().camerasSeeing, 2);
-  EXPECT_EQ(step(*tracker, picture(run.rig, 4, {ball})).front().camerasSeeing, 3);
+  EXPECT_EQ(step(*tracker, picture(run.rig, 2, {ball})).front().seeingCameraCount, 3);
+  EXPECT_EQ(step(*tracker, picture(run.rig, 3, {ball}, {0})).front().seeingCameraCount, 2);
+  EXPECT_EQ(step(*tracker, picture(run.rig, 4, {ball})).front().seeingCameraCount, 3);
 }
 
 TEST(Baselines, TwoIdenticalTargetsHaveFollowersOfTheirOwn) {

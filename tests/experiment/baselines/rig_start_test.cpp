@@ -23,13 +23,13 @@ TEST(CommonView, IsWhatAllCamerasSee) {
   CameraRig rig = crossedCameras();
   const auto both = commonViewVolume(rig);
   ASSERT_TRUE(both.has_value());
-  EXPECT_NEAR(both->center.x() + both->half.x(), 0.6, 0.06);
+  EXPECT_NEAR(both->center.x() + both->halfSize.x(), 0.6, 0.06);
   // The third stands half a meter above the origin, and sees nothing above itself.
   rig.push_back(cameraAt({0, 0, 0.5}, {0, 1e-9, 0}));
   const auto all = commonViewVolume(rig);
   ASSERT_TRUE(all.has_value());
-  EXPECT_NEAR(both->center.z() + both->half.z(), 0.656, 0.06);
-  EXPECT_LT(all->center.z() + all->half.z(), 0.5);
+  EXPECT_NEAR(both->center.z() + both->halfSize.z(), 0.656, 0.06);
+  EXPECT_LT(all->center.z() + all->halfSize.z(), 0.5);
 }
 
 TEST(CommonView, IsThatOfTwoWhereAThirdLooksAway) {
@@ -37,7 +37,7 @@ TEST(CommonView, IsThatOfTwoWhereAThirdLooksAway) {
   rig.push_back(cameraAt({0, 0, 5}, {5, 0, 5}));
   const auto view = commonViewVolume(rig);
   ASSERT_TRUE(view.has_value());
-  EXPECT_NEAR(view->center.x() + view->half.x(), 0.6, 0.06) << "as without the third";
+  EXPECT_NEAR(view->center.x() + view->halfSize.x(), 0.6, 0.06) << "as without the third";
 }
 
 TEST(CommonView, NeedsTwoCamerasThatSeeSomethingTogether) {
@@ -54,11 +54,11 @@ TEST(StartFromRig, IsThePartOfTheRunsVolumeThatTheCamerasSee) {
   run.startCenter = {0.5, 0.0, 0.0};
   run.startHalfSize = {0.5, 0.1, 5.0};
   const StartVolume start = startVolumeFromRig(run);
-  EXPECT_NEAR(start.center.x() - start.half.x(), 0.0, 1e-12) << "the run's";
-  EXPECT_NEAR(start.center.x() + start.half.x(), 0.6, 0.06) << "the cameras'";
+  EXPECT_NEAR(start.center.x() - start.halfSize.x(), 0.0, 1e-12) << "the run's";
+  EXPECT_NEAR(start.center.x() + start.halfSize.x(), 0.6, 0.06) << "the cameras'";
   EXPECT_NEAR(start.center.y(), 0.0, 1e-12);
-  EXPECT_NEAR(start.half.y(), 0.1, 1e-12);
-  EXPECT_NEAR(start.half.z(), 0.656, 0.06);
+  EXPECT_NEAR(start.halfSize.y(), 0.1, 1e-12);
+  EXPECT_NEAR(start.halfSize.z(), 0.656, 0.06);
 }
 
 TEST(StartFromRig, IsAllThatTheCamerasSeeForAPoint) {
@@ -69,7 +69,7 @@ TEST(StartFromRig, IsAllThatTheCamerasSeeForAPoint) {
   const auto view = commonViewVolume(run.rig);
   ASSERT_TRUE(view.has_value());
   EXPECT_EQ(start.center, view->center);
-  EXPECT_EQ(start.half, view->half);
+  EXPECT_EQ(start.halfSize, view->halfSize);
 }
 
 TEST(StartFromRig, IsTheRunsOwnWhereNothingIsSeen) {
@@ -78,7 +78,7 @@ TEST(StartFromRig, IsTheRunsOwnWhereNothingIsSeen) {
   run.startCenter = {8.0, 0.0, 0.0};
   run.startHalfSize = {1.0, 1.0, 1.0};
   EXPECT_EQ(startVolumeFromRig(run).center, run.startCenter);
-  EXPECT_EQ(startVolumeFromRig(run).half, run.startHalfSize);
+  EXPECT_EQ(startVolumeFromRig(run).halfSize, run.startHalfSize);
   run.rig.pop_back();
   EXPECT_EQ(startVolumeFromRig(run).center, run.startCenter) << "one camera";
 }

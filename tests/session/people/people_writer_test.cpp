@@ -20,7 +20,7 @@ public:
       PersonEstimate& person = people_.emplace_back();
       person.identity = 3 + k;
       person.position = {static_cast<double>(k), 0.0, 1.0};
-      person.camerasSeeing = 2;
+      person.seeingCameraCount = 2;
     }
     people_[1].color = Eigen::Vector2d(0.25, 0.5);
   }

@@ -127,10 +127,10 @@ TEST(RunDefinition, TakesFromTheCamerasWhatNobodyGave) {
   RunDefinition run = RunDefinition::of(project);
   EXPECT_EQ(run.parameters, effectiveParameters(project));
   const StartVolume start = startVolume(run.parameters);
-  EXPECT_TRUE(
-      (WorldBox{start.center - start.half, start.center + start.half}.contains(drawn::kMiddle)));
-  EXPECT_GT(start.half.minCoeff(), 0.2); // the cameras are a meter away
-  EXPECT_LT(start.half.maxCoeff(), 1.6);
+  EXPECT_TRUE((WorldBox{start.center - start.halfSize, start.center + start.halfSize}.contains(
+      drawn::kMiddle)));
+  EXPECT_GT(start.halfSize.minCoeff(), 0.2); // the cameras are a meter away
+  EXPECT_LT(start.halfSize.maxCoeff(), 1.6);
   // What is written of the run says it, and a project goes on leaving it to the cameras.
   const Project applied = run.appliedTo(project);
   EXPECT_EQ(applied.parameters.at("start_x"), run.parameters.at("start_x"));

@@ -85,10 +85,10 @@ TEST(SnapshotState, PeopleAreLearnedFirst) {
   TrackSnapshot snapshot = snapshotOf({});
   snapshot.family.targetSource = TargetSource::Images;
   snapshot.peopleCameras.resize(2);
-  snapshot.peopleCameras[0].learned = 1.0;
-  snapshot.peopleCameras[1].learned = 0.5;
+  snapshot.peopleCameras[0].learningProgress = 1.0;
+  snapshot.peopleCameras[1].learningProgress = 0.5;
   EXPECT_EQ(trackingState(snapshot), TrackingState::Learning);
-  snapshot.peopleCameras[1].learned = 1.0;
+  snapshot.peopleCameras[1].learningProgress = 1.0;
   EXPECT_EQ(trackingState(snapshot), TrackingState::Nobody);
   snapshot.targets = snapshotOf({TargetStatus::Gone, TargetStatus::Held}).targets;
   EXPECT_EQ(trackingState(snapshot), TrackingState::Held);

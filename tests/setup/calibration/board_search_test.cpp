@@ -83,13 +83,13 @@ TEST(BoardSearch, ALongRecordingIsNotSearchedForTheWrongBoard) {
   const auto first = findBoards(recording.project, *source, request);
   ASSERT_TRUE(first) << sentence(first.error());
   EXPECT_TRUE(first->hasOnlyOtherBoard());
-  EXPECT_FALSE(first->hasSearchedAll);
+  EXPECT_FALSE(first->hasSearchedAllFrames);
   EXPECT_EQ(first->cameras[0].searchedImages, kBoardProposalFrames);
   request.suggestBoardFirst = false;
   const auto all = findBoards(recording.project, *source, request);
   ASSERT_TRUE(all) << sentence(all.error());
   EXPECT_TRUE(all->hasOnlyOtherBoard());
-  EXPECT_TRUE(all->hasSearchedAll);
+  EXPECT_TRUE(all->hasSearchedAllFrames);
   EXPECT_EQ(all->cameras[0].searchedImages, 40);
 }
 

@@ -86,7 +86,7 @@ TEST(BarreraTracker, ConvergesFromThePapersStart) {
       estimate = tracker->iterate(team);
     }
     EXPECT_LT((estimate.mean - kBallCenter).norm(), 0.03) << "seed " << seed;
-    EXPECT_EQ(estimate.camerasSeeing, 2);
+    EXPECT_EQ(estimate.seeingCameraCount, 2);
     EXPECT_TRUE(estimate.valid);
     EXPECT_FALSE(estimate.degenerate);
     EXPECT_EQ(estimate.particleCount, 200);
@@ -216,14 +216,14 @@ TEST(BarreraTracker, ValidNeedsTwoCamerasUnlessThereIsOne) {
   half->frames[1] = nullptr;
   tracker->beginFrame(half);
   SphereEstimate estimate = tracker->iterate(team);
-  EXPECT_EQ(estimate.camerasSeeing, 1);
+  EXPECT_EQ(estimate.seeingCameraCount, 1);
   EXPECT_FALSE(estimate.valid);
 
   const CameraRig single(rig.begin(), rig.begin() + 1);
   const auto alone = startedBarrera(onBall, single);
   alone->beginFrame(ballFrames(single, kBallCenter));
   estimate = alone->iterate(team);
-  EXPECT_EQ(estimate.camerasSeeing, 1);
+  EXPECT_EQ(estimate.seeingCameraCount, 1);
   EXPECT_TRUE(estimate.valid);
 }
 
@@ -233,7 +233,7 @@ TEST(BarreraTracker, WithoutImagesAllParticlesAreEqual) {
   tracker->beginFrame(nullptr);
   const SphereEstimate estimate = tracker->iterate(team);
   EXPECT_NEAR(estimate.effectiveSampleSize, 200.0, 1e-9);
-  EXPECT_EQ(estimate.camerasSeeing, 0);
+  EXPECT_EQ(estimate.seeingCameraCount, 0);
   EXPECT_FALSE(estimate.valid);
   EXPECT_FALSE(estimate.degenerate);
 }
@@ -251,7 +251,7 @@ TEST(BarreraTracker, AnotherTargetColorIsNotSeen) {
   blue.color.hueMin = 220.0;
   blue.color.hueMax = 260.0;
   tracker->setTarget(blue);
-  EXPECT_EQ(tracker->iterate(team).camerasSeeing, 0);
+  EXPECT_EQ(tracker->iterate(team).seeingCameraCount, 0);
 }
 
 // The start of the paper lies outside both images, and the ball is in both.

@@ -28,7 +28,7 @@ TEST(DynamicsTracker, MeasuresWhereTheColorsMassIs) {
   ThreadTeam team(1);
   const SphereEstimate estimate = tracker.iterate(team);
   EXPECT_TRUE(estimate.valid);
-  EXPECT_EQ(estimate.camerasSeeing, 3);
+  EXPECT_EQ(estimate.seeingCameraCount, 3);
   EXPECT_EQ(tracker.cameraReports().front().status, CameraStatus::None);
 }
 

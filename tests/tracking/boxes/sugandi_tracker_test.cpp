@@ -154,7 +154,7 @@ TEST(BoxFilter, EveryMethodDeclaresItsParameters) {
     for (const ParameterDeclaration& declaration : methodParameters(method)) {
       EXPECT_GE(declaration.defaultValue, declaration.minimum) << declaration.key;
       EXPECT_LE(declaration.defaultValue, declaration.maximum) << declaration.key;
-      EXPECT_FALSE(declaration.sentence.empty()) << declaration.key;
+      EXPECT_FALSE(declaration.description.empty()) << declaration.key;
     }
   }
 }

@@ -12,7 +12,7 @@ TEST(MethodReference, SaysWhatIsDeclared) {
   declaration.unit = "m";
   declaration.defaultValue = 0.03;
   declaration.maximum = 10.0;
-  declaration.sentence = "How far it moves.";
+  declaration.description = "How far it moves.";
   EXPECT_EQ(parameterText(declaration), "0.03 m (0 to 10). How far it moves.");
   declaration.unit.clear();
   declaration.derivedFromCameras = true;

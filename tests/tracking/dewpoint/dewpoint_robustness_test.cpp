@@ -195,8 +195,9 @@ std::vector<double> bitsOf(int threads, std::uint64_t seed) {
       all.insert(all.end(), e.mean.data(), e.mean.data() + 3);
       all.insert(all.end(), e.best.data(), e.best.data() + 3);
       all.insert(all.end(), e.covariance.data(), e.covariance.data() + 9);
-      all.insert(all.end(), {e.existenceProbability, e.effectiveSampleSize, e.radius,
-                             double(e.particleCount), double(e.camerasSeeing), double(e.valid)});
+      all.insert(all.end(),
+                 {e.existenceProbability, e.effectiveSampleSize, e.radius, double(e.particleCount),
+                  double(e.seeingCameraCount), double(e.valid)});
     }
   }
   return all;

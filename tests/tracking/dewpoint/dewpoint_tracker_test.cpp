@@ -46,7 +46,7 @@ TEST(DewpointTracker, ConvergesInTwoFramesFromAUniformStart) {
     EXPECT_LT((estimate.best - truth).norm(), 0.01) << seed;
     EXPECT_TRUE(estimate.valid) << seed;
     EXPECT_GT(estimate.existenceProbability, 0.9) << seed;
-    EXPECT_EQ(estimate.camerasSeeing, 2) << seed;
+    EXPECT_EQ(estimate.seeingCameraCount, 2) << seed;
     EXPECT_NEAR(estimate.radius, 0.035, 1e-6) << seed;
     EXPECT_FALSE(estimate.degenerate) << seed;
   }
@@ -166,7 +166,7 @@ TEST(DewpointTracker, ACameraThatFailsOrReturnsMakesNoStep) {
       const SphereEstimate& estimate = run.show({Ball{truth}}, blind);
       EXPECT_LT((estimate.mean - before).norm(), 1e-3) << failing << ", frame " << frame;
       EXPECT_TRUE(estimate.valid);
-      EXPECT_EQ(estimate.camerasSeeing, frame < 3 ? 2 : 3);
+      EXPECT_EQ(estimate.seeingCameraCount, frame < 3 ? 2 : 3);
     }
   }
 }
@@ -371,7 +371,7 @@ TEST(DewpointTracker, NewColorsActAtTheNextIteration) {
   for (int frame = 10; frame < 14; ++frame) {
     run.show({Ball{onCircle(frame)}});
   }
-  EXPECT_EQ(run.estimate().camerasSeeing, 0);
+  EXPECT_EQ(run.estimate().seeingCameraCount, 0);
   EXPECT_FALSE(run.estimate().valid);
 }
 

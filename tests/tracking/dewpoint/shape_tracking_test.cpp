@@ -83,7 +83,7 @@ TEST(ShapeTracking, FollowsAStickThatTumbles) {
       ASSERT_TRUE(estimate.extent) << frame;
       EXPECT_LT((estimate.mean - stickAt(frame).center).norm(), 0.01) << frame;
       EXPECT_GT(estimate.existenceProbability, 0.9) << frame;
-      EXPECT_EQ(estimate.camerasSeeing, 2) << frame;
+      EXPECT_EQ(estimate.seeingCameraCount, 2) << frame;
       if (frame > 5) {
         EXPECT_NEAR(longestAxis(estimate), 0.1, 0.025) << frame;
       }

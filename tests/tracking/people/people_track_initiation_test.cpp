@@ -26,7 +26,7 @@ protected:
   static PeopleSettings settings() {
     PeopleSettings settings;
     settings.learningTime = 0.0;
-    settings.area.half = {2.0, 2.0};
+    settings.area.halfSize = {2.0, 2.0};
     return settings;
   }
 

@@ -95,7 +95,7 @@ TEST_F(PeopleLifeTest, WhomNobodySeesFadesEvenlyAndGoes) {
     ASSERT_EQ(count(), 1U) << n;
     EXPECT_NEAR(person(0).existenceProbability, 1.0 - (1.0 / 30.0 + (n - 1) / 15.0) / 0.6, kExact)
         << n;
-    EXPECT_EQ(person(0).camerasSeeing, 0);
+    EXPECT_EQ(person(0).seeingCameraCount, 0);
   }
   EXPECT_TRUE(life_.goneOnes.empty());
   step({});
@@ -113,7 +113,7 @@ TEST_F(PeopleLifeTest, WhoIsSeenAgainWinsBackTwiceAsFast) {
   EXPECT_NEAR(person(0).existenceProbability, 1.0 - (7.0 / 30.0) / 0.6, kExact);
   step({kPlace});
   EXPECT_NEAR(person(0).existenceProbability, 1.0 - (3.0 / 30.0) / 0.6, kExact);
-  EXPECT_EQ(person(0).camerasSeeing, 4);
+  EXPECT_EQ(person(0).seeingCameraCount, 4);
   step({kPlace});
   EXPECT_EQ(person(0).existenceProbability, 1.0);
   EXPECT_NEAR(person(0).age, 1.0 / 30.0 + 5.0 / 15.0, kExact);
@@ -201,23 +201,23 @@ protected:
 // four times as slowly, 1/30 s count 1/120.
 TEST_F(OneBehindTheOther, WhoIsHiddenFadesSlowly) {
   step({kFront, kBehind});
-  EXPECT_EQ(person(0).camerasSeeing, 2);
+  EXPECT_EQ(person(0).seeingCameraCount, 2);
   EXPECT_EQ(person(0).existenceProbability, 1.0);
-  EXPECT_EQ(person(1).camerasSeeing, 1);
+  EXPECT_EQ(person(1).seeingCameraCount, 1);
   EXPECT_NEAR(person(1).existenceProbability, 1.0 - (1.0 / 120.0) / 0.6, kExact);
 }
 
 TEST_F(OneBehindTheOther, AMethodThatSharesNoMasksSeesBoth) {
   life_.masksAreShared = false;
   step({kFront, kBehind});
-  EXPECT_EQ(person(1).camerasSeeing, 2);
+  EXPECT_EQ(person(1).seeingCameraCount, 2);
   EXPECT_EQ(person(1).existenceProbability, 1.0);
 }
 
 // Where the one behind is not at all, no camera sees anything of them: nothing is forgiven.
 TEST_F(OneBehindTheOther, WhoIsSeenNowhereFadesAsFastAsAnybody) {
   step({kFront});
-  EXPECT_EQ(person(1).camerasSeeing, 0);
+  EXPECT_EQ(person(1).seeingCameraCount, 0);
   EXPECT_NEAR(person(1).existenceProbability, 1.0 - (1.0 / 30.0) / 0.6, kExact);
 }
 

@@ -88,7 +88,7 @@ TEST_P(PeopleMethods, SeeSomebodyComeWalkAndGo) {
     tracker->step(drawPeople(rig, frame, {}), team);
     EXPECT_TRUE(tracker->people().empty());
   }
-  EXPECT_EQ(tracker->found().cameraStates()[0].learned, 1.0);
+  EXPECT_EQ(tracker->found().cameraStates()[0].learningProgress, 1.0);
   for (; frame < 42; ++frame) { // 2 s at 0.6 m/s
     const Eigen::Vector2d place(-0.6 + 0.04 * static_cast<double>(frame - 12), 0.3);
     tracker->step(drawPeople(rig, frame, {{place, kBlue}}), team);
@@ -96,7 +96,7 @@ TEST_P(PeopleMethods, SeeSomebodyComeWalkAndGo) {
       ASSERT_EQ(tracker->people().size(), 1U) << frame;
       EXPECT_EQ(tracker->people()[0].identity, 1);
       EXPECT_LT((tracker->people()[0].position.head<2>() - place).norm(), 0.2) << frame;
-      EXPECT_EQ(tracker->people()[0].camerasSeeing, 4);
+      EXPECT_EQ(tracker->people()[0].seeingCameraCount, 4);
     }
   }
   const BodyCloud body = tracker->found().body(1);
@@ -169,7 +169,7 @@ TEST_P(PeopleMethods, MapTheLikelihoodOfMotion) {
                    frame < 12 ? std::vector<Person>{} : std::vector<Person>{{{0.2, 0.2}, kRed}}),
         team);
   }
-  const auto maps = mapping->motionLikelihoods();
+  const auto maps = mapping->motionLikelihoodMaps();
   ASSERT_EQ(maps.size(), rig.size());
   const auto at = Projector(rig[0]).project({0.2, 0.2, 0.9});
   ASSERT_TRUE(at);
@@ -197,7 +197,7 @@ TEST_P(PeopleMethods, LiveWithoutSomeCamera) {
   }
   ASSERT_EQ(tracker->people().size(), 1U);
   EXPECT_LT((tracker->people()[0].position.head<2>() - Eigen::Vector2d(0.2, 0.2)).norm(), 0.25);
-  EXPECT_FALSE(tracker->found().cameraStates()[1].usable);
+  EXPECT_FALSE(tracker->found().cameraStates()[1].isUsable);
   EXPECT_TRUE(tracker->found().foreground(1).empty());
 }
 
@@ -252,7 +252,7 @@ TEST(PeopleMethodNames, HaveParametersAndSentences) {
     for (const ParameterDeclaration& one : methodParameters(method)) {
       EXPECT_LE(one.minimum, one.defaultValue) << one.key;
       EXPECT_GE(one.maximum, one.defaultValue) << one.key;
-      EXPECT_FALSE(one.sentence.empty()) << one.key;
+      EXPECT_FALSE(one.description.empty()) << one.key;
     }
   }
   const auto missing = makeTracker("people", ParameterValues(), room(), {});

@@ -39,7 +39,7 @@ TEST(ExportC3d, IsReadByAnotherReader) {
 
 TEST(ExportC3d, FilledPointsHaveNoResidual) {
   ExportOptions options = exportAs("c3d");
-  options.gaps = GapRule::Fill;
+  options.gapRule = GapRule::Fill;
   const C3dReader file(exported(exportExample(), options, "a.c3d"));
   EXPECT_EQ(file.frames()[2][0].fourth, 0.0F);
   EXPECT_FLOAT_EQ(file.frames()[2][0].x, 200.0F);

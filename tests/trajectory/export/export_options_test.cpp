@@ -32,8 +32,8 @@ TEST(ExportOptions, GapsAreLeftOrFilledAndMarked) {
   auto table = tableOf(options);
   ASSERT_TRUE(table);
   EXPECT_EQ(table->gapCount(), 1U);
-  EXPECT_FALSE(table->cells[0][2].present);
-  options.gaps = GapRule::Fill;
+  EXPECT_FALSE(table->cells[0][2].hasPosition);
+  options.gapRule = GapRule::Fill;
   table = tableOf(options);
   ASSERT_TRUE(table);
   EXPECT_EQ(table->gapCount(), 0U);
@@ -55,11 +55,11 @@ TEST(ExportOptions, ResamplesAlongTheCubic) {
         exportSample(frame, "ball", position(static_cast<double>(frame) / 10.0)));
   }
   ExportOptions options;
-  options.rate = 25.0;
+  options.rowsPerSecond = 25.0;
   const auto table = tableOf(options, trajectory);
   ASSERT_TRUE(table);
   ASSERT_EQ(table->rowCount(), 26U);
-  EXPECT_EQ(table->rate, 25.0);
+  EXPECT_EQ(table->rowsPerSecond, 25.0);
   for (std::size_t row = 0; row < 26; ++row) {
     EXPECT_NEAR(table->times[row], 0.04 * static_cast<double>(row), 1e-12);
     // A ball in flight: the parabola is met exactly.
@@ -72,20 +72,21 @@ TEST(ExportOptions, ResamplesAlongTheCubic) {
 TEST(ExportOptions, ResamplingLeavesGaps) {
   ExportOptions options;
   options.targets = {"ball"};
-  options.rate = 20.0;
+  options.rowsPerSecond = 20.0;
   const auto table = tableOf(options);
   ASSERT_TRUE(table);
   ASSERT_EQ(table->rowCount(), 7U); // 0, 0.05, ... 0.3 s
   const std::vector<bool> expected{true, true, true, false, false, false, true};
   for (std::size_t row = 0; row < 7; ++row) {
-    EXPECT_EQ(table->cells[0][row].present, expected[row]) << row;
+    EXPECT_EQ(table->cells[0][row].hasPosition, expected[row]) << row;
   }
 }
 
 TEST(ExportOptions, InterpolatesWithoutNeighborsAlongTheChord) {
   const TimedPosition a{1.0, {0, 0, 0}};
   const TimedPosition b{3.0, {2, 4, 6}};
-  EXPECT_LT((interpolated({}, a, b, {}, 1.5) - Eigen::Vector3d(0.5, 1.0, 1.5)).norm(), 1e-15);
+  EXPECT_LT((interpolatedPosition({}, a, b, {}, 1.5) - Eigen::Vector3d(0.5, 1.0, 1.5)).norm(),
+            1e-15);
 }
 
 TEST(ExportOptions, UnitsAndAxesTurnTheCovarianceToo) {
@@ -106,10 +107,10 @@ TEST(ExportOptions, ChoosesAndNamesFormats) {
     EXPECT_EQ((*exportFormat(format.id))->title, format.title);
     const auto preview = previewExport(exportExample(), exportAs(std::string(format.id)), "a");
     ASSERT_TRUE(preview) << format.id;
-    EXPECT_NE(preview->units.find("right-handed"), std::string::npos);
-    EXPECT_NE(preview->size.find("2 targets, 4 rows at 10 per second, 1 positions unknown"),
+    EXPECT_NE(preview->unitsSentence.find("right-handed"), std::string::npos);
+    EXPECT_NE(preview->sizeSentence.find("2 targets, 4 rows at 10 per second, 1 positions unknown"),
               std::string::npos)
-        << preview->size;
+        << preview->sizeSentence;
     EXPECT_GT(preview->text.size(), 40U) << preview->text;
   }
 }
@@ -117,19 +118,19 @@ TEST(ExportOptions, ChoosesAndNamesFormats) {
 TEST(ExportOptions, PreviewsCountTheLinesOfNotes) {
   Trajectory trajectory = exportExample();
   trajectory.header.entries = {{"method", "dewpoint"}, {"seed", "7"}};
-  const auto noteLines = [&](const char* format, bool header) {
+  const auto noteLineCount = [&](const char* format, bool header) {
     ExportOptions options = exportAs(format);
-    options.header = header;
+    options.writesHeader = header;
     const auto preview = previewExport(trajectory, options, "a");
     EXPECT_TRUE(preview) << format;
-    return preview ? preview->noteLines : std::size_t{99};
+    return preview ? preview->noteLineCount : std::size_t{99};
   };
-  const std::size_t inCsv = noteLines("csv", true);
+  const std::size_t inCsv = noteLineCount("csv", true);
   EXPECT_GE(inCsv, 4U); // title, units, and two entries
-  EXPECT_EQ(noteLines("csv", false), 0U);
-  EXPECT_EQ(noteLines("tum", true), inCsv + 2U); // the target, and the names of the columns
-  EXPECT_EQ(noteLines("trc", true), 0U);
-  EXPECT_EQ(noteLines("npz", true), 0U); // no text
+  EXPECT_EQ(noteLineCount("csv", false), 0U);
+  EXPECT_EQ(noteLineCount("tum", true), inCsv + 2U); // the target, and the names of the columns
+  EXPECT_EQ(noteLineCount("trc", true), 0U);
+  EXPECT_EQ(noteLineCount("npz", true), 0U); // no text
 }
 
 TEST(ExportRefuses, WhatCannotBeWritten) {
@@ -148,7 +149,7 @@ TEST(ExportRefuses, WhatCannotBeWritten) {
   options.from = RangeBound{99.0, false};
   EXPECT_EQ(wrong(options).field, "span");
   options = {};
-  options.rate = 1e12;
+  options.rowsPerSecond = 1e12;
   EXPECT_EQ(wrong(options).field, "rate");
   EXPECT_EQ(wrong({}, "a.csv", {}).field, "span");
   Trajectory trajectory = exportExample();

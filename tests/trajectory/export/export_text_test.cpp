@@ -31,7 +31,7 @@ TEST(ExportText, TidyCsvAsWrittenByHand) {
 /// The example, with a particle of highest weight 10 mm along X from the ball at frame 1.
 Trajectory exampleWithBest() {
   Trajectory trajectory = exportExample();
-  trajectory.samples[2].best = Eigen::Vector3d(0.11, 0.25, 2.0);
+  trajectory.samples[2].bestParticle = Eigen::Vector3d(0.11, 0.25, 2.0);
   return trajectory;
 }
 
@@ -154,7 +154,7 @@ TEST(ExportText, ACsvWithoutNotesBeginsWithItsColumnsAndIsReadTheSame) {
   const ExportFolder folder;
   ExportOptions options = exportAs("csv");
   ASSERT_TRUE(exportTrajectory(exportExample(), options, folder / "with.csv"));
-  options.header = false;
+  options.writesHeader = false;
   ASSERT_TRUE(exportTrajectory(exportExample(), options, folder / "without.csv"));
   EXPECT_TRUE(bytesOf(folder / "with.csv").starts_with("# dewpoint trajectory\n"));
   EXPECT_TRUE(bytesOf(folder / "without.csv").starts_with("time_s,frame,target,x_m,"));
@@ -179,7 +179,7 @@ TEST(ExportText, OnlyFormatsWithoutAPlaceForNotesHaveNone) {
   const auto text = [](const ExportFormat& format, bool notes) {
     const ExportFolder folder;
     ExportOptions options = exportAs(std::string(format.id));
-    options.header = notes;
+    options.writesHeader = notes;
     const auto written = exportTrajectory(exportExample(), options, folder / "a");
     return written ? bytesOf(written->files.front()) : sentence(written.error());
   };
@@ -190,7 +190,7 @@ TEST(ExportText, OnlyFormatsWithoutAPlaceForNotesHaveNone) {
 
 TEST(ExportText, WideCsvAsWrittenByHand) {
   ExportOptions options = exportAs("csv-wide");
-  options.header = false;
+  options.writesHeader = false;
   options.unit = LengthUnit::Millimeter;
   EXPECT_EQ(exported(exportExample(), options, "a.csv"),
             "time_s,frame,ball_x_mm,ball_y_mm,ball_z_mm,\"cap, red_x_mm\",\"cap, red_y_mm\","
@@ -203,7 +203,7 @@ TEST(ExportText, WideCsvAsWrittenByHand) {
 
 TEST(ExportText, TumAsWrittenByHand) {
   ExportOptions options = exportAs("tum");
-  options.header = false;
+  options.writesHeader = false;
   options.targets = {"ball"};
   EXPECT_EQ(exported(exportExample(), options, "a.tum"), "0.000000 0 0.25 1 0 0 0 1\n"
                                                          "0.100000 0.1 0.25 2 0 0 0 1\n"
@@ -249,7 +249,7 @@ TEST(ExportText, TrcHasEvenRowsWhereFramesWereDropped) {
   EXPECT_NE(text.find("\n10\t10\t9\t2\tm\t10\t1\t9\n"), std::string::npos);
   EXPECT_NE(text.find("\n2\t0.1\t\t\t\t\t\t\n"), std::string::npos);
   ExportOptions twice = exportAs("trc"); // what was recorded stays said
-  twice.rate = 20.0;
+  twice.rowsPerSecond = 20.0;
   EXPECT_NE(exported(trajectory, twice, "a.trc").find("\n20\t20\t17\t2\tm\t10\t1\t9\n"),
             std::string::npos);
 }

@@ -16,7 +16,7 @@ ExportTable tableOfOneTarget() {
   for (int row = 0; row < 3; ++row) {
     table.times.push_back(0.5 * row);
     ExportCell& cell = table.cells[0].emplace_back();
-    cell.present = true;
+    cell.hasPosition = true;
     cell.position = Eigen::Vector3d(row, 2.0 * row, 1.0);
     cell.covariance = Eigen::Vector3d(0.01, 0.01, 0.01).asDiagonal();
   }
@@ -59,8 +59,8 @@ TEST(FigureDrawing, CurvesLieInTheirFrames) {
   ASSERT_EQ(x.path.size(), 3U);
   EXPECT_EQ(x.band.size(), 6U);
   const Eigen::Vector2d moved = x.path.back() - x.path.front();
-  EXPECT_NEAR(moved.x(), x.within.sizes().x() / 1.1, 1e-9);
-  EXPECT_NEAR(moved.y(), -x.within.sizes().y() * 2.0 / 2.2, 1e-9);
+  EXPECT_NEAR(moved.x(), x.clipRectangle.sizes().x() / 1.1, 1e-9);
+  EXPECT_NEAR(moved.y(), -x.clipRectangle.sizes().y() * 2.0 / 2.2, 1e-9);
   // From above a meter is as long along x as along y.
   const Eigen::Vector2d walked = curves[3].path.back() - curves[3].path.front();
   EXPECT_NEAR(-walked.y(), 2.0 * walked.x(), 1e-9);

@@ -14,7 +14,7 @@ ExportTable tableWithGap() {
   for (int row = 0; row < 5; ++row) {
     table.times.push_back(0.5 * row);
     ExportCell& cell = table.cells[0].emplace_back();
-    cell.present = row != 2;
+    cell.hasPosition = row != 2;
     cell.position = Eigen::Vector3d(row, 10.0 * row, 1.0);
     if (row < 2) {
       cell.covariance = Eigen::Vector3d(0.01, 0.04, 0.0).asDiagonal(); // 0.1 and 0.2
@@ -67,8 +67,8 @@ TEST(TrajectoryFigure, CurvesEndAtGapsAndBandsAreTwoSigmas) {
     EXPECT_NEAR((y.curves[0].band[k] - band[k]).norm(), 0.0, 1e-12) << k;
   }
   EXPECT_EQ(y.curves[1].path.front(), Eigen::Vector2d(1.5, 30.0));
-  EXPECT_DOUBLE_EQ(y.horizontal.high, 2.1); // time: 0 to 2 s and a twentieth
-  EXPECT_DOUBLE_EQ(figure.overTime[2].vertical.low, 0.5);
+  EXPECT_DOUBLE_EQ(y.horizontalRange.high, 2.1); // time: 0 to 2 s and a twentieth
+  EXPECT_DOUBLE_EQ(figure.overTime[2].verticalRange.low, 0.5);
 }
 
 TEST(TrajectoryFigure, FromAboveShowsTheFloorInOneScale) {
@@ -76,7 +76,7 @@ TEST(TrajectoryFigure, FromAboveShowsTheFloorInOneScale) {
   const FigurePanel above = trajectoryFigure(table).fromAbove;
   EXPECT_EQ(above.horizontalAxis, 0);
   EXPECT_EQ(above.verticalAxis, 1);
-  EXPECT_DOUBLE_EQ(above.horizontal.size(), above.vertical.size());
+  EXPECT_DOUBLE_EQ(above.horizontalRange.size(), above.verticalRange.size());
   EXPECT_EQ(above.curves[1].path.back(), Eigen::Vector2d(4.0, 40.0));
   EXPECT_TRUE(above.curves[0].band.empty());
   table.axes = WorldAxes::YUp; // the floor is z and x

@@ -36,8 +36,8 @@ protected:
     JobRecord record;
     record.identity = identity;
     record.key = name;
-    record.frames = 10;
-    record.seconds = 0.5;
+    record.frameCount = 10;
+    record.trackingSeconds = 0.5;
     record.targets = {{"ball", valid}};
     ASSERT_TRUE(job->finish(record, {"trajectory.csv"}));
   }
@@ -47,8 +47,8 @@ protected:
     one.target = "ball";
     one.rmse = rmse;
     one.p95 = 2.0 * rmse;
-    one.inside95 = 0.9;
-    one.framesCompared = 9;
+    one.fractionInside95 = 0.9;
+    one.comparedFrameCount = 9;
     one.framesToConverge = 1;
     ASSERT_TRUE(
         writeTextFile(root_ / name / kEvaluationFile, evaluationFileText({one}, sha256(rows))));
@@ -77,7 +77,7 @@ TEST_F(GatherTest, HasOneRowForEachJobAndTarget) {
       "\"a, first\",track,dewpoint,particles=50 "
       "kld_error=0,,2,ball,10,1,9,1,0,2,0,0,0.9,1,0,1.2.3\n"
       "b,track,dewpoint,,,10,ball,10,0.7,,,,,,,,,,1.2.3\n");
-  EXPECT_EQ(gatheredTimes(*gathered),
+  EXPECT_EQ(gatheredDurations(*gathered),
             "recording,command,method,settings,frame_range,seed,frames,seconds,frames_per_second,"
             "threads\n"
             "\"a, first\",track,dewpoint,particles=50 kld_error=0,,2,10,0.5,20,1\n"
@@ -115,8 +115,8 @@ TEST_F(GatherTest, EachResultCountsOnce) {
   ASSERT_TRUE(gathered);
   ASSERT_EQ(gathered->jobs.size(), 1u);
   EXPECT_EQ(gathered->jobs.front().folder, folder("two")); // the one that was evaluated
-  ASSERT_EQ(gathered->repeated.size(), 1u);
-  EXPECT_EQ(gathered->repeated.front(), std::make_pair(folder("two"), folder("one")));
+  ASSERT_EQ(gathered->repeatedFolders.size(), 1u);
+  EXPECT_EQ(gathered->repeatedFolders.front(), std::make_pair(folder("two"), folder("one")));
 
   // The same job with another result is an error, whichever comes first.
   makeJob("three", identityOf("a"), 10, "other rows\n");
@@ -140,8 +140,8 @@ TEST_F(GatherTest, NamesWhatIsMissingOrUnfinished) {
   ASSERT_TRUE(gathered);
   EXPECT_FALSE(gathered->isComplete());
   EXPECT_EQ(gathered->jobs.size(), 1u);
-  EXPECT_EQ(gathered->missing, std::vector{folder("nowhere")});
-  EXPECT_EQ(gathered->unfinished, (std::vector{folder("cut"), folder("killed")}));
+  EXPECT_EQ(gathered->missingFolders, std::vector{folder("nowhere")});
+  EXPECT_EQ(gathered->unfinishedFolders, (std::vector{folder("cut"), folder("killed")}));
   const std::string report = gatheredReport(*gathered);
   EXPECT_NE(report.find("1 runs of 1 recordings; 1 missing, 2 unfinished."), std::string::npos)
       << report;

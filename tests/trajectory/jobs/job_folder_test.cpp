@@ -24,8 +24,8 @@ JobRecord recordWithKey(const std::string& key) {
   JobRecord record;
   record.identity = {"day 1", "track", "dewpoint", 7, "particles=200", "0:60", "1.2.3"};
   record.key = key;
-  record.frames = 60;
-  record.seconds = 1.5;
+  record.frameCount = 60;
+  record.trackingSeconds = 1.5;
   record.targets = {{"ball", 58}};
   return record;
 }
@@ -34,7 +34,7 @@ TEST(JobRecord, ReadsWhatItWrote) {
   const fs::path folder = emptyJobFolder("record");
   fs::create_directories(folder);
   JobRecord record = recordWithKey("k");
-  record.threads = 2;
+  record.threadCount = 2;
   record.files = {{"trajectory.csv", 12, "abc"}};
   ASSERT_TRUE(writeTextFile(folder / kDoneFile, jobRecordText(record)));
   EXPECT_EQ(readJobRecord(folder / kDoneFile), record);
@@ -118,21 +118,21 @@ TEST(JobFolder, IsDoneOnlyAfterTheEnd) {
   ASSERT_TRUE(job);
   EXPECT_TRUE(fs::exists(folder / kUnfinishedFile));
   ASSERT_TRUE(writeTextFile(folder / "trajectory.csv", "rows\n"));
-  EXPECT_FALSE(JobFolder::finished(folder, "k"));
+  EXPECT_FALSE(JobFolder::finishedRecord(folder, "k"));
 
   ASSERT_TRUE(job->finish(recordWithKey("k"), {"trajectory.csv"}));
   EXPECT_FALSE(fs::exists(folder / kUnfinishedFile));
-  const auto done = JobFolder::finished(folder, "k");
+  const auto done = JobFolder::finishedRecord(folder, "k");
   ASSERT_TRUE(done);
   EXPECT_EQ(done->files, (std::vector<JobFile>{{"trajectory.csv", 5, sha256("rows\n")}}));
-  EXPECT_FALSE(JobFolder::finished(folder, "other"));
-  EXPECT_FALSE(JobFolder::finished(folder, ""));
+  EXPECT_FALSE(JobFolder::finishedRecord(folder, "other"));
+  EXPECT_FALSE(JobFolder::finishedRecord(folder, ""));
 
   // A file that is not as it was written: not done.
   ASSERT_TRUE(writeTextFile(folder / "trajectory.csv", "ro"));
-  EXPECT_FALSE(JobFolder::finished(folder, "k"));
+  EXPECT_FALSE(JobFolder::finishedRecord(folder, "k"));
   fs::remove(folder / "trajectory.csv");
-  EXPECT_FALSE(JobFolder::finished(folder, "k"));
+  EXPECT_FALSE(JobFolder::finishedRecord(folder, "k"));
 }
 
 TEST(JobFolder, NextJobTakesAwayWhatTheFormerLeftAndNothingElse) {

@@ -96,7 +96,7 @@ void CamerasDialogTest::openProjectOf(const Project& project) {
 void CamerasDialogTest::openDialog() {
   action("actionCameras")->trigger();
   QVERIFY(find<CamerasDialog>("camerasDialog")->isVisible());
-  QVERIFY(waitFor([this] { return window_->findChild<DeviceWatch*>()->isListed(); }));
+  QVERIFY(waitFor([this] { return window_->findChild<DeviceWatch*>()->areDevicesListed(); }));
 }
 
 void CamerasDialogTest::addDevice() {

@@ -34,7 +34,7 @@ protected:
       rig.push_back(camera);
       project.cameras.emplace_back().camera = camera;
     }
-    document_.replace(project);
+    document_.replaceProject(project);
     snapshot_.rig = std::make_shared<const CameraRig>(rig);
     auto set = std::make_shared<FrameSet>();
     for (const cv::Scalar& color : {cv::Scalar(30, 120, 200), cv::Scalar::all(255)}) {

@@ -165,13 +165,13 @@ TEST_F(ShownCameraView, TheBestParticleIsMarkedOnlyWhenItIsWanted) {
   view_.setSnapshot(snapshot);
   ASSERT_TRUE(isDrawn(view_));
   const QImage without = view_.grab().toImage();
-  view_.setBestShown(true);
+  view_.setBestParticleShown(true);
   const QImage marked = view_.grab().toImage();
   EXPECT_NE(marked, without);
   // The triangle's tip is 8 px above the middle; the corners of the image are as before.
   EXPECT_NE(marked.copy(70, 48, 20, 20), without.copy(70, 48, 20, 20));
   EXPECT_EQ(marked.copy(0, 0, 40, 40), without.copy(0, 0, 40, 40));
-  view_.setBestShown(false);
+  view_.setBestParticleShown(false);
   EXPECT_EQ(view_.grab().toImage(), without);
 }
 

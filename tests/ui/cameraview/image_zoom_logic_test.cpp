@@ -19,8 +19,8 @@ TEST(ImageZoom, IsFittedAtFirst) {
   const ImagePlacement all = zoom.placement(kSizes);
   EXPECT_DOUBLE_EQ(all.scale, 400.0 / 1280.0);
   EXPECT_EQ(all.corner, QPointF(0.0, 38.0)); // (300 - 225) / 2, at a whole pixel
-  EXPECT_EQ(zoom.part(kSizes), QRect(0, 0, 1280, 720));
-  EXPECT_EQ(zoom.partSize(kSizes), QSize(400, 225));
+  EXPECT_EQ(zoom.visiblePart(kSizes), QRect(0, 0, 1280, 720));
+  EXPECT_EQ(zoom.visiblePartSize(kSizes), QSize(400, 225));
 }
 
 TEST(ImageZoom, ThePixelUnderThePointerStays) {
@@ -54,7 +54,8 @@ TEST(ImageZoom, PixelsAreNotLargerThanTheMost) {
   ImageZoom zoom;
   zoom.zoomBy(1e6, {200.0, 150.0}, kSizes);
   EXPECT_DOUBLE_EQ(zoom.placement(kSizes).scale, ImageZoom::kMaxScale);
-  const QSize size = zoom.partSize(kSizes); // what is seen, and at most a pixel more on each side
+  const QSize size =
+      zoom.visiblePartSize(kSizes); // what is seen, and at most a pixel more on each side
   EXPECT_LE(size.width(), 400 + 64);
   EXPECT_LE(size.height(), 300 + 64);
   const ZoomSizes tiny{{4, 3}, {400, 300}, 1.0};
@@ -70,10 +71,10 @@ TEST(ImageZoom, NoMoreIsLeftEmptyThanByTheFit) {
   zoom.zoomBy(8.0, {200.0, 150.0}, kSizes);                     // 3200 x 1800
   zoom.panBy({1e5, 1e5}, kSizes);
   expectNear(zoom.placement(kSizes).corner, {0.0, 37.5}, 0.51);
-  EXPECT_EQ(zoom.part(kSizes).topLeft(), QPoint(0, 0));
+  EXPECT_EQ(zoom.visiblePart(kSizes).topLeft(), QPoint(0, 0));
   zoom.panBy({-1e5, -1e5}, kSizes);
   expectNear(zoom.placement(kSizes).corner, {400.0 - 3200.0, 300.0 - 1800.0 - 37.5}, 0.51);
-  EXPECT_EQ(zoom.part(kSizes).bottomRight(), QPoint(1279, 719));
+  EXPECT_EQ(zoom.visiblePart(kSizes).bottomRight(), QPoint(1279, 719));
   const QPointF before = zoom.placement(kSizes).corner;
   zoom.panBy({100.0, 20.0}, kSizes);
   expectNear(zoom.placement(kSizes).corner - before, {100.0, 20.0}, 1e-9);
@@ -83,22 +84,22 @@ TEST(ImageZoom, ThePartIsWhatIsSeen) {
   ImageZoom zoom;
   zoom.zoomBy(32.0, {200.0, 150.0}, kSizes); // ten widget units per pixel: 40 x 30 pixels are seen
   const ImagePlacement placement = zoom.placement(kSizes);
-  const QRect part = zoom.part(kSizes);
+  const QRect part = zoom.visiblePart(kSizes);
   const QRectF seen(placement.positionOf(part.topLeft()) - QPointF(5.0, 5.0),
                     QSizeF(part.size()) * placement.scale);
   EXPECT_TRUE(seen.contains(QRectF(0.0, 0.0, 400.0, 300.0)));
   EXPECT_LE(part.width(), 46);
   EXPECT_LE(part.height(), 36);
-  EXPECT_EQ(zoom.partSize(kSizes), part.size() * 10);
-  const ZoomSizes sharp{kSizes.image, kSizes.view, 2.0};
-  EXPECT_EQ(zoom.partSize(sharp), zoom.part(sharp).size() * 20);
+  EXPECT_EQ(zoom.visiblePartSize(kSizes), part.size() * 10);
+  const ZoomSizes sharp{kSizes.imageSize, kSizes.viewSize, 2.0};
+  EXPECT_EQ(zoom.visiblePartSize(sharp), zoom.visiblePart(sharp).size() * 20);
 }
 
 TEST(ImageZoom, TheCenterStaysInAnotherView) {
   ImageZoom zoom;
   zoom.zoomBy(16.0, {130.0, 120.0}, kSizes);
   const QPointF middle = zoom.placement(kSizes).pixelAt({200.0, 150.0});
-  const ZoomSizes wide{kSizes.image, {900, 500}, 1.0};
+  const ZoomSizes wide{kSizes.imageSize, {900, 500}, 1.0};
   EXPECT_DOUBLE_EQ(zoom.placement(wide).scale, zoom.placement(kSizes).scale);
   expectNear(zoom.placement(wide).pixelAt({450.0, 250.0}), middle, 0.2);
 }

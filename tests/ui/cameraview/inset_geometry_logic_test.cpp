@@ -17,18 +17,18 @@ TEST(InsetGeometry, ACloudIsTightBelowTenUnits) {
 }
 
 TEST(InsetGeometry, AnInsetNeedsRoom) {
-  EXPECT_EQ(insetSide(kView), 96.0);
-  EXPECT_EQ(insetSide({0.0, 0.0, 300.0, 225.0}), 76.0);
-  EXPECT_EQ(insetSide({0.0, 0.0, 1000.0, 800.0}), 144.0);
-  EXPECT_FALSE(insetSide({0.0, 0.0, 200.0, 120.0}));
+  EXPECT_EQ(insetSideLength(kView), 96.0);
+  EXPECT_EQ(insetSideLength({0.0, 0.0, 300.0, 225.0}), 76.0);
+  EXPECT_EQ(insetSideLength({0.0, 0.0, 1000.0, 800.0}), 144.0);
+  EXPECT_FALSE(insetSideLength({0.0, 0.0, 200.0, 120.0}));
 }
 
 TEST(InsetGeometry, TheCloudFillsAFifthToThreeFifths) {
-  EXPECT_EQ(insetFactor(2.0, 96.0), 27);
-  EXPECT_EQ(insetFactor(1.0, 96.0), 27);
-  EXPECT_EQ(insetFactor(0.5, 96.0), 81);
-  EXPECT_EQ(insetFactor(1e-4, 96.0), 243);
-  EXPECT_FALSE(insetFactor(60.0, 96.0)); // not even with pixels as they are
+  EXPECT_EQ(insetMagnification(2.0, 96.0), 27);
+  EXPECT_EQ(insetMagnification(1.0, 96.0), 27);
+  EXPECT_EQ(insetMagnification(0.5, 96.0), 81);
+  EXPECT_EQ(insetMagnification(1e-4, 96.0), 243);
+  EXPECT_FALSE(insetMagnification(60.0, 96.0)); // not even with pixels as they are
 }
 
 TEST(InsetGeometry, ItLiesInTheFirstCornerWithRoomToTheTarget) {

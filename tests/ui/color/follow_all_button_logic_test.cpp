@@ -27,7 +27,7 @@ protected:
     project.parameters = ParameterValues(methodParameters(project.method));
     project.targets.push_back({"ball", 0.02, {300.0, 340.0, 0.2, 0.9, 0.1, 0.9}});
     project.targets.front().samples.resize(1);
-    document_.replace(project);
+    document_.replaceProject(project);
   }
   const std::vector<Target>& targets() const { return document_.project().targets; }
 
@@ -36,10 +36,10 @@ protected:
 };
 
 TEST_F(FollowAllButtonTest, AddsATargetForEachOfTheOthersAsOneStep) {
-  EXPECT_FALSE(button_.offers());
+  EXPECT_FALSE(button_.isOffering());
   const ColorAssessment assessment = threeAlike();
   button_.offer(&assessment, 0);
-  EXPECT_TRUE(button_.offers());
+  EXPECT_TRUE(button_.isOffering());
   EXPECT_TRUE(button_.text().contains(QStringLiteral("3")));
   button_.click();
   ASSERT_EQ(targets().size(), 3U);
@@ -49,7 +49,7 @@ TEST_F(FollowAllButtonTest, AddsATargetForEachOfTheOthersAsOneStep) {
   EXPECT_NE(targets()[1].name, targets()[2].name);
   // Each has its target now.
   button_.offer(&assessment, 0);
-  EXPECT_FALSE(button_.offers());
+  EXPECT_FALSE(button_.isOffering());
   document_.undoStack()->undo();
   EXPECT_EQ(targets().size(), 1U);
   EXPECT_FALSE(document_.undoStack()->canUndo());
@@ -59,12 +59,12 @@ TEST_F(FollowAllButtonTest, OffersNothingElse) {
   ColorAssessment assessment = threeAlike();
   assessment.suggestion = Suggestion::RemoveDistractor;
   button_.offer(&assessment, 0);
-  EXPECT_FALSE(button_.offers());
+  EXPECT_FALSE(button_.isOffering());
   assessment.suggestion = Suggestion::FollowAll;
   button_.offer(&assessment, -1); // a new target
-  EXPECT_FALSE(button_.offers());
+  EXPECT_FALSE(button_.isOffering());
   button_.offer(nullptr, 0);
-  EXPECT_FALSE(button_.offers());
+  EXPECT_FALSE(button_.isOffering());
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace {
 TEST(LearnModes, TheHintsNameAClickThatNoDesktopTakes) {
   using SampleAction = ColorLearner::SampleAction;
   LearnModes modes;
-  modes.setRefinable(true, true);
+  modes.setRefinementEnabled(true, true);
   for (const auto mode : {SampleAction::Replace, SampleAction::Add}) {
     const QString hint = modes.hintOf(mode);
     EXPECT_TRUE(hint.contains(QStringLiteral("Ctrl+Shift: exclude"))) << hint.toStdString();
@@ -23,11 +23,11 @@ TEST(LearnModes, TheHintsNameOnlyClicksThatWork) {
   LearnModes modes; // of a target that is added
   EXPECT_EQ(modes.hintOf(SampleAction::Replace),
             QStringLiteral("Click the new target · Esc: stop"));
-  modes.setRefinable(true, false); // its color was given, not learned
+  modes.setRefinementEnabled(true, false); // its color was given, not learned
   EXPECT_EQ(modes.hintOf(SampleAction::Replace),
             QStringLiteral("Click: learn · Shift: add · Esc: stop"));
   EXPECT_FALSE(modes.hintOf(SampleAction::Add).contains(QStringLiteral("exclude")));
-  modes.setRefinable(true, true);
+  modes.setRefinementEnabled(true, true);
   EXPECT_TRUE(modes.hintOf(SampleAction::Add).contains(QStringLiteral("exclude")));
 }
 

@@ -50,7 +50,7 @@ private Q_SLOTS:
 
 void DocumentTest::tenThousandEditsUndoneAndRedone() {
   Document document;
-  document.replace(someProject());
+  document.replaceProject(someProject());
   const std::string first = textOf(document);
   Choices choices(4);
   for (int i = 0; i < 10000; ++i) {
@@ -80,7 +80,7 @@ void DocumentTest::tenThousandEditsUndoneAndRedone() {
 
 void DocumentTest::aDragIsOneStepAndItsEndSeparates() {
   Document document;
-  document.replace(someProject());
+  document.replaceProject(someProject());
   const auto drag = [&](double hue) {
     QVERIFY(document.edit(
         QStringLiteral("Drag"), [&](Project& project) { project.targets[0].color.hueMin = hue; },
@@ -90,7 +90,7 @@ void DocumentTest::aDragIsOneStepAndItsEndSeparates() {
   drag(302.0);
   drag(303.0);
   QCOMPARE(document.undoStack()->count(), 1);
-  document.endMerging();
+  document.endStepMerging();
   drag(310.0);
   QCOMPARE(document.undoStack()->count(), 2);
   document.undoStack()->undo();
@@ -102,7 +102,7 @@ void DocumentTest::aDragIsOneStepAndItsEndSeparates() {
 
 void DocumentTest::aRefusedEditChangesNothing() {
   Document document;
-  document.replace(someProject());
+  document.replaceProject(someProject());
   const std::string before = textOf(document);
   const auto refused = document.edit(QStringLiteral("Rename camera"), [](Project& project) {
     project.cameras[0].camera.name = project.cameras[1].camera.name;
@@ -115,7 +115,7 @@ void DocumentTest::aRefusedEditChangesNothing() {
 
 void DocumentTest::whatComesFromTheCamerasFollowsThemUntilItIsChanged() {
   Document document;
-  document.replace(someProject());
+  document.replaceProject(someProject());
   const auto used = [&](const char* key) { return document.usedParameters().at(key); };
   const double depth = used("start_z"); // both cameras stand at the origin and look along z
   QVERIFY(depth > 1.0);
@@ -152,7 +152,7 @@ void DocumentTest::correctionsAreStepsAndGoWithTheirTarget() {
   Document document;
   Project project = someProject();
   project.targets.push_back({"cap", 0.0, {10.0, 40.0, 0.2, 0.9, 0.1, 0.9}});
-  document.replace(project);
+  document.replaceProject(project);
   QSignalSpy told(&document, &Document::correctionsChanged);
   PositionCorrection correction;
   correction.frame = 12;
@@ -202,7 +202,7 @@ std::uint64_t seedKept(const std::string& folder) {
 int editForever(const std::string& folder) {
   Document document;
   Recovery recovery(document, folder);
-  document.replace(someProject());
+  document.replaceProject(someProject());
   QTimer timer;
   QObject::connect(&timer, &QTimer::timeout, [&document] {
     const std::uint64_t next = document.project().seed + 1;
@@ -253,7 +253,7 @@ void DocumentTest::killedAtAnyMomentOnlyWhatCameAfterTheLastCopyIsLost() {
     const RecoveryFolder recovery(folder.path().toStdString(), &writeTextFile);
     const auto left = recovery.orphanedBackups();
     QCOMPARE(left.size(), std::size_t{1});
-    const auto project = RecoveryFolder::read(left.front());
+    const auto project = RecoveryFolder::readBackup(left.front());
     QVERIFY2(project, project ? "" : sentence(project.error()).c_str()); // never a broken one
     QVERIFY(project->seed >= kept);
     qInfo("killed at edit %llu, recovered edit %llu", static_cast<unsigned long long>(last),
@@ -276,7 +276,7 @@ void DocumentTest::whatIsSavedOrGivenUpLeavesNothingBehind() {
   };
   Document document;
   Recovery recovery(document, place / "recovery");
-  document.replace(someProject());
+  document.replaceProject(someProject());
   const auto edit = [&](const char* name) {
     return document.edit(QStringLiteral("Name"), [&](Project& project) { project.name = name; });
   };

@@ -67,7 +67,7 @@ inline void editAnything(Document& document, Choices& choices) {
     return;
   }
   case 4:
-    document.endMerging();
+    document.endStepMerging();
     return;
   default:
     break;

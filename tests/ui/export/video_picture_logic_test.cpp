@@ -129,7 +129,7 @@ TEST(VideoPicture, SaysThatAnImageIsMissing) {
   const QRect area = videoAreas(look)[1];
   const QImage blank = [&] {
     QImage ground(area.size(), QImage::Format_RGB32);
-    ground.fill(imageGround(look.palette));
+    ground.fill(imageBackgroundColor(look.palette));
     return ground;
   }();
   EXPECT_NE(picture.copy(area), blank); // a text stands there

@@ -193,12 +193,12 @@ void CameraMotionMessageTest::whileABoardIsShownNoCameraIsTakenForMoved() {
 
   action("actionCalibrateBoard")->trigger();
   find<QPushButton>("boardStart")->click();
-  QVERIFY(board->isWatching());
+  QVERIFY(board->isGuiding());
   *turned = true;
   QVERIFY(passes(kLongEnough));
   QVERIFY(shown().cameraMotions.empty());
   // Afterwards it stands as it was calibrated, as it does then; the board is put down for 3 s.
-  board->stop();
+  board->stopGuidance();
   QVERIFY(passes(30 + kLongEnough));
   QVERIFY(shown().cameraMotions.empty());
   // Now that no board is shown, the same turn is one.

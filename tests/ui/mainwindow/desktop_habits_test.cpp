@@ -79,7 +79,7 @@ void DesktopHabitsTest::assertionsAreOn() {
 
 void DesktopHabitsTest::everyNamedActionIsDeclared() {
   std::set<QString> declared;
-  for (const QAction* one : window_->findChild<ActionRegistry*>()->all()) {
+  for (const QAction* one : window_->findChild<ActionRegistry*>()->allActions()) {
     declared.insert(one->objectName());
   }
   for (const std::string_view name : kActionNames) {

@@ -217,7 +217,7 @@ void SlowWorldTest::whatIsChangedWhileItIsSavedIsStillUnsaved() {
   Document& document = window_->document();
   QVERIFY(document.setParameter("particles", 777));
   trigger("actionSave");
-  document.endMerging();
+  document.endStepMerging();
   QVERIFY(document.setParameter("particles", 888));
   disk_->open();
   QVERIFY(waitFor([this] { return !window_->saver().isSaving(); }));
@@ -249,7 +249,7 @@ void SlowWorldTest::aBoardThatIsLookedForHoldsNobodyUp() {
   project.cameras.resize(1);
   project.cameras[0].camera.intrinsics = {4000, 3000, 4000.0, 4000.0, 1999.5, 1499.5};
   Document document;
-  document.replace(project);
+  document.replaceProject(project);
   const auto opener = [](const SessionRequest&) -> Result<SessionInputs> {
     return failure(ErrorCode::FileMissing, "", "", "");
   };
@@ -262,9 +262,9 @@ void SlowWorldTest::aBoardThatIsLookedForHoldsNobodyUp() {
   TrackSnapshot snapshot; // of live cameras: their frames are not counted
   snapshot.frame = 0;
   snapshot.frames = std::make_shared<const FrameSet>(std::move(set));
-  calibrator->start();
+  calibrator->startGuidance();
   calibrator->setSnapshot(std::make_shared<const TrackSnapshot>(std::move(snapshot)));
-  QVERIFY(calibrator->isWatching());
+  QVERIFY(calibrator->isGuiding());
   calibrator.reset();
   // What was shown is looked at to the end, by a thread that nobody waits for, and wakes nobody.
   QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));

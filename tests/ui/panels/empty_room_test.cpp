@@ -122,7 +122,7 @@ void EmptyRoomTest::aPictureOfAnotherProjectIsNotUsed() {
   takeAtTheGate();
   Project other = window_->document().project();
   other.name = "other";
-  window_->document().replace(other);
+  window_->document().replaceProject(other);
   QVERIFY(take()->isEnabled()); // what hangs is not the other one's
   gate_->open();
   QVERIFY(jobsEnd());

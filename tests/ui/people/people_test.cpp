@@ -148,7 +148,7 @@ void PeopleTest::learningIsShown() {
     action("actionNextFrame")->trigger();
   }
   QVERIFY(waitFor([&] { return frame() == 4; }));
-  const double learned = window_->shown()->peopleCameras.at(0).learned;
+  const double learned = window_->shown()->peopleCameras.at(0).learningProgress;
   QVERIFY(learned > 0.2 && learned < 0.5);
   auto* progress = find<QProgressBar>("learningProgress");
   QVERIFY(progress->isVisibleTo(window_.get()));

@@ -137,7 +137,7 @@ void CameraSelectionTest::targetsComeAndGoInTheirList() {
   Document document;
   const TargetListModel targets(document);
   const CameraListModel cameras(document);
-  document.replace(project());
+  document.replaceProject(project());
   QCOMPARE(targets.rowCount(), static_cast<int>(project().targets.size()));
   QCOMPARE(cameras.rowCount(), static_cast<int>(project().cameras.size()));
   const int before = targets.rowCount();
@@ -152,7 +152,7 @@ void CameraSelectionTest::targetsComeAndGoInTheirList() {
   QCOMPARE(targets.rowCount(), before);
   Project nameless = project();
   nameless.cameras[1].camera.name.clear();
-  document.replace(nameless);
+  document.replaceProject(nameless);
   QCOMPARE(cameras.index(1).data().toString(), QStringLiteral("camera 2"));
 }
 
@@ -180,7 +180,7 @@ void CameraSelectionTest::imagesAreCalledLikeTheirCameras() {
   nameless.cameras[1].camera.name.clear();
   Document document;
   const CameraListModel cameras(document);
-  document.replace(nameless);
+  document.replaceProject(nameless);
   ImagePickTool pick(cameras);
   AddPersonTool person(find<BirdsEyeView>("birdsEyeView"), cameras, nullptr);
   CameraView left(0);

@@ -93,7 +93,7 @@ void StartAndActionsTest::aSavedProjectIsRecent() {
 
 void StartAndActionsTest::everyShortcutIsOfOneAction() {
   std::map<QString, QString> holders;
-  for (QAction* one : window_->findChild<ActionRegistry*>()->all()) {
+  for (QAction* one : window_->findChild<ActionRegistry*>()->allActions()) {
     for (const QKeySequence& shortcut : one->shortcuts()) {
       const QString keys = shortcut.toString();
       QVERIFY2(holders.emplace(keys, one->objectName()).second,
@@ -106,7 +106,7 @@ void StartAndActionsTest::everyShortcutIsOfOneAction() {
 void StartAndActionsTest::theKeysOfTheDesktopDoWhatTheyDoElsewhere() {
   auto* registry = window_->findChild<ActionRegistry*>();
   const auto holder = [&](const QKeySequence& keys) {
-    for (const QAction* one : registry->all()) {
+    for (const QAction* one : registry->allActions()) {
       if (one->shortcuts().contains(keys)) {
         return one->objectName();
       }

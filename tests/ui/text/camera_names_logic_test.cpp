@@ -36,7 +36,7 @@ TEST(CameraNames, WhereSomethingElseMatchesIsNamedToo) {
   const CameraListModel cameras(document);
   ImagePickTool pick(cameras);
   ColorPanel panel(document, pick);
-  document.replace(twoCameras());
+  document.replaceProject(twoCameras());
   auto* learner = panel.findChild<ColorLearner*>();
   ASSERT_NE(learner, nullptr);
   ColorAssessment assessment;

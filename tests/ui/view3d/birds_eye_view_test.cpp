@@ -192,9 +192,9 @@ private Q_SLOTS:
         kBall + Eigen::Vector3d(0.3, 0.2, 0.0); // beside the cloud
     view_->setSnapshot(snapshot);
     const QImage without = view_->currentImage();
-    view_->setBestShown(true);
+    view_->setBestParticleShown(true);
     QVERIFY(differentPixels(without, view_->currentImage()) > 10); // a triangle of 14 x 12 px
-    view_->setBestShown(false);
+    view_->setBestParticleShown(false);
     QCOMPARE(differentPixels(without, view_->currentImage()), 0);
   }
 

@@ -38,7 +38,7 @@ BoardCalibrationPage::BoardCalibrationPage(BoardCalibrator& calibrator, QWidget*
   connect(report_, &QPushButton::clicked, this, &BoardCalibrationPage::chooseReportFile);
   connect(&calibrator_, &BoardCalibrator::changed, this, &BoardCalibrationPage::refresh);
   connect(&calibrator_, &BoardCalibrator::requestChanged, this, &BoardCalibrationPage::refresh);
-  connect(&calibrator_, &BoardCalibrator::calibrated, this, [this] {
+  connect(&calibrator_, &BoardCalibrator::calibrationEnded, this, [this] {
     QTimer::singleShot(0, this, &BoardCalibrationPage::showResult); // laid out by then
   });
   connect(&calibrator_, &BoardCalibrator::progressChanged, this,

@@ -31,7 +31,7 @@ BoardCalibrator::BoardCalibrator(Document& document, Opener open, QObject* paren
       failure_ = tr("Stopped. The previous calibration is kept.");
     }
     Q_EMIT changed();
-    Q_EMIT calibrated();
+    Q_EMIT calibrationEnded();
     finishWhenGuided(); // the guidance may have ended while a board was being found
   });
   connect(&document_, &Document::replaced, this, &BoardCalibrator::discardResults);
@@ -54,7 +54,7 @@ void BoardCalibrator::setRequest(const BoardGuideRequest& request) {
   request_ = request;
   Preferences().setBoard(preferences());
   if (watching_) {
-    start(); // what was taken is of another board, or for another lens
+    startGuidance(); // what was taken is of another board, or for another lens
   }
   Q_EMIT requestChanged();
 }
@@ -126,7 +126,7 @@ void BoardCalibrator::applyResult(const std::shared_ptr<Computed>& computed, boo
   if (mirrored_.cause != MirroredVideos::Cause::None) {
     Q_EMIT mirroredVideosFound();
   } else if (proposal_) {
-    Q_EMIT boardProposed(!computed->hasSearchedAll);
+    Q_EMIT boardProposed(!computed->hasSearchedAllFrames);
   }
   if (!computed->outcome) {
     failure_ = errorText(computed->outcome.error());
@@ -160,8 +160,8 @@ void BoardCalibrator::calibrateRecording(bool suggestBoardFirst) {
           return findBoards(inputs.project, *inputs.source, request.board, progress)
               .and_then([&](const BoardDetections& seen) {
                 computed.otherBoard = seen.otherBoard;
-                computed.hasSearchedAll = seen.hasSearchedAll;
-                computed.mirrored = mirroredVideos(seen);
+                computed.hasSearchedAllFrames = seen.hasSearchedAllFrames;
+                computed.mirrored = setup::mirroredVideos(seen);
                 return calibrateFromBoards(inputs.project, seen, request.board, request.goal,
                                            progress);
               });
@@ -261,7 +261,7 @@ void BoardCalibrator::cancel() {
   job_->cancel();
 }
 
-void BoardCalibrator::start() {
+void BoardCalibrator::startGuidance() {
   outcome_.reset();
   failure_.clear();
   lastWatchedFrames_.reset();
@@ -275,28 +275,28 @@ void BoardCalibrator::start() {
 void BoardCalibrator::setWatching(bool watching) {
   if (watching_ != watching) {
     watching_ = watching;
-    Q_EMIT boardShown(watching);
+    Q_EMIT boardVisibilityChanged(watching);
   }
 }
 
-void BoardCalibrator::stop() {
+void BoardCalibrator::stopGuidance() {
   setWatching(false);
   Q_EMIT changed();
 }
 
-bool BoardCalibrator::hasViews() const {
-  const auto state = guide();
-  return state->detections &&
-         std::ranges::any_of(state->detections->cameras,
-                             [](const auto& camera) { return !camera.views.empty(); });
+bool BoardCalibrator::hasCapturedViews() const {
+  const auto state = guideState();
+  return state->detections && std::ranges::any_of(state->detections->cameras, [](const auto& camera) {
+           return !camera.views.empty();
+         });
 }
 
 void BoardCalibrator::finish() {
-  if (isComputing() || !hasViews()) {
+  if (isComputing() || !hasCapturedViews()) {
     return;
   }
   setWatching(false);
-  const auto state = guide();
+  const auto state = guideState();
   compute(
       [project = project(), seen = state->detections, goal = request_.goal,
        request = requestForCapturedViews(request_, *state)](const CalibrationProgress& progress) {
@@ -321,7 +321,7 @@ std::function<void()> BoardCalibrator::wakeUp() {
 }
 
 void BoardCalibrator::finishWhenGuided() {
-  if (watching_ && guide()->phase == BoardGuideState::Phase::Finished) {
+  if (watching_ && guideState()->phase == BoardGuideState::Phase::Finished) {
     finish();
   }
 }
@@ -357,7 +357,7 @@ void BoardCalibrator::write(const std::function<Status()>& task, const QString& 
         return [this, sentence, file, sheets] {
           sentence.isEmpty() ? Q_EMIT saved(file) : Q_EMIT failed(sentence);
           if (sentence.isEmpty() && sheets > 1) {
-            Q_EMIT splitOnSheets(file, sheets);
+            Q_EMIT printedOnSeveralSheets(file, sheets);
           }
         };
       });

@@ -66,24 +66,24 @@ public:
   /// Sets the board in the settings to the proposed one.
   void useProposal();
   /// Returns the cameras in whose images the last search found the board only mirrored.
-  const MirroredVideos& mirrored() const { return mirrored_; }
-  /// Mirrors the images of the cameras in mirrored() in the project, in one undoable step, and uses
-  /// the proposed board.
+  const MirroredVideos& mirroredVideos() const { return mirrored_; }
+  /// Mirrors the images of the cameras in mirroredVideos() in the project, in one undoable step,
+  /// and uses the proposed board.
   void mirrorImages();
 
   // Live cameras.
-  void start(); ///< starts or restarts the guidance
-  void stop();
-  bool isWatching() const { return watching_; }
+  void startGuidance(); ///< starts or restarts the guidance
+  void stopGuidance();
+  bool isGuiding() const { return watching_; }
   void captureNow() { watch_->captureNow(); }
   void captureFloor() { watch_->captureFloor(); }
   void skipToPoses() { watch_->skipToPoses(); }
   /// Calibrates from the views captured so far and ends the guidance.
   void finish();
   /// Returns the newest state of the guidance; never null.
-  BoardGuideStatePtr guide() const { return watch_->newest(); }
+  BoardGuideStatePtr guideState() const { return watch_->newest(); }
   /// Returns whether any view has been captured.
-  bool hasViews() const;
+  bool hasCapturedViews() const;
 
   // The result.
   /// Returns the result of the last calibration; null before the first one and after a failure.
@@ -103,17 +103,18 @@ Q_SIGNALS:
   void changed(); ///< anything except the settings and the guidance has changed
   void guideChanged();
   void progressChanged(double part); ///< 0 to 1; negative if unknown
-  void calibrated();                 ///< a calibration has ended, with or without a result
+  void calibrationEnded();           ///< a calibration has ended, with or without a result
   /// Emitted when images show the board in proposal() instead of the one in the settings. `stopped`
   /// is true if a calibration ended early for this reason.
   void boardProposed(bool stopped);
-  void mirroredVideosFound(); ///< some cameras show the board mirrored; see mirrored()
+  void mirroredVideosFound(); ///< some cameras show the board mirrored; see mirroredVideos()
   void boardConfirmed(int images, int searched); ///< the images show the board in the settings
   void playRequested();                          ///< live images are needed
-  void boardShown(bool shown); ///< whether the board is currently being shown to live cameras
+  void boardVisibilityChanged(
+      bool shown); ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
   /// Emitted after saved() if the printed board is split over several sheets of paper.
-  void splitOnSheets(const QString& file, int sheets);
+  void printedOnSeveralSheets(const QString& file, int sheets);
   void failed(const QString& sentence);
 
 private:
@@ -121,7 +122,7 @@ private:
   struct Computed {
     Result<BoardOutcome> outcome;
     std::optional<BoardGuess> otherBoard = std::nullopt;
-    bool hasSearchedAll = true; ///< see BoardDetections
+    bool hasSearchedAllFrames = true; ///< see BoardDetections
     MirroredVideos mirrored = {};
   };
   /// Boards that a search proposes, and the videos that it found mirrored.

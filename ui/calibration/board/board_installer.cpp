@@ -23,14 +23,14 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
   bench.onTriggered("actionPrintBoard", page, [page] { page->print(); });
   bench.requireRun({"actionCalibrateBoard"});
   bench.connectView(board);
-  QObject::connect(&cameras, &CameraDocks::viewMade, board,
+  QObject::connect(&cameras, &CameraDocks::viewCreated, board,
                    [board](int camera, CameraView* view) { new BoardLayer(camera, view, *board); });
   QObject::connect(board, &BoardCalibrator::playRequested, &bench.session, [run = &bench.session] {
     if (run->shown() && !run->isPlaying()) {
       run->play();
     }
   });
-  QObject::connect(board, &BoardCalibrator::boardShown, &bench.session,
+  QObject::connect(board, &BoardCalibrator::boardVisibilityChanged, &bench.session,
                    [run = &bench.session](bool shown) {
                      if (run->isRunning()) {
                        run->session()->setBoardShown(shown);
@@ -61,7 +61,7 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
   QObject::connect(board, &BoardCalibrator::saved, messages, [messages](const QString& file) {
     messages->showNotice(BoardCalibrationPage::tr("Saved %1.").arg(file));
   });
-  QObject::connect(board, &BoardCalibrator::splitOnSheets, messages,
+  QObject::connect(board, &BoardCalibrator::printedOnSeveralSheets, messages,
                    [messages](const QString& file, int sheets) {
                      messages->showNotice(
                          BoardCalibrationPage::tr("Saved %1: the board is larger than the paper. "

@@ -39,11 +39,11 @@ bool BoardLayer::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void BoardLayer::refresh() {
-  if (isHidden() == calibrator_.isWatching()) {
-    setVisible(calibrator_.isWatching());
+  if (isHidden() == calibrator_.isGuiding()) {
+    setVisible(calibrator_.isGuiding());
     raise();
   }
-  const auto state = calibrator_.guide();
+  const auto state = calibrator_.guideState();
   const std::size_t taken =
       camera_ < state->cameras.size() ? state->cameras[camera_].capturedOutlines.size() : 0;
   if (taken > taken_) {
@@ -58,7 +58,7 @@ void BoardLayer::refresh() {
 }
 
 void BoardLayer::paintEvent(QPaintEvent*) {
-  const auto state = calibrator_.guide();
+  const auto state = calibrator_.guideState();
   if (camera_ >= state->cameras.size() || state->cameras[camera_].outline.empty()) {
     return;
   }

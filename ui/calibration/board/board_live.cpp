@@ -27,7 +27,7 @@ BoardLive::BoardLive(BoardCalibrator& calibrator, QWidget* parent)
     : QWidget(parent), calibrator_(calibrator) {
   setObjectName(QStringLiteral("boardLive"));
   createWidgets();
-  connect(start_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::start);
+  connect(start_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::startGuidance);
   connect(capture_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::captureNow);
   connect(floor_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::captureFloor);
   connect(next_, &QPushButton::clicked, &calibrator_, &BoardCalibrator::skipToPoses);
@@ -96,16 +96,16 @@ void BoardLive::makeRows(std::size_t count) {
     Row row{new BoardMap(frame),    label("describedBoard"), label("boardAdvice"),
             label("boardAccuracy"), label("boardSharpness"), new QProgressBar(frame)};
     row.map->setObjectName(QStringLiteral("boardMap%1").arg(k));
-    row.held->setObjectName(QStringLiteral("boardHeld%1").arg(k));
-    row.held->setRange(0, kHeldSteps);
-    row.held->setTextVisible(false);
-    row.held->setMaximumHeight(8);
+    row.holdProgress->setObjectName(QStringLiteral("boardHeld%1").arg(k));
+    row.holdProgress->setRange(0, kHeldSteps);
+    row.holdProgress->setTextVisible(false);
+    row.holdProgress->setMaximumHeight(8);
     QFont bold = row.name->font();
     bold.setBold(true);
     row.name->setFont(bold);
     auto* text = new QVBoxLayout;
     text->setSpacing(3);
-    for (QWidget* part : std::initializer_list<QWidget*>{row.name, row.advice, row.held,
+    for (QWidget* part : std::initializer_list<QWidget*>{row.name, row.advice, row.holdProgress,
                                                          row.accuracy, row.sharpness}) {
       text->addWidget(part);
     }
@@ -131,8 +131,8 @@ void BoardLive::fillRow(const Row& row, const BoardGuideState& state, std::size_
                              : positionAccuracyText(of));
   row.sharpness->setText(sharpnessText(of, calibrator_.request().lensGuidance));
   const double held = lens ? of.lens.holdProgress : of.detection ? state.rig.holdProgress : 0.0;
-  row.held->setValue(static_cast<int>(kHeldSteps * held));
-  row.held->setAccessibleName(
+  row.holdProgress->setValue(static_cast<int>(kHeldSteps * held));
+  row.holdProgress->setAccessibleName(
       tr("Time for which the board was held still in front of %1").arg(calibrator_.nameOf(camera)));
   row.map->setAccessibleName(
       tr("Positions in which %1 saw the board").arg(calibrator_.nameOf(camera)));
@@ -158,10 +158,10 @@ void BoardLive::retranslateUi() {
 }
 
 void BoardLive::refresh() {
-  const bool watching = calibrator_.isWatching();
-  const auto state = calibrator_.guide();
+  const bool watching = calibrator_.isGuiding();
+  const auto state = calibrator_.guideState();
   const bool places = state->phase == BoardGuideState::Phase::Poses;
-  start_->setText(watching || calibrator_.hasViews() ? tr("Start over") : tr("Start"));
+  start_->setText(watching || calibrator_.hasCapturedViews() ? tr("Start over") : tr("Start"));
   start_->setToolTip(tr("Find the board in the live images and get guidance on what to show"));
   start_->setEnabled(!calibrator_.isComputing());
   capture_->setEnabled(watching);
@@ -170,7 +170,7 @@ void BoardLive::refresh() {
   next_->setVisible(calibrator_.request().goal.estimatesPoses &&
                     calibrator_.request().goal.estimatesLenses);
   next_->setEnabled(watching && !places);
-  finish_->setEnabled(calibrator_.hasViews() && !calibrator_.isComputing() &&
+  finish_->setEnabled(calibrator_.hasCapturedViews() && !calibrator_.isComputing() &&
                       !calibrator_.outcome());
   list_->setVisible(!state->cameras.empty());
   overall_->setVisible(watching);
@@ -178,7 +178,7 @@ void BoardLive::refresh() {
 }
 
 void BoardLive::followGuide() {
-  const auto state = calibrator_.guide();
+  const auto state = calibrator_.guideState();
   if (rows_.size() != state->cameras.size()) {
     makeRows(state->cameras.size());
   }
@@ -187,7 +187,7 @@ void BoardLive::followGuide() {
   }
   overall_->setText(state->frame < 0 ? tr("Waiting for images. Check that the cameras are running.")
                     : state->phase == BoardGuideState::Phase::Poses
-                        ? pairText(calibrator_, state->rig)
+                        ? cameraPairText(calibrator_, state->rig)
                         : tr("Show the board to one camera after the other, following the "
                              "instructions for each."));
 }

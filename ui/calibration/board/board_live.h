@@ -32,7 +32,7 @@ private:
     QLabel* advice;
     QLabel* accuracy;
     QLabel* sharpness;
-    QProgressBar* held;
+    QProgressBar* holdProgress;
   };
   void createWidgets();
   void retranslateUi();

@@ -175,7 +175,7 @@ QString adviceText(const BoardGuideState::PerCamera& camera) {
   return BoardText::tr("✓ Done");
 }
 
-QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
+QString cameraPairText(const BoardCalibrator& calibrator, const RigGuidance::State& state) {
   if (state.firstCamera < 0 || state.secondCamera < 0) {
     return BoardText::tr("✓ The cameras share enough views of the board");
   }
@@ -251,11 +251,11 @@ QString proposalQuestion(const BoardGuess& guess) {
 
 QString mirroredQuestion(const BoardCalibrator& calibrator) {
   QStringList names;
-  for (const std::size_t camera : calibrator.mirrored().cameras) {
+  for (const std::size_t camera : calibrator.mirroredVideos().cameras) {
     names << calibrator.nameOf(camera);
   }
   const QString cameras = names.join(QStringLiteral(", "));
-  return calibrator.mirrored().cause == MirroredVideos::Cause::Videos
+  return calibrator.mirroredVideos().cause == MirroredVideos::Cause::Videos
              ? BoardText::tr("The video of %1 is mirrored: it shows the board mirrored, but "
                              "another camera shows the board the right way round.")
                    .arg(cameras)

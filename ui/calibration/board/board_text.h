@@ -18,7 +18,7 @@ QString tiltText(BoardTilt tilt);
 QString adviceText(const BoardGuideState::PerCamera& camera);
 /// Returns one line of advice for the user: which view of the board to show next so that the camera
 /// positions can be determined.
-QString pairText(const BoardCalibrator& calibrator, const RigGuidance::State& state);
+QString cameraPairText(const BoardCalibrator& calibrator, const RigGuidance::State& state);
 /// Returns "sharp" or "soft", with the edge width in pixels.
 QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSettings& settings);
 /// Returns the current accuracy of a camera's intrinsics and the requested accuracy.

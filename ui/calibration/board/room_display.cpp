@@ -48,7 +48,7 @@ std::size_t shownCamera(const BoardGuideState& state) {
 RoomDisplay::RoomDisplay(BoardCalibrator& calibrator, QWidget* parent)
     : QWidget(parent, Qt::Window), calibrator_(calibrator), camera_(new QLabel(this)),
       advice_(new QLabel(this)), count_(new QLabel(this)), held_(new QProgressBar(this)),
-      captured_(viewsIn(*calibrator.guide())) {
+      captured_(viewsIn(*calibrator.guideState())) {
   setObjectName(QStringLiteral("roomDisplay"));
   setAttribute(Qt::WA_DeleteOnClose);
   camera_->setObjectName(QStringLiteral("roomCamera"));
@@ -78,7 +78,7 @@ RoomDisplay::RoomDisplay(BoardCalibrator& calibrator, QWidget* parent)
 }
 
 void RoomDisplay::refresh() {
-  const BoardGuideStatePtr state = calibrator_.guide();
+  const BoardGuideStatePtr state = calibrator_.guideState();
   const std::size_t views = viewsIn(*state);
   if (views > captured_) {
     QApplication::beep(); // the person looks at the board, not at the screen
@@ -86,9 +86,10 @@ void RoomDisplay::refresh() {
   captured_ = views;
   count_->setText(tr("%n views captured", nullptr, static_cast<int>(views)));
   double held = 0.0;
-  if (!calibrator_.isWatching()) {
+  if (!calibrator_.isGuiding()) {
     camera_->clear();
-    advice_->setText(calibrator_.hasViews() ? tr("Done.") : tr("Press Start on the page Board."));
+    advice_->setText(calibrator_.hasCapturedViews() ? tr("Done.")
+                                                    : tr("Press Start on the page Board."));
   } else if (state->frame < 0 || state->cameras.empty()) {
     camera_->clear();
     advice_->setText(tr("Waiting for images…"));
@@ -99,7 +100,7 @@ void RoomDisplay::refresh() {
     held = state->cameras[shown].lens.holdProgress;
   } else {
     camera_->clear();
-    advice_->setText(pairText(calibrator_, state->rig));
+    advice_->setText(cameraPairText(calibrator_, state->rig));
     held = state->rig.holdProgress;
   }
   held_->setValue(static_cast<int>(kScreenSteps * held));

@@ -44,7 +44,7 @@ bool losesAccuracy(const CameraDifference& camera) {
 
 CalibrationExportDialog::CalibrationExportDialog(Document& document, QWidget* parent)
     : ExchangeDialog(QStringLiteral("calibrationExport"), parent), document_(document),
-      format_(addChoice("Format")), unit_(addChoice("Unit")) {
+      format_(addComboBox("Format")), unit_(addComboBox("Unit")) {
   formatLabel_ = addRow(format_);
   unitLabel_ = addRow(unit_);
   for (const CalibrationFormat& format : calibrationFormats()) {
@@ -60,7 +60,7 @@ CalibrationExportDialog::CalibrationExportDialog(Document& document, QWidget* pa
     }
   });
   proposeFile(proposedFile());
-  begin();
+  finishLayout();
 }
 
 const CalibrationFormat& CalibrationExportDialog::format() const {
@@ -203,7 +203,7 @@ void CalibrationExportDialog::applyResult(const Result<CalibrationConversion>& o
   }
 }
 
-void CalibrationExportDialog::accepted() {
+void CalibrationExportDialog::performExchange() {
   if (!isReady()) {
     return;
   }

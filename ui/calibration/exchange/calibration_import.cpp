@@ -27,9 +27,9 @@ namespace dewpoint::ui {
 CalibrationImportDialog::CalibrationImportDialog(Document& document, const CameraListModel& cameras,
                                                  QWidget* parent)
     : ExchangeDialog(QStringLiteral("calibrationImport"), parent), document_(document),
-      cameras_(cameras), format_(addChoice("Format")), unit_(addChoice("Unit")),
-      lens_(addChoice("Lens")), size_(new QLineEdit(this)), poses_(addChoice("Poses")),
-      camera_(addChoice("Camera")), fit_(addChoice("Fit")), names_(new QWidget(this)),
+      cameras_(cameras), format_(addComboBox("Format")), unit_(addComboBox("Unit")),
+      lens_(addComboBox("Lens")), size_(new QLineEdit(this)), poses_(addComboBox("Poses")),
+      camera_(addComboBox("Camera")), fit_(addComboBox("Fit")), names_(new QWidget(this)),
       folder_(new QPushButton(this)) {
   size_->setObjectName(QStringLiteral("calibrationImportSize"));
   folder_->setObjectName(QStringLiteral("calibrationImportFolder"));
@@ -55,7 +55,7 @@ CalibrationImportDialog::CalibrationImportDialog(Document& document, const Camer
     fillNames({});
     refresh(); // what is taken has the names, too
   });
-  begin();
+  finishLayout();
 }
 
 void CalibrationImportDialog::chooseFile() {
@@ -91,7 +91,7 @@ void CalibrationImportDialog::fillNames(const QStringList& inFile) {
     }
     nameChoices_.clear();
     for (int camera = 0; isNeeded && camera < cameras_.rowCount(); ++camera) {
-      QComboBox* choice = addChoice(QByteArray("Name" + QByteArray::number(camera)).constData());
+      QComboBox* choice = addComboBox(QByteArray("Name" + QByteArray::number(camera)).constData());
       ChoicesWithData choices = {{tr("match automatically"), {}}};
       for (const QString& name : inFile) {
         choices.emplace_back(name, name);
@@ -278,7 +278,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   showPreview(lines.join(QLatin1Char('\n')), true);
 }
 
-void CalibrationImportDialog::accepted() {
+void CalibrationImportDialog::performExchange() {
   if (!isReady() || !import_) {
     return;
   }

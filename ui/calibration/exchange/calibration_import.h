@@ -29,7 +29,7 @@ public:
 
 protected:
   Preview preview() override;
-  void accepted() override;
+  void performExchange() override;
   void retranslateFields() override;
 
 private:

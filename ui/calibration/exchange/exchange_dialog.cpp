@@ -53,7 +53,7 @@ ExchangeDialog::ExchangeDialog(const QString& name, QWidget* parent)
   auto* buttons = new QDialogButtonBox(this);
   buttons->addButton(accept_, QDialogButtonBox::AcceptRole);
   buttons->addButton(close_, QDialogButtonBox::RejectRole);
-  connect(buttons, &QDialogButtonBox::accepted, this, [this] { accepted(); });
+  connect(buttons, &QDialogButtonBox::accepted, this, [this] { performExchange(); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 12, 12, 12);
@@ -64,7 +64,7 @@ ExchangeDialog::ExchangeDialog(const QString& name, QWidget* parent)
   column->addWidget(buttons);
 }
 
-void ExchangeDialog::begin() {
+void ExchangeDialog::finishLayout() {
   for (QLineEdit* line : findChildren<QLineEdit*>()) {
     // Leaving a field as it was is no news: the button would be disabled under the mouse.
     connect(line, &QLineEdit::editingFinished, this, [this, line] {
@@ -106,7 +106,7 @@ void ExchangeDialog::begin() {
   });
 }
 
-QComboBox* ExchangeDialog::addChoice(const char* name) {
+QComboBox* ExchangeDialog::addComboBox(const char* name) {
   auto* choice = new QComboBox(this);
   choice->setObjectName(objectName() + QLatin1String(name));
   makeNarrow(*choice);

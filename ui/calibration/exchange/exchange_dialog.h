@@ -45,12 +45,12 @@ protected:
   /// preview, and runs in the GUI thread.
   using Preview = std::function<std::function<void()>()>;
   virtual Preview preview() = 0;
-  virtual void accepted() = 0;
+  virtual void performExchange() = 0;
   virtual void chooseFile() = 0;
   virtual void retranslateFields() = 0;
 
   /// Completes the layout of the dialog. Call this after adding all questions.
-  void begin();
+  void finishLayout();
   /// Sets the proposed file without computing a preview.
   void proposeFile(const QString& file);
   /// Recomputes the preview after an answer has changed.
@@ -61,7 +61,7 @@ protected:
   /// Shows the result of a task in place of the preview. The dialog cannot be accepted again until
   /// there is a new preview.
   void showResult(const QString& text);
-  QComboBox* addChoice(const char* name);
+  QComboBox* addComboBox(const char* name);
   QLabel* addRow(QWidget* field);
   void addButton(QPushButton* button);
 

@@ -63,7 +63,7 @@ StepProgress CalibrationGuide::progress(GuideStep step) const {
   return progressOf(step, document_.project(), status_);
 }
 
-void CalibrationGuide::goTo(int index) {
+void CalibrationGuide::goToStep(int index) {
   const int last = static_cast<int>(steps().size()) - 1;
   const int wanted = std::clamp(index, 0, std::max(0, last));
   if (wanted != current_) {

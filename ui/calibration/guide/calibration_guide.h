@@ -36,9 +36,9 @@ public:
   /// Returns the progress of a step.
   StepProgress progress(GuideStep step) const;
   /// Returns the index of the current step in `steps()`.
-  int current() const { return current_; }
+  int currentStep() const { return current_; }
   /// Makes a step the current one.
-  void goTo(int index);
+  void goToStep(int index);
 
 Q_SIGNALS:
   void changed();

@@ -96,7 +96,7 @@ void installCalibrationGuide(const Workbench& bench, CalibrationMode& mode) {
   mode.setHeader(new StepStrip(*guide));
   QObject::connect(guide, &CalibrationGuide::openRequested, &mode,
                    [bench, &mode](GuideStep step) { openStep(bench, mode, step); });
-  QObject::connect(&mode, &CalibrationMode::shown, guide, [guide](const QString& page) {
+  QObject::connect(&mode, &CalibrationMode::pageShown, guide, [guide](const QString& page) {
     if (page == kGuidePage) {
       guide->recordOpened();
     }

@@ -35,7 +35,7 @@ QLabel* makeText(const char* name, QWidget* parent) {
 }
 
 QString marked(const ItemStatus& part, const QString& text) {
-  return knowledgeMark(part) + QLatin1Char(' ') + text;
+  return statusSymbol(part) + QLatin1Char(' ') + text;
 }
 
 } // namespace
@@ -123,10 +123,12 @@ void GuidePage::connectFields() {
     refresh();
   });
   connect(open_, &QPushButton::clicked, this, [this] {
-    Q_EMIT guide_.openRequested(guide_.steps().at(static_cast<std::size_t>(guide_.current())));
+    Q_EMIT guide_.openRequested(guide_.steps().at(static_cast<std::size_t>(guide_.currentStep())));
   });
-  connect(back_, &QPushButton::clicked, this, [this] { guide_.goTo(guide_.current() - 1); });
-  connect(next_, &QPushButton::clicked, this, [this] { guide_.goTo(guide_.current() + 1); });
+  connect(back_, &QPushButton::clicked, this,
+          [this] { guide_.goToStep(guide_.currentStep() - 1); });
+  connect(next_, &QPushButton::clicked, this,
+          [this] { guide_.goToStep(guide_.currentStep() + 1); });
 }
 
 void GuidePage::retranslateUi() {
@@ -140,7 +142,7 @@ void GuidePage::retranslateUi() {
     const ProcedureText text = procedureText(static_cast<CalibrationProcedure>(way));
     QRadioButton* choice = ways_[static_cast<std::size_t>(way)];
     choice->setText(text.title);
-    choice->setToolTip(text.needs);
+    choice->setToolTip(text.requirements);
   }
   other_->setText(tr("Another way…"));
   other_->setToolTip(tr("Show all ways to calibrate. The calibration so far is kept."));
@@ -177,9 +179,9 @@ void GuidePage::refreshTable() {
   table_->setFixedHeight(height);
   const CalibrationStatus& status = guide_.status();
   QStringList lines{
-      tr("%1 Scale: %2").arg(knowledgeMark(status.scale), scaleText(status.scale)),
+      tr("%1 Scale: %2").arg(statusSymbol(status.scale), scaleText(status.scale)),
       tr("%1 Floor and upward direction: %2")
-          .arg(knowledgeMark(status.floor), floorText(status.floor, status.isUpright))};
+          .arg(statusSymbol(status.floor), floorText(status.floor, status.isUpright))};
   if (status.accuracy) {
     lines << tr("✓ Accuracy in the calibrated volume: %1 (95 %)")
                  .arg(lengthText(*status.accuracy, LengthForm::TwoDigits));
@@ -210,15 +212,15 @@ void GuidePage::refreshStep() {
   if (!isChosen) {
     return;
   }
-  needs_->setText(procedureText(*guide_.procedure()).needs);
-  const auto current = static_cast<std::size_t>(guide_.current());
+  needs_->setText(procedureText(*guide_.procedure()).requirements);
+  const auto current = static_cast<std::size_t>(guide_.currentStep());
   const StepText text = stepText(steps[current]);
   const StepProgress progress = guide_.progress(steps[current]);
   stepTitle_->setText(tr("Step %1 of %2: %3").arg(current + 1).arg(steps.size()).arg(text.title));
-  how_->setText(text.how);
+  how_->setText(text.instructions);
   reached_->setText((progress.isDone() ? QStringLiteral("✓ ") : QStringLiteral("○ ")) +
                     progressText(steps[current], progress));
-  open_->setText(text.open);
+  open_->setText(text.openButtonText);
   open_->setToolTip(text.title);
   back_->setEnabled(current > 0);
   next_->setEnabled(current + 1 < steps.size());

@@ -222,7 +222,7 @@ QString floorText(const ItemStatus& floor, bool isUpright) {
                    : GuideText::tr("the z axis does not seem to point up");
 }
 
-QString knowledgeMark(const ItemStatus& part) {
+QString statusSymbol(const ItemStatus& part) {
   switch (part.isPoor ? KnowledgeLevel::Missing : part.knowledge) {
   case KnowledgeLevel::Measured:
     return QStringLiteral("✓");

@@ -10,16 +10,16 @@ namespace dewpoint::ui {
 /// Texts about a way (procedure) to calibrate.
 struct ProcedureText {
   QString title;
-  QString needs; ///< what this way requires, and when to use it
+  QString requirements; ///< what this way requires, and when to use it
 };
 ProcedureText procedureText(CalibrationProcedure procedure);
 
 /// Texts about a step of the calibration guide.
 struct StepText {
-  QString name;  ///< one short word for the row of steps
-  QString title; ///< what to do, in a few words
-  QString how;   ///< how to do it
-  QString open;  ///< text of the button that opens the page for the step
+  QString name;           ///< one short word for the row of steps
+  QString title;          ///< what to do, in a few words
+  QString instructions;   ///< how to do it
+  QString openButtonText; ///< the button opens the page for the step
 };
 StepText stepText(GuideStep step);
 
@@ -39,6 +39,6 @@ QString floorText(const ItemStatus& floor, bool isUpright);
 
 /// Returns a symbol for how a part of the calibration is known: "✓" measured, "○" given, "⚠"
 /// missing or poor.
-QString knowledgeMark(const ItemStatus& part);
+QString statusSymbol(const ItemStatus& part);
 
 } // namespace dewpoint::ui

@@ -45,7 +45,7 @@ void StepStrip::setCount(int count) {
     button->setMinimumWidth(0);
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // all are of one width
     connect(button, &QToolButton::clicked, this, [this, index] {
-      guide_.goTo(index);
+      guide_.goToStep(index);
       refresh(); // it stays checked
       Q_EMIT guide_.openRequested(guide_.steps().at(static_cast<std::size_t>(index)));
     });
@@ -66,7 +66,7 @@ void StepStrip::refresh() {
     const QString number = progressNumber(steps[k], progress);
     QToolButton* button = buttons_[k];
     button->setText(glance(progress, number) + QLatin1Char('\n') + text.name);
-    button->setChecked(static_cast<int>(k) == guide_.current());
+    button->setChecked(static_cast<int>(k) == guide_.currentStep());
     button->setAccessibleName(tr("Step %1: %2").arg(k + 1).arg(text.title));
     button->setToolTip(
         tr("Step %1: %2. %3").arg(k + 1).arg(text.title, progressText(steps[k], progress)));

@@ -108,17 +108,18 @@ void GridForm::connectFields() {
     edit([value](ReferenceGrid& grid) { grid.turn = value * base::kDegree; }, "grid turn");
   });
   for (QDoubleSpinBox* field : findChildren<QDoubleSpinBox*>()) {
-    connect(field, &QDoubleSpinBox::editingFinished, &manual_, &ManualCalibration::endMerging);
+    connect(field, &QDoubleSpinBox::editingFinished, &manual_, &ManualCalibration::endStepMerging);
   }
   connect(opacity_, &QSlider::valueChanged, this,
           [this](int percent) { manual_.setGridOpacity(percent / 100.0); });
   connect(edges_, &QCheckBox::toggled, &manual_, &ManualCalibration::setEdgesShown);
   connect(compare_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    manual_.setComparison(index == 1 ? EarlierCameras::LastChange : EarlierCameras::PanelOpened);
+    manual_.setComparedCameras(index == 1 ? EarlierCameras::LastChange
+                                          : EarlierCameras::PanelOpened);
   });
   connect(flip_, &QPushButton::pressed, this,
-          [this] { manual_.showEarlier(manual_.comparison()); });
-  connect(flip_, &QPushButton::released, this, [this] { manual_.showEarlier({}); });
+          [this] { manual_.showEarlierCameras(manual_.comparedCameras()); });
+  connect(flip_, &QPushButton::released, this, [this] { manual_.showEarlierCameras({}); });
 }
 
 void GridForm::edit(const std::function<void(ReferenceGrid&)>& change, const char* key) {

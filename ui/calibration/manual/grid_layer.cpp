@@ -53,7 +53,7 @@ void GridLayer::refresh() {
     raise();
   }
   if (manual_.takesClicks()) {
-    setCursor(points_.isClicking() ? Qt::CrossCursor : Qt::ArrowCursor);
+    setCursor(points_.clicksPlacePoint() ? Qt::CrossCursor : Qt::ArrowCursor);
     update();
   }
 }
@@ -108,7 +108,7 @@ void GridLayer::mousePressEvent(QMouseEvent* event) {
     return;
   }
   manual_.selectCamera(camera_);
-  if (points_.isClicking()) {
+  if (points_.clicksPlacePoint()) {
     placeClick(event);
     return;
   }
@@ -118,7 +118,7 @@ void GridLayer::mousePressEvent(QMouseEvent* event) {
 void GridLayer::mouseMoveEvent(QMouseEvent* event) {
   pointer_ = event->position();
   exact_ = event->modifiers().testFlag(Qt::AltModifier);
-  if (points_.isClicking()) {
+  if (points_.clicksPlacePoint()) {
     update();
     return;
   }
@@ -151,7 +151,7 @@ void GridLayer::mouseReleaseEvent(QMouseEvent* event) {
 
 void GridLayer::mouseDoubleClickEvent(QMouseEvent* event) {
   const Eigen::Vector2d pixel = pixelAt(event->position());
-  const bool isForGrid = points_.isClicking() || lastClick_ == Click::RemovedPin ||
+  const bool isForGrid = points_.clicksPlacePoint() || lastClick_ == Click::RemovedPin ||
                          manual_.isCrossingAt(camera_, pixel, toImagePixels(kReachPx));
   if (event->button() == Qt::LeftButton && !isForGrid && view_->isZoomed()) {
     if (lastClick_ == Click::SetPin) { // by the first of the two clicks
@@ -165,8 +165,8 @@ void GridLayer::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void GridLayer::focusOutEvent(QFocusEvent* event) {
-  if (manual_.isEarlierShown()) {
-    manual_.showEarlier({}); // the release of the key will not come
+  if (manual_.areEarlierCamerasShown()) {
+    manual_.showEarlierCameras({}); // the release of the key will not come
   }
   QWidget::focusOutEvent(event);
 }
@@ -203,15 +203,15 @@ void GridLayer::keyPressEvent(QKeyEvent* event) {
     if (manual_.isDragging()) {
       pressed_.reset();
       manual_.cancelDrag();
-    } else if (points_.isClicking()) {
-      points_.setClicking(false);
+    } else if (points_.clicksPlacePoint()) {
+      points_.setClicksPlacePoint(false);
     } else {
       manual_.clearPins();
     }
     return;
   }
   if (event->key() == Qt::Key_B) {
-    manual_.showEarlier(manual_.comparison());
+    manual_.showEarlierCameras(manual_.comparedCameras());
     return;
   }
   if (event->key() == Qt::Key_Delete) {
@@ -220,8 +220,8 @@ void GridLayer::keyPressEvent(QKeyEvent* event) {
   }
   if (const auto nudge = nudgeOf(*event, manual_.keyMode()); nudge && !manual_.isDragging()) {
     manual_.selectCamera(camera_);
-    nudge->axis < 0 ? manual_.nudgeFocal(nudge->factor, event->isAutoRepeat())
-                    : manual_.nudge(nudge->axis, nudge->factor, event->isAutoRepeat());
+    nudge->axis < 0 ? manual_.nudgeFocalLength(nudge->amount, event->isAutoRepeat())
+                    : manual_.nudge(nudge->axis, nudge->amount, event->isAutoRepeat());
     return;
   }
   QWidget::keyPressEvent(event);
@@ -229,9 +229,9 @@ void GridLayer::keyPressEvent(QKeyEvent* event) {
 
 void GridLayer::keyReleaseEvent(QKeyEvent* event) {
   if (!event->isAutoRepeat()) {
-    manual_.endMerging();
+    manual_.endStepMerging();
     if (event->key() == Qt::Key_B) {
-      manual_.showEarlier({});
+      manual_.showEarlierCameras({});
     }
   }
   QWidget::keyReleaseEvent(event);
@@ -292,15 +292,15 @@ void GridLayer::drawPoints(QPainter& painter) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     PaintedPoint& painted = shown.emplace_back();
     painted.name = QString::fromStdString(all[k].name);
-    painted.chosen = static_cast<int>(k) == points_.chosen();
-    painted.isElsewhere =
-        !painted.chosen && snapshot_ && isClickedElsewhere(all[k], snapshot_->frame);
-    painted.isMisfit = points_.misfit() == static_cast<int>(k);
+    painted.isSelected = static_cast<int>(k) == points_.selectedPoint();
+    painted.isInOtherFrames =
+        !painted.isSelected && snapshot_ && isClickedElsewhere(all[k], snapshot_->frame);
+    painted.isMisfit = points_.misfitPoint() == static_cast<int>(k);
     if (const PointClick* click = clickIn(all[k], camera_)) {
       painted.click = widgetPosition(click->pixel, placement);
     }
     if (const auto seen = projector.project(all[k].world); seen && isInside(*seen)) {
-      painted.seen = widgetPosition(*seen, placement);
+      painted.projection = widgetPosition(*seen, placement);
     }
   }
   paintPoints(painter, shown);
@@ -308,7 +308,7 @@ void GridLayer::drawPoints(QPainter& painter) {
 
 void GridLayer::drawMagnifier(QPainter& painter) {
   const FramePtr image = frame();
-  if (!points_.isClicking() || !pointer_ || !image || !isInside(pixelAt(*pointer_))) {
+  if (!points_.clicksPlacePoint() || !pointer_ || !image || !isInside(pixelAt(*pointer_))) {
     return;
   }
   const Eigen::Vector2d pixel = pixelAt(*pointer_);
@@ -343,7 +343,7 @@ bool GridLayer::isGridInSight() const {
 }
 
 QString GridLayer::shownLabel() const {
-  return !manual_.isEarlierShown() ? QString()
+  return !manual_.areEarlierCamerasShown() ? QString()
          : isGridInSight()
              ? tr("before")
              : tr("before: the earlier grid is outside the visible part of the image");

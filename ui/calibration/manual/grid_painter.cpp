@@ -87,8 +87,8 @@ void paintLabels(QPainter& painter, const ProjectedGrid& grid, const ImagePlacem
     const QPointF at = widgetPosition(label->at, placement);
     const QSizeF size = gridLabelSize(painter, text);
     const bool isName = std::exchange(named, label->role) != label->role;
-    if (const auto place = isName ? places.reserveNeeded(at, size, at - middle)
-                                  : places.reserve(at, size, at - middle)) {
+    if (const auto place = isName ? places.reserveEvenOverLines(at, size, at - middle)
+                                  : places.reservePlace(at, size, at - middle)) {
       paintText(painter, *place, text, strokeOf(label->role).color);
     }
   }
@@ -102,12 +102,12 @@ QColor pointColor(const PaintedPoint& point) {
 
 void paintPointMark(QPainter& painter, const PaintedPoint& point) {
   const QColor color = pointColor(point);
-  const double width = point.chosen ? 2.2 : 1.5;
-  if (point.click && point.seen) {
-    withGridHalo(painter, color, 1.0, [&] { painter.drawLine(*point.click, *point.seen); });
+  const double width = point.isSelected ? 2.2 : 1.5;
+  if (point.click && point.projection) {
+    withGridHalo(painter, color, 1.0, [&] { painter.drawLine(*point.click, *point.projection); });
   }
-  if (point.seen) {
-    withGridHalo(painter, color, width, [&] { painter.drawEllipse(*point.seen, 6.0, 6.0); });
+  if (point.projection) {
+    withGridHalo(painter, color, width, [&] { painter.drawEllipse(*point.projection, 6.0, 6.0); });
   }
   if (point.click) {
     withGridHalo(painter, color, width, [&] {
@@ -121,20 +121,20 @@ void paintPointNames(QPainter& painter, const std::vector<PaintedPoint>& points)
   const QPointF upRight(1.0, -1.0);
   LabelPlacer places(areaToPaint(painter));
   for (const PaintedPoint& point : points) {
-    for (const auto& at : {point.click, point.seen}) {
-      if (at && !point.isElsewhere) {
+    for (const auto& at : {point.click, point.projection}) {
+      if (at && !point.isInOtherFrames) {
         places.avoid({*at + QPointF(-7, 0), *at + QPointF(7, 0)});
       }
     }
   }
   for (const PaintedPoint& point : points) {
-    const auto& at = point.click ? point.click : point.seen;
+    const auto& at = point.click ? point.click : point.projection;
     const QSizeF size = gridLabelSize(painter, point.name);
-    const auto place = !at                 ? std::nullopt
-                       : point.isElsewhere ? places.reserveInDirection(*at, size, upRight)
-                                           : places.reserveNeeded(*at, size, upRight);
+    const auto place = !at                     ? std::nullopt
+                       : point.isInOtherFrames ? places.reserveInDirectionOnly(*at, size, upRight)
+                                               : places.reserveEvenOverLines(*at, size, upRight);
     if (place) {
-      painter.setOpacity(point.isElsewhere ? kElsewhereOpacity : 1.0);
+      painter.setOpacity(point.isInOtherFrames ? kElsewhereOpacity : 1.0);
       paintText(painter, *place, point.name, pointColor(point));
     }
   }
@@ -203,12 +203,12 @@ void paintPoints(QPainter& painter, const std::vector<PaintedPoint>& points) {
   // The most important last, to be on top, and first to get a place for its name.
   std::vector<PaintedPoint> ordered = points;
   std::ranges::stable_sort(ordered, {}, [](const PaintedPoint& point) {
-    return point.chosen ? 2 : point.isElsewhere ? 0 : 1;
+    return point.isSelected ? 2 : point.isInOtherFrames ? 0 : 1;
   });
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   for (const PaintedPoint& point : ordered) {
-    painter.setOpacity(point.isElsewhere ? kElsewhereOpacity : 1.0);
+    painter.setOpacity(point.isInOtherFrames ? kElsewhereOpacity : 1.0);
     paintPointMark(painter, point);
   }
   std::ranges::reverse(ordered);

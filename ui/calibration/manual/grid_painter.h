@@ -34,10 +34,10 @@ void paintGrip(QPainter& painter, QPointF place);
 struct PaintedPoint {
   QString name;
   std::optional<QPointF> click;
-  std::optional<QPointF> seen;
-  bool chosen = false;
-  bool isMisfit = false;    ///< does not fit the other points
-  bool isElsewhere = false; ///< was clicked only in other frames
+  std::optional<QPointF> projection;
+  bool isSelected = false;
+  bool isMisfit = false;        ///< does not fit the other points
+  bool isInOtherFrames = false; ///< was clicked only in other frames
 };
 /// Draws measured points. The selected point and a point that does not fit the others are
 /// highlighted. Points that were clicked only in other frames are faint; their names are left out

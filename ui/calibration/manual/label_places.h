@@ -23,13 +23,13 @@ public:
   /// Finds a place beside `point` for a label of this size, reserves the place, and returns it. Of
   /// the eight directions around the point, takes the one closest to `outward` that has room.
   /// Returns nothing if no direction has room, or if the point is outside the area.
-  std::optional<QRectF> reserve(QPointF point, QSizeF size, QPointF outward);
-  /// Finds a place like reserve(), for a label that must not be left out: if there is no other
+  std::optional<QRectF> reservePlace(QPointF point, QSizeF size, QPointF outward);
+  /// Finds a place like reservePlace(), for a label that must not be left out: if there is no other
   /// room, the label may cover a line.
-  std::optional<QRectF> reserveNeeded(QPointF point, QSizeF size, QPointF outward);
-  /// Finds a place like reserve(), for a label that may be left out: tries only the direction
+  std::optional<QRectF> reserveEvenOverLines(QPointF point, QSizeF size, QPointF outward);
+  /// Finds a place like reservePlace(), for a label that may be left out: tries only the direction
   /// `outward`.
-  std::optional<QRectF> reserveInDirection(QPointF point, QSizeF size, QPointF outward);
+  std::optional<QRectF> reserveInDirectionOnly(QPointF point, QSizeF size, QPointF outward);
 
 private:
   /// Returns the rectangle of a label in the direction `angle`, radians.

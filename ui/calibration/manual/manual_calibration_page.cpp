@@ -50,7 +50,7 @@ void ManualCalibrationPage::makeReleaseKey(ManualCalibration& manual, PointCalib
   release->setAutoRepeat(false);
   // Without a held point, Esc belongs to the rest of the window.
   const auto follow = [release, &manual, &points] {
-    release->setEnabled(manual.takesClicks() && manual.hasPins() && !points.isClicking());
+    release->setEnabled(manual.takesClicks() && manual.hasPins() && !points.clicksPlacePoint());
   };
   follow();
   connect(&manual, &ManualCalibration::changed, release, follow);

@@ -20,16 +20,16 @@ void installManualCalibration(const Workbench& bench, CalibrationMode& mode,
   mode.addPage(new ManualCalibrationPage(*manual, *points),
                [] { return ManualCalibrationPage::tr("By hand"); });
   QObject::connect(&mode, &CalibrationMode::pageChanged, points, [points] {
-    points->setClicking(false); // its magnifier belongs to the page that was left
+    points->setClicksPlacePoint(false); // its magnifier belongs to the page that was left
   });
   QObject::connect(&mode, &CalibrationMode::imageClicksTakenOver, points,
-                   [points] { points->setClicking(false); });
+                   [points] { points->setClicksPlacePoint(false); });
   QObject::connect(points, &PointCalibrator::changed, &mode, [bench, points] {
-    if (points->isClicking()) {
+    if (points->clicksPlacePoint()) {
       bench.action("actionLearnColor")->setChecked(false);
     }
   });
-  QObject::connect(&cameras, &CameraDocks::viewMade, points,
+  QObject::connect(&cameras, &CameraDocks::viewCreated, points,
                    [bench, manual, points](int camera, CameraView* view) {
                      bench.connectImageView(new GridLayer(camera, view, *manual, *points));
                    });

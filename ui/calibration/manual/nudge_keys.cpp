@@ -91,7 +91,7 @@ std::optional<KeyNudge> nudgeOf(const QKeyEvent& event, KeyMode mode) {
   // Plus needs Shift on many keyboards.
   const bool zooms = nudge.axis < 0;
   const bool coarse = modifiers.testFlag(Qt::ShiftModifier) && !zooms;
-  nudge.factor *= fine ? 0.1 : coarse ? 10.0 : 1.0;
+  nudge.amount *= fine ? 0.1 : coarse ? 10.0 : 1.0;
   return nudge;
 }
 

@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 /// Effect of a key on the selected camera.
 struct KeyNudge {
   int axis = 0;        ///< axis of `ManualCalibration::nudge()`; -1 for the focal length
-  double factor = 1.0; ///< number of steps; percent for the focal length
+  double amount = 1.0; ///< number of steps; percent for the focal length
 };
 
 /// Returns the effect of a key press, or nothing if the key has no effect. Arrows and W A S D move

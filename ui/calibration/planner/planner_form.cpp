@@ -101,9 +101,10 @@ void PlannerForm::createWidgets() {
 
 void PlannerForm::connectFields() {
   connect(&plan_, &RigPlanner::changed, this, &PlannerForm::refresh);
-  connect(add_, &QPushButton::clicked, &plan_, &RigPlanner::add);
-  connect(remove_, &QPushButton::clicked, this, [this] { plan_.remove(plan_.chosen()); });
-  connect(camera_, &QComboBox::activated, &plan_, &RigPlanner::choose);
+  connect(add_, &QPushButton::clicked, &plan_, &RigPlanner::addCamera);
+  connect(remove_, &QPushButton::clicked, this,
+          [this] { plan_.removeCamera(plan_.selectedCamera()); });
+  connect(camera_, &QComboBox::activated, &plan_, &RigPlanner::selectCamera);
   for (int k = 0; k < 3; ++k) {
     connect(position_[std::size_t(k)], &QDoubleSpinBox::valueChanged, this,
             [this, k](double value) { editPosition(k, value); });
@@ -117,8 +118,8 @@ void PlannerForm::connectFields() {
 }
 
 void PlannerForm::connectSearch() {
-  BackgroundJob& search = plan_.search();
-  connect(find_, &QPushButton::clicked, &plan_, &RigPlanner::findPosition);
+  BackgroundJob& search = plan_.positionSearch();
+  connect(find_, &QPushButton::clicked, &plan_, &RigPlanner::findBestPosition);
   connect(cancel_, &QPushButton::clicked, &search, &BackgroundJob::cancel);
   const auto show = [this](bool running) {
     progress_->setValue(0);
@@ -181,19 +182,21 @@ void PlannerForm::retranslateUi() {
 void PlannerForm::refreshNames() {
   const QSignalBlocker quiet(camera_);
   camera_->clear();
-  for (const Camera& camera : plan_.planned()) {
+  for (const Camera& camera : plan_.plannedCameras()) {
     camera_->addItem(QString::fromStdString(camera.name));
   }
-  camera_->setCurrentIndex(plan_.chosen());
-  camera_->setPlaceholderText(plan_.planned().empty() ? tr("none yet") : tr("none selected"));
+  camera_->setCurrentIndex(plan_.selectedCamera());
+  camera_->setPlaceholderText(plan_.plannedCameras().empty() ? tr("none yet")
+                                                             : tr("none selected"));
 }
 
 void PlannerForm::refresh() {
   refreshNames();
-  const bool any = plan_.chosen() >= 0;
+  const bool any = plan_.selectedCamera() >= 0;
   remove_->setEnabled(any);
-  camera_->setEnabled(!plan_.planned().empty());
-  const Camera camera = any ? plan_.planned()[std::size_t(plan_.chosen())] : Camera();
+  camera_->setEnabled(!plan_.plannedCameras().empty());
+  const Camera camera =
+      any ? plan_.plannedCameras()[std::size_t(plan_.selectedCamera())] : Camera();
   const Eigen::Vector3d target = aimPoint(camera, plan_.volume().min().z());
   for (int k = 0; k < 3; ++k) {
     const auto index = std::size_t(k);
@@ -215,20 +218,20 @@ void PlannerForm::refresh() {
 }
 
 void PlannerForm::editPosition(int axis, double value) {
-  if (plan_.chosen() >= 0) {
-    const Camera camera = plan_.planned()[std::size_t(plan_.chosen())];
+  if (plan_.selectedCamera() >= 0) {
+    const Camera camera = plan_.plannedCameras()[std::size_t(plan_.selectedCamera())];
     Eigen::Vector3d place = camera.center();
     place[axis] = value;
-    plan_.change(plan_.chosen(), withPosition(camera, place));
+    plan_.changeCamera(plan_.selectedCamera(), withPosition(camera, place));
   }
 }
 
 void PlannerForm::editTarget(int axis, double value) {
-  if (plan_.chosen() >= 0) {
-    const Camera camera = plan_.planned()[std::size_t(plan_.chosen())];
+  if (plan_.selectedCamera() >= 0) {
+    const Camera camera = plan_.plannedCameras()[std::size_t(plan_.selectedCamera())];
     Eigen::Vector3d target = aimPoint(camera, plan_.volume().min().z());
     target[axis] = value;
-    plan_.change(plan_.chosen(), lookingAt(camera, target));
+    plan_.changeCamera(plan_.selectedCamera(), lookingAt(camera, target));
   }
 }
 

@@ -29,7 +29,7 @@ PlannerInstaller::PlannerInstaller(const Workbench& bench, CalibrationMode& mode
     birdsEye_.showMap(shown ? plan_->map() : nullptr, plan_->mapOptions());
   });
   connect(plan_, &RigPlanner::changed, this, [this] {
-    birdsEye_.showPlannedCameras(manual_.isActive() ? plan_->planned() : CameraRig());
+    birdsEye_.showPlannedCameras(manual_.isActive() ? plan_->plannedCameras() : CameraRig());
     bench_.action("actionShowMap")->setChecked(plan_->isMapShown());
     showHandles();
   });
@@ -44,28 +44,28 @@ int PlannerInstaller::plannedIndex(int handle) const {
 
 void PlannerInstaller::connectBirdsEye() {
   connect(&birdsEye_, &BirdsEyeView::cameraChosen, this, [this](int camera) {
-    plan_->choose(plannedIndex(camera));
+    plan_->selectCamera(plannedIndex(camera));
     manual_.selectCamera(camera);
   });
   connect(&birdsEye_, &BirdsEyeView::cameraDragged, this,
           [this](int camera, const Eigen::Vector3d& center) {
             if (const int k = plannedIndex(camera); k >= 0) {
-              plan_->change(k, withPosition(plan_->planned()[std::size_t(k)], center));
+              plan_->changeCamera(k, withPosition(plan_->plannedCameras()[std::size_t(k)], center));
             }
-            manual_.changeCamera(camera,
-                                 tr("Move %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
-                                 withPosition(manual_.cameraAt(camera), center), "drag center");
+            manual_.changeCamera(
+                camera, tr("Move %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
+                withPosition(manual_.projectCamera(camera), center), "drag center");
           });
   connect(&birdsEye_, &BirdsEyeView::cameraAimed, this,
           [this](int camera, const Eigen::Vector3d& target) {
             if (const int k = plannedIndex(camera); k >= 0) {
-              plan_->change(k, lookingAt(plan_->planned()[std::size_t(k)], target));
+              plan_->changeCamera(k, lookingAt(plan_->plannedCameras()[std::size_t(k)], target));
             }
             manual_.changeCamera(camera,
                                  tr("Turn %1 in the bird's-eye view").arg(manual_.nameOf(camera)),
-                                 lookingAt(manual_.cameraAt(camera), target), "drag target");
+                                 lookingAt(manual_.projectCamera(camera), target), "drag target");
           });
-  connect(&birdsEye_, &BirdsEyeView::cameraDropped, &manual_, &ManualCalibration::endMerging);
+  connect(&birdsEye_, &BirdsEyeView::cameraDropped, &manual_, &ManualCalibration::endStepMerging);
 }
 
 void PlannerInstaller::connectActions() {
@@ -78,11 +78,11 @@ void PlannerInstaller::connectActions() {
   });
   bench_.onTriggered("actionPlanCamera", this, [this] {
     open();
-    plan_->add();
+    plan_->addCamera();
   });
   bench_.onTriggered("actionFindPlace", this, [this] {
     open();
-    plan_->findPosition();
+    plan_->findBestPosition();
   });
   bench_.requireRun({"actionPlanRig", "actionShowMap", "actionPlanCamera", "actionFindPlace"});
 }
@@ -90,14 +90,14 @@ void PlannerInstaller::connectActions() {
 void PlannerInstaller::showHandles() {
   std::vector<CameraHandle> handles;
   CameraRig rig = rigOf(bench_.document.project());
-  rig.insert(rig.end(), plan_->planned().begin(), plan_->planned().end());
+  rig.insert(rig.end(), plan_->plannedCameras().begin(), plan_->plannedCameras().end());
   for (std::size_t k = 0; manual_.isActive() && k < rig.size(); ++k) {
     const Camera& camera = rig[k];
     // As far away as what they look at: mostly within the picture.
     const double distance = (manual_.grid().center() - camera.center()).norm();
     handles.push_back({camera.center(), camera.center() + distance * camera.opticalAxis()});
   }
-  const int chosen = plan_->chosen();
+  const int chosen = plan_->selectedCamera();
   birdsEye_.setCameraHandles(std::move(handles),
                              chosen < 0 ? manual_.camera() : manual_.cameraCount() + chosen);
 }

@@ -141,11 +141,11 @@ void RigPlanner::adoptProjectLens() {
   }
 }
 
-int RigPlanner::chosen() const {
+int RigPlanner::selectedCamera() const {
   return std::min(selection_.plannedCamera(), int(planned_.size()) - 1);
 }
 
-void RigPlanner::choose(int planned) {
+void RigPlanner::selectCamera(int planned) {
   if (planned < int(planned_.size())) {
     selection_.selectPlannedCamera(std::max(planned, -1));
   }
@@ -158,27 +158,27 @@ QString RigPlanner::nextName() const {
       }));
 }
 
-void RigPlanner::add() {
+void RigPlanner::addCamera() {
   Camera camera = withLens({}, lens_);
   camera.name = nextName().toStdString();
   planned_.push_back(placedInFarthestCorner(camera, rig(), volume_));
-  choose(int(planned_.size()) - 1);
+  selectCamera(int(planned_.size()) - 1);
   requestMap();
   Q_EMIT messageRequested({});
   Q_EMIT changed();
 }
 
-void RigPlanner::remove(int planned) {
+void RigPlanner::removeCamera(int planned) {
   if (planned >= 0 && planned < int(planned_.size())) {
     planned_.erase(planned_.begin() + planned);
-    choose(chosen());
+    selectCamera(selectedCamera());
     requestMap();
     Q_EMIT messageRequested({});
     Q_EMIT changed();
   }
 }
 
-void RigPlanner::change(int planned, const Camera& camera) {
+void RigPlanner::changeCamera(int planned, const Camera& camera) {
   if (planned >= 0 && planned < int(planned_.size())) {
     const bool moved = planned_[std::size_t(planned)] != camera;
     planned_[std::size_t(planned)] = camera;
@@ -192,8 +192,8 @@ void RigPlanner::change(int planned, const Camera& camera) {
 
 void RigPlanner::setLens(const PlannedLens& lens) {
   lens_ = lens;
-  if (const int planned = chosen(); planned >= 0) {
-    change(planned, withLens(planned_[std::size_t(planned)], lens_));
+  if (const int planned = selectedCamera(); planned >= 0) {
+    changeCamera(planned, withLens(planned_[std::size_t(planned)], lens_));
   } else {
     Q_EMIT changed();
   }
@@ -204,7 +204,7 @@ void RigPlanner::setWallDistance(double meters) {
   Q_EMIT changed();
 }
 
-void RigPlanner::findPosition() {
+void RigPlanner::findBestPosition() {
   Camera lens = withLens({}, lens_);
   lens.name = nextName().toStdString();
   PlacementSettings settings;
@@ -227,7 +227,7 @@ void RigPlanner::applyPlacement(const Result<Placement>& found) {
     return;
   }
   planned_.push_back(found->camera);
-  choose(int(planned_.size()) - 1);
+  selectCamera(int(planned_.size()) - 1);
   requestMap();
   Q_EMIT changed();
   const Eigen::Vector3d place = found->camera.center();

@@ -57,14 +57,14 @@ public:
   void followProjectVolume();
 
   // Planned cameras.
-  const CameraRig& planned() const { return planned_; }
-  int chosen() const; ///< index of the selected planned camera; -1 if none
-  void choose(int planned);
+  const CameraRig& plannedCameras() const { return planned_; }
+  int selectedCamera() const; ///< index of the selected planned camera; -1 if none
+  void selectCamera(int planned);
   /// Adds a camera in an upper corner of the volume, as far as possible from the other cameras, and
   /// selects it.
-  void add();
-  void remove(int planned);
-  void change(int planned, const Camera& camera);
+  void addCamera();
+  void removeCamera(int planned);
+  void changeCamera(int planned, const Camera& camera);
   const PlannedLens& lens() const { return lens_; }
   /// Sets the lens for the selected planned camera and for cameras added later.
   void setLens(const PlannedLens& lens);
@@ -76,8 +76,8 @@ public:
   double wallDistance() const { return wallDistance_; }
   void setWallDistance(double meters);
   /// Searches for the best position of an additional camera and adds the camera there.
-  void findPosition();
-  BackgroundJob& search() { return search_; }
+  void findBestPosition();
+  BackgroundJob& positionSearch() { return search_; }
 
 Q_SIGNALS:
   /// Emitted when a setting or a planned camera has changed.

@@ -43,7 +43,7 @@ PointCalibrator::PointCalibrator(Document& document, ManualCalibration& manual, 
   connect(&document_, &Document::replaced, this, [this] {
     chosen_ = points().empty() ? -1 : 0;
     discardSolution();
-    setClicking(false);
+    setClicksPlacePoint(false);
     Q_EMIT changed();
   });
 }
@@ -65,14 +65,14 @@ void PointCalibrator::discardSolution() {
   proposal_.reset();
 }
 
-void PointCalibrator::choose(int point) {
+void PointCalibrator::selectPoint(int point) {
   if (point != chosen_) {
     chosen_ = point;
     Q_EMIT changed();
   }
 }
 
-void PointCalibrator::add() {
+void PointCalibrator::addPoint() {
   const auto isUsed = [this](const std::string& name) {
     return std::ranges::any_of(points(),
                                [&](const MeasuredPoint& point) { return point.name == name; });
@@ -88,30 +88,30 @@ void PointCalibrator::add() {
     point.name = name.toStdString();
     point.world = grid.origin;
   });
-  choose(static_cast<int>(points().size()) - 1);
+  selectPoint(static_cast<int>(points().size()) - 1);
 }
 
-void PointCalibrator::remove() {
+void PointCalibrator::removePoint() {
   if (chosen_ >= 0 && chosen_ < static_cast<int>(points().size())) {
     edit(tr("Remove measured point"),
          [this](Project& project) { project.points.erase(project.points.begin() + chosen_); });
   }
 }
 
-bool PointCalibrator::rename(int point, const QString& name) {
+bool PointCalibrator::renamePoint(int point, const QString& name) {
   return edit(tr("Rename measured point"), [&](Project& project) {
     project.points[static_cast<std::size_t>(point)].name = name.trimmed().toStdString();
   });
 }
 
-bool PointCalibrator::setWorld(int point, const Eigen::Vector3d& world) {
+bool PointCalibrator::setWorldPosition(int point, const Eigen::Vector3d& world) {
   return edit(
       tr("Position of %1")
           .arg(QString::fromStdString(points()[static_cast<std::size_t>(point)].name)),
       [&](Project& project) { project.points[static_cast<std::size_t>(point)].world = world; });
 }
 
-void PointCalibrator::setClicking(bool clicking) {
+void PointCalibrator::setClicksPlacePoint(bool clicking) {
   clicking = clicking && chosen_ >= 0;
   if (clicking != clicking_) {
     clicking_ = clicking;

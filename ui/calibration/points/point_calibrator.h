@@ -32,18 +32,18 @@ public:
 
   const std::vector<MeasuredPoint>& points() const;
   /// Returns the index of the selected point, or -1 if none is selected.
-  int chosen() const { return chosen_; }
-  void choose(int point);
-  void add();
-  void remove();
+  int selectedPoint() const { return chosen_; }
+  void selectPoint(int point);
+  void addPoint();
+  void removePoint();
   /// Rename a point, and set its world position (meters). Both functions return false and change
   /// nothing if the name is empty or already used, or a coordinate is not a number.
-  bool rename(int point, const QString& name);
-  bool setWorld(int point, const Eigen::Vector3d& world);
+  bool renamePoint(int point, const QString& name);
+  bool setWorldPosition(int point, const Eigen::Vector3d& world);
 
   /// Returns whether the next click in an image marks the position of the selected point.
-  bool isClicking() const { return clicking_; }
-  void setClicking(bool clicking);
+  bool clicksPlacePoint() const { return clicking_; }
+  void setClicksPlacePoint(bool clicking);
   /// Sets the pixel at which a camera sees the selected point. `frame` is the number of the
   /// recorded frame in whose image the user clicked; empty for live images.
   void setClick(int camera, const Eigen::Vector2d& pixel, std::optional<std::int64_t> frame);
@@ -61,7 +61,7 @@ public:
   const QString& resultText() const { return resultText_; }
   /// Returns the index of the point that does not fit the others in the last solution; nothing if
   /// all fit, or if that solution is no longer valid.
-  std::optional<int> misfit() const { return misfit_; }
+  std::optional<int> misfitPoint() const { return misfit_; }
   /// Returns the camera whose images are rotated or mirrored according to the last solution;
   /// nothing if there is none, or if the project cannot correct this.
   std::optional<int> proposedCamera() const;

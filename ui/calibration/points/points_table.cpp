@@ -57,15 +57,15 @@ PointsTable::PointsTable(PointCalibrator& points, ManualCalibration& manual, QWi
   connect(table_, &QTableWidget::cellChanged, this, &PointsTable::edited);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
     if (!filling_) {
-      points_.choose(row);
+      points_.selectPoint(row);
     }
   });
-  connect(add_, &QPushButton::clicked, &points_, &PointCalibrator::add);
-  connect(remove_, &QPushButton::clicked, &points_, &PointCalibrator::remove);
-  connect(click_, &QPushButton::clicked, &points_, &PointCalibrator::setClicking);
+  connect(add_, &QPushButton::clicked, &points_, &PointCalibrator::addPoint);
+  connect(remove_, &QPushButton::clicked, &points_, &PointCalibrator::removePoint);
+  connect(click_, &QPushButton::clicked, &points_, &PointCalibrator::setClicksPlacePoint);
   connect(forget_, &QPushButton::clicked, this, [this] { points_.removeClick(manual_.camera()); });
   connect(solve_, &QPushButton::clicked, this, [this] {
-    points_.setClicking(false); // or the next click in an image would move a point
+    points_.setClicksPlacePoint(false); // or the next click in an image would move a point
     points_.solve(focal_->isChecked());
   });
   connect(accept_, &QPushButton::clicked, &points_, &PointCalibrator::acceptProposal);
@@ -170,7 +170,7 @@ void PointsTable::setCell(int row, int column, const QString& text, bool editabl
 
 void PointsTable::fillRow(int row) {
   const MeasuredPoint& point = points_.points()[static_cast<std::size_t>(row)];
-  const bool isMisfit = points_.misfit() == row;
+  const bool isMisfit = points_.misfitPoint() == row;
   const QString name = QString::fromStdString(point.name);
   setCell(row, Name, isMisfit ? QStringLiteral("▲ ") + name : name, true);
   for (int axis = 0; axis < 3; ++axis) {
@@ -235,19 +235,20 @@ void PointsTable::refresh() {
   }
   showResiduals();
   widenColumns();
-  if (table_->currentRow() != points_.chosen()) {
-    table_->setCurrentCell(points_.chosen(), Name);
+  if (table_->currentRow() != points_.selectedPoint()) {
+    table_->setCurrentCell(points_.selectedPoint(), Name);
   }
   filling_ = false;
-  const bool any = points_.chosen() >= 0 && points_.chosen() < count;
+  const bool any = points_.selectedPoint() >= 0 && points_.selectedPoint() < count;
   remove_->setEnabled(any);
   click_->setEnabled(any);
-  click_->setChecked(points_.isClicking());
+  click_->setChecked(points_.clicksPlacePoint());
   // A shape as well: dark themes hardly show a pressed button.
-  click_->setText((points_.isClicking() ? QStringLiteral("● ") : QString()) +
+  click_->setText((points_.clicksPlacePoint() ? QStringLiteral("● ") : QString()) +
                   tr("Click in images"));
-  forget_->setEnabled(any && clickIn(points_.points()[static_cast<std::size_t>(points_.chosen())],
-                                     manual_.camera()) != nullptr);
+  forget_->setEnabled(any &&
+                      clickIn(points_.points()[static_cast<std::size_t>(points_.selectedPoint())],
+                              manual_.camera()) != nullptr);
   solve_->setEnabled(count > 0 && !points_.isSolving());
   showResult();
   const auto proposed = points_.proposedCamera();
@@ -267,7 +268,7 @@ void PointsTable::edited(int row, int column) {
   const QString text = table_->item(row, column)->text();
   if (column == Name) {
     const QString mark = QStringLiteral("▲ ");
-    points_.rename(row, text.startsWith(mark) ? text.mid(mark.size()) : text);
+    points_.renamePoint(row, text.startsWith(mark) ? text.mid(mark.size()) : text);
   } else if (column >= X && column <= Z) {
     bool good = false;
     double value = QLocale().toDouble(text, &good);
@@ -277,7 +278,7 @@ void PointsTable::edited(int row, int column) {
     if (good) {
       Eigen::Vector3d world = points_.points()[static_cast<std::size_t>(row)].world;
       world[column - X] = value;
-      points_.setWorld(row, world);
+      points_.setWorldPosition(row, world);
     }
   }
   refresh(); // also when it was refused

@@ -51,7 +51,7 @@ void TouchedInstantList::retranslateUi() {
     const int chosen = std::max(0, role_->currentIndex());
     role_->clear();
     for (int role = 0; role < kWandEventCount; ++role) {
-      role_->addItem(touchText(static_cast<WandEvent>(role)));
+      role_->addItem(wandEventText(static_cast<WandEvent>(role)));
     }
     role_->setCurrentIndex(chosen);
   }
@@ -76,7 +76,8 @@ void TouchedInstantList::refresh() {
     const QSignalBlocker quiet(list_);
     list_->clear();
     for (const MarkedInstant& instant : calibrator_.touchedInstants()) {
-      list_->addItem(tr("%1 – %2").arg(secondsText(instant.seconds, 3), touchText(instant.event)));
+      list_->addItem(
+          tr("%1 – %2").arg(secondsText(instant.seconds, 3), wandEventText(instant.event)));
     }
     list_->setCurrentRow(std::min(chosen, list_->count() - 1));
   }

@@ -40,7 +40,7 @@ std::vector<std::vector<MarkerObservation>> allViews(const WandCollector& collec
 WandCalibrator::WandCalibrator(Dependencies around, QObject* parent)
     : QObject(parent), dependencies_(std::move(around)), job_(new BackgroundJob(this)) {
   tick_.setInterval(kTickMs);
-  connect(&tick_, &QTimer::timeout, this, &WandCalibrator::collectedChanged);
+  connect(&tick_, &QTimer::timeout, this, &WandCalibrator::collectorStateChanged);
   connect(job_, &BackgroundJob::started, this, &WandCalibrator::changed);
   connect(job_, &BackgroundJob::progressChanged, this, &WandCalibrator::progressChanged);
   connect(job_, &BackgroundJob::ended, this, &WandCalibrator::changed);
@@ -146,12 +146,12 @@ void WandCalibrator::detachFromSession() {
   if (waving_ != nullptr) {
     waving_ = nullptr;
     tick_.stop();
-    Q_EMIT collectedChanged();
+    Q_EMIT collectorStateChanged();
     Q_EMIT changed();
   }
 }
 
-std::optional<WandCollector::State> WandCalibrator::collected() const {
+std::optional<WandCollector::State> WandCalibrator::collectorState() const {
   return collector_ ? std::optional(collector_->state()) : std::nullopt;
 }
 
@@ -231,9 +231,9 @@ void WandCalibrator::apply() {
   Q_EMIT changed();
 }
 
-void WandCalibrator::setFlipped(bool flipped) {
-  dependencies_.manual.showEarlier(flipped ? std::optional(EarlierCameras::WandRefinement)
-                                           : std::nullopt);
+void WandCalibrator::setBeforeRefinementShown(bool flipped) {
+  dependencies_.manual.showEarlierCameras(flipped ? std::optional(EarlierCameras::WandRefinement)
+                                                  : std::nullopt);
 }
 
 void WandCalibrator::saveReport(const QString& file) {

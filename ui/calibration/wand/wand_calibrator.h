@@ -65,7 +65,7 @@ public:
   void startWaving();
   void stopWaving();
   /// Returns the views collected so far, or nothing if there are none.
-  std::optional<WandCollector::State> collected() const;
+  std::optional<WandCollector::State> collectorState() const;
 
   // Refinement.
   /// Returns the reason why the refinement cannot start, or an empty string if it can.
@@ -82,13 +82,13 @@ public:
   /// Returns whether the project's cameras have changed since the refinement was applied.
   bool isStale() const;
   void apply();
-  void setFlipped(bool flipped);
+  void setBeforeRefinementShown(bool flipped);
   /// Writes the HTML report in another thread; emits `saved()` or `failed()` afterwards.
   void saveReport(const QString& file);
 
 Q_SIGNALS:
   void changed();
-  void collectedChanged();
+  void collectorStateChanged();
   /// Emitted with the progress from 0 to 1; negative if unknown.
   void progressChanged(double part);
   /// Emitted when a refinement has ended, with or without a result.

@@ -93,14 +93,16 @@ void WandOutcome::createWidgets() {
 
 void WandOutcome::connectParts() {
   connect(&calibrator_, &WandCalibrator::changed, this, &WandOutcome::refresh);
-  connect(&calibrator_, &WandCalibrator::collectedChanged, this,
+  connect(&calibrator_, &WandCalibrator::collectorStateChanged, this,
           [this] { missing_->setText(calibrator_.obstacleText()); });
   connect(&calibrator_, &WandCalibrator::progressChanged, this, &WandOutcome::showProgress);
   connect(refine_, &QPushButton::clicked, &calibrator_, &WandCalibrator::refine);
   connect(cancel_, &QPushButton::clicked, &calibrator_, &WandCalibrator::cancel);
   connect(apply_, &QPushButton::clicked, &calibrator_, &WandCalibrator::apply);
-  connect(flip_, &QPushButton::pressed, this, [this] { calibrator_.setFlipped(true); });
-  connect(flip_, &QPushButton::released, this, [this] { calibrator_.setFlipped(false); });
+  connect(flip_, &QPushButton::pressed, this,
+          [this] { calibrator_.setBeforeRefinementShown(true); });
+  connect(flip_, &QPushButton::released, this,
+          [this] { calibrator_.setBeforeRefinementShown(false); });
   connect(report_, &QPushButton::clicked, this, &WandOutcome::chooseReport);
 }
 

@@ -31,7 +31,7 @@ QString moveItThereText(const QString& camera, ImageSide side) {
 
 } // namespace
 
-QString touchText(WandEvent role) {
+QString wandEventText(WandEvent role) {
   switch (role) {
   case WandEvent::Floor:
     return WandText::tr("The ball touches the floor");

@@ -12,7 +12,7 @@
 namespace dewpoint::ui {
 
 /// Returns what happens to the ball in a marked frame, for example "The ball touches the floor".
-QString touchText(WandEvent role);
+QString wandEventText(WandEvent role);
 
 /// Returns a sentence that explains why a calibration with these settings cannot start
 /// (`obstacleOf()`), or an empty string if it can.

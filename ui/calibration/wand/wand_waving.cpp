@@ -41,7 +41,7 @@ WandWaving::WandWaving(WandCalibrator& calibrator, QWidget* parent)
     calibrator_.isWaving() ? calibrator_.stopWaving() : calibrator_.startWaving();
   });
   connect(&calibrator_, &WandCalibrator::changed, this, &WandWaving::refresh);
-  connect(&calibrator_, &WandCalibrator::collectedChanged, this, &WandWaving::showCameras);
+  connect(&calibrator_, &WandCalibrator::collectorStateChanged, this, &WandWaving::showCameras);
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
@@ -78,7 +78,7 @@ void WandWaving::makeCameraRows(std::size_t count) {
 }
 
 void WandWaving::showCameras() {
-  const auto collected = calibrator_.collected();
+  const auto collected = calibrator_.collectorState();
   makeCameraRows(collected ? collected->cameras.size() : 0);
   if (!collected) {
     state_->setText(tr("Nothing collected yet."));

@@ -28,7 +28,7 @@ BoardFloor::BoardFloor(Document& document, QObject* parent)
   });
 }
 
-QString BoardFloor::describedBoard() {
+QString BoardFloor::boardDescriptionText() {
   return QString::fromStdString(boardText(board()));
 }
 
@@ -60,7 +60,7 @@ void BoardFloor::finish(const Project& searched, const Result<FloorFromBoard>& f
         found.error().code == ErrorCode::NotFound
             ? tr("No camera sees the described board well enough: %1. Show images in which the "
                  "board lies on the floor, or correct its description on the page Board.")
-                  .arg(describedBoard())
+                  .arg(boardDescriptionText())
             : errorText(found.error());
     return;
   }

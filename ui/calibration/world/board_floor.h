@@ -31,7 +31,7 @@ public:
   /// Returns a sentence about the last search, or an empty string.
   const QString& resultText() const { return resultText_; }
   /// Returns the description of the board, in the form used on the command line.
-  static QString describedBoard();
+  static QString boardDescriptionText();
 
 Q_SIGNALS:
   void changed();

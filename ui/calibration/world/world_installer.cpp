@@ -26,14 +26,15 @@ void installWorldPage(const Workbench& bench, CalibrationMode& mode, const Camer
                [] { return WorldPage::tr("Floor"); });
   auto* tool = new WorldMarkTool(bench, *marks, &mode);
   bench.connectImageView(tool);
-  QObject::connect(&cameras, &CameraDocks::viewMade, tool, &WorldMarkTool::attach);
+  QObject::connect(&cameras, &CameraDocks::viewCreated, tool, &WorldMarkTool::attach);
   // The images are free for the grid while another page is in front.
-  QObject::connect(&mode, &CalibrationMode::shown, marks,
-                   [marks](const QString& page) { marks->setClicking(page == kWorldPage); });
+  QObject::connect(&mode, &CalibrationMode::pageShown, marks, [marks](const QString& page) {
+    marks->setClicksPlacePoint(page == kWorldPage);
+  });
   QObject::connect(&mode, &CalibrationMode::imageClicksTakenOver, marks,
-                   [marks] { marks->setClicking(false); });
+                   [marks] { marks->setClicksPlacePoint(false); });
   QObject::connect(marks, &WorldMarks::changed, &mode, [bench, marks] {
-    if (marks->isClicking()) {
+    if (marks->clicksPlacePoint()) {
       bench.action("actionLearnColor")->setChecked(false);
     }
   });

@@ -39,13 +39,13 @@ WorldMarkTool::WorldMarkTool(const Workbench& bench, WorldMarks& marks, QObject*
 void WorldMarkTool::attach(int camera, CameraView* view) {
   auto* overlay = new ImagePickOverlay(view);
   overlay->setObjectName(view->objectName() + QStringLiteral("WorldMarks"));
-  overlay->setPointing(true);
+  overlay->setPointDragging(true);
   overlay->hide();
   const Layer layer{camera, overlay};
   layers_.push_back(layer);
   const auto name = [this, overlay, camera] {
-    overlay->setHint(
-        tr("Click point %1 in two images · Esc: stop").arg(WorldMarks::letter(marks_.chosen())));
+    overlay->setHint(tr("Click point %1 in two images · Esc: stop")
+                         .arg(WorldMarks::letter(marks_.selectedMark())));
     overlay->setAccessibleName(
         tr("Image of %1: arrow keys move a cross, Enter marks the point there")
             .arg(bench_.cameras.nameOf(camera)));
@@ -56,7 +56,8 @@ void WorldMarkTool::attach(int camera, CameraView* view) {
   connect(overlay, &QObject::destroyed, this, [this, overlay] {
     std::erase_if(layers_, [overlay](const Layer& one) { return one.overlay == overlay; });
   });
-  connect(overlay, &ImagePickOverlay::cancelled, &marks_, [this] { marks_.setClicking(false); });
+  connect(overlay, &ImagePickOverlay::cancelled, &marks_,
+          [this] { marks_.setClicksPlacePoint(false); });
   connect(overlay, &ImagePickOverlay::picked, &marks_,
           [this, camera](const QRectF& region, Qt::KeyboardModifiers modifiers) {
             bench_.selection.selectCamera(camera);
@@ -74,7 +75,7 @@ void WorldMarkTool::setSnapshot(const TrackSnapshotPtr& snapshot) {
 
 void WorldMarkTool::refresh() {
   for (const Layer& layer : layers_) {
-    const bool isShown = marks_.isClicking();
+    const bool isShown = marks_.clicksPlacePoint();
     layer.overlay->setPicking(isShown);
     if (layer.overlay->isHidden() == isShown) {
       layer.overlay->setVisible(isShown);
@@ -101,7 +102,7 @@ void WorldMarkTool::showMarks(const Layer& layer) const {
   }
   layer.overlay->setRegions(std::move(regions));
   std::vector<QPolygonF> rays;
-  for (const PointClick& click : marks_.clicks(marks_.chosen())) {
+  for (const PointClick& click : marks_.clicks(marks_.selectedMark())) {
     for (const ImageLine& line : clickedRayLines(*snapshot_, click, layer.camera)) {
       QPolygonF& drawn = rays.emplace_back();
       for (const Eigen::Vector2d& pixel : line) {
@@ -109,7 +110,7 @@ void WorldMarkTool::showMarks(const Layer& layer) const {
       }
     }
   }
-  const auto position = marks_.position(marks_.chosen());
+  const auto position = marks_.position(marks_.selectedMark());
   const auto seen = position ? pixelOf(*snapshot_, layer.camera, position->mean) : std::nullopt;
   layer.overlay->setGuides(std::move(rays),
                            seen ? std::optional(QPointF(seen->x(), seen->y())) : std::nullopt);

@@ -26,7 +26,7 @@ WorldMarks::WorldMarks(Document& document, QObject* parent) : QObject(parent), d
   });
   connect(&document_, &Document::replaced, this, [this] {
     resultText_.clear();
-    clear();
+    clearClicks();
   });
 }
 
@@ -42,13 +42,13 @@ Result<Gaussian3> WorldMarks::position(int mark) const {
   return pointInRoom(rigOf(document_.project()), marks_.at(static_cast<std::size_t>(mark)));
 }
 
-std::optional<double> WorldMarks::distance() const {
+std::optional<double> WorldMarks::distanceAB() const {
   const auto a = position(0);
   const auto b = position(1);
   return a && b ? std::optional((b->mean - a->mean).norm()) : std::nullopt;
 }
 
-void WorldMarks::choose(int mark) {
+void WorldMarks::selectMark(int mark) {
   mark = std::clamp(mark, 0, kCount - 1);
   if (mark != chosen_) {
     chosen_ = mark;
@@ -56,7 +56,7 @@ void WorldMarks::choose(int mark) {
   }
 }
 
-void WorldMarks::setClicking(bool clicking) {
+void WorldMarks::setClicksPlacePoint(bool clicking) {
   if (clicking != clicking_) {
     clicking_ = clicking;
     Q_EMIT changed();
@@ -69,7 +69,7 @@ void WorldMarks::setClick(int camera, const Eigen::Vector2d& pixel) {
   Q_EMIT changed();
 }
 
-void WorldMarks::clear() {
+void WorldMarks::clearClicks() {
   for (MeasuredPoint& mark : marks_) {
     mark.clicks.clear();
   }
@@ -77,7 +77,7 @@ void WorldMarks::clear() {
   Q_EMIT changed();
 }
 
-std::vector<int> WorldMarks::marksOf(WorldStep step) {
+std::vector<int> WorldMarks::marksUsedBy(WorldStep step) {
   switch (step) {
   case WorldStep::Upright:
     return {};
@@ -94,7 +94,7 @@ std::vector<int> WorldMarks::marksOf(WorldStep step) {
 }
 
 bool WorldMarks::canApply(WorldStep step) const {
-  return std::ranges::all_of(marksOf(step),
+  return std::ranges::all_of(marksUsedBy(step),
                              [this](int mark) { return position(mark).has_value(); });
 }
 
@@ -165,7 +165,7 @@ void WorldMarks::replaceProject(const QString& step, const Project& project) {
 
 void WorldMarks::apply(WorldStep step, double meters) {
   std::vector<MeasuredPoint> points;
-  for (const int mark : marksOf(step)) {
+  for (const int mark : marksUsedBy(step)) {
     points.push_back(marks_[static_cast<std::size_t>(mark)]);
   }
   const auto result = withWorldStep(document_.project(), step, points, meters);

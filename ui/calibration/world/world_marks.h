@@ -33,20 +33,20 @@ public:
   Result<Gaussian3> position(int mark) const;
   /// Returns the distance between the marks A and B in meters, or nothing while the position of A
   /// or B is unknown.
-  std::optional<double> distance() const;
+  std::optional<double> distanceAB() const;
 
-  int chosen() const { return chosen_; }
-  void choose(int mark);
+  int selectedMark() const { return chosen_; }
+  void selectMark(int mark);
   /// Returns whether the next click in an image marks the selected point.
-  bool isClicking() const { return clicking_; }
-  void setClicking(bool clicking);
+  bool clicksPlacePoint() const { return clicking_; }
+  void setClicksPlacePoint(bool clicking);
   /// Places the selected mark at a pixel of a camera image.
   void setClick(int camera, const Eigen::Vector2d& pixel);
   /// Removes all clicks on all marks.
-  void clear();
+  void clearClicks();
 
   /// Returns the indices of the marks that a step uses.
-  static std::vector<int> marksOf(WorldStep step);
+  static std::vector<int> marksUsedBy(WorldStep step);
   /// Returns whether the positions of all marks of a step are known.
   bool canApply(WorldStep step) const;
   /// Changes the world frame of the project by a step that uses the marks. `meters` is the true
@@ -55,9 +55,9 @@ public:
   /// Compares the computed distance between the marks A and B with the one that the user measured
   /// (`meters`), and stores both in the project.
   void storeLengthCheck(double meters);
-  /// Change the poses of all cameras together. turn() rotates the cameras by 90 degrees about a
-  /// world axis. move() shifts them by `shift` (meters) and rotates them by `turn` (radians) about
-  /// the z axis.
+  /// Change the poses of all cameras together. rotateWorld() rotates the cameras by 90 degrees
+  /// about a world axis. moveWorld() shifts them by `shift` (meters) and rotates them by `turn`
+  /// (radians) about the z axis.
   void rotateWorld(WorldAxis axis);
   void moveWorld(const Eigen::Vector3d& shift, double turn);
   /// Returns whether the images are not upright, and quarter turns of the world frame would make

@@ -155,11 +155,11 @@ void WorldPage::connectFields() {
   connect(&marks_, &WorldMarks::changed, this, &WorldPage::refresh);
   connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
     if (!filling_ && row >= 0) {
-      marks_.choose(row);
+      marks_.selectMark(row);
     }
   });
-  connect(mark_, &QPushButton::clicked, &marks_, &WorldMarks::setClicking);
-  connect(clear_, &QPushButton::clicked, &marks_, &WorldMarks::clear);
+  connect(mark_, &QPushButton::clicked, &marks_, &WorldMarks::setClicksPlacePoint);
+  connect(clear_, &QPushButton::clicked, &marks_, &WorldMarks::clearClicks);
   connect(board_, &QPushButton::clicked, &boardFloor_, &BoardFloor::apply);
   connect(&boardFloor_, &BoardFloor::changed, this, &WorldPage::refresh);
   connect(distance_, &QDoubleSpinBox::valueChanged, this, [this] { distanceEntered_ = true; });
@@ -295,8 +295,8 @@ void WorldPage::refresh() {
   for (int mark = 0; mark < WorldMarks::kCount; ++mark) {
     fillRow(mark);
   }
-  if (table_->currentRow() != marks_.chosen()) {
-    table_->setCurrentCell(marks_.chosen(), Point);
+  if (table_->currentRow() != marks_.selectedMark()) {
+    table_->setCurrentCell(marks_.selectedMark(), Point);
   }
   int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();
   for (int mark = 0; mark < WorldMarks::kCount; ++mark) {
@@ -304,9 +304,10 @@ void WorldPage::refresh() {
   }
   table_->setFixedHeight(height);
   filling_ = false;
-  mark_->setChecked(marks_.isClicking());
+  mark_->setChecked(marks_.clicksPlacePoint());
   // A shape as well: dark themes hardly show a pressed button.
-  mark_->setText((marks_.isClicking() ? QStringLiteral("● ") : QString()) + tr("Mark in images"));
+  mark_->setText((marks_.clicksPlacePoint() ? QStringLiteral("● ") : QString()) +
+                 tr("Mark in images"));
   mark_->setAccessibleName(tr("Mark in images"));
   mark_->setToolTip(
       tr("Click the selected point in two or more images. Near a corner, the click moves exactly "
@@ -322,7 +323,7 @@ void WorldPage::refresh() {
   boardText_->setText(boardFloor_.resultText());
   boardText_->setVisible(!boardFloor_.resultText().isEmpty());
   uprightText_->setVisible(marks_.canTurnUpright());
-  const auto distance = marks_.distance();
+  const auto distance = marks_.distanceAB();
   distanceEntered_ = distanceEntered_ && distance;
   if (distance && !distanceEntered_) {
     showValue(*distance_, *distance);

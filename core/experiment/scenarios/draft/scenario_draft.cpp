@@ -37,7 +37,7 @@ Trajectory truthOf(const ScenarioDraft& draft, std::vector<TargetExtent>& extent
       const TargetTruth now = targetTruth(body, sample.time);
       sample.position = now.position;
       extents.push_back(now.extent);
-      sample.cameras = static_cast<int>(draft.rig.size());
+      sample.cameraCount = static_cast<int>(draft.rig.size());
       sample.valid = body.isPresentAt(sample.time);
       truth.samples.push_back(std::move(sample));
     }

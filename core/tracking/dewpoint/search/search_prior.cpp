@@ -28,7 +28,7 @@ void SearchPrior::restart(const StartVolume& start) {
   start_ = start;
   gaussian_.mean = start.center;
   // A uniform distribution of half size h has the standard deviation h / sqrt(3).
-  gaussian_.covariance = (start.half / std::sqrt(3.0))
+  gaussian_.covariance = (start.halfSize / std::sqrt(3.0))
                              .array()
                              .max(kMinSearchPriorSigma)
                              .square()
@@ -65,7 +65,7 @@ double SearchPrior::birthDensity(const Eigen::Vector3d& position, double searchS
   } else {
     // Higher at the center of the start box than near its walls: of two objects that look the same,
     // the one nearer to the given start is meant.
-    const Eigen::Array3d sigma = (0.5 * start_.half.array()).max(0.5 * kMinSearchPriorSigma);
+    const Eigen::Array3d sigma = (0.5 * start_.halfSize.array()).max(0.5 * kMinSearchPriorSigma);
     const Eigen::Array3d off = (position - start_.center).array() / sigma;
     near = std::exp(-0.5 * off.square().sum()) /
            (std::pow(2.0 * std::numbers::pi, 1.5) * sigma.prod());

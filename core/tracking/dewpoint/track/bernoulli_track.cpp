@@ -48,7 +48,7 @@ void BernoulliTrack::setTarget(const Target& target) {
 
 void BernoulliTrack::restart(const StartVolume& start, std::uint64_t seed) {
   radiusPrior_.restart();
-  searchPrior_.restart(bounds_ ? within(start, *bounds_) : start);
+  searchPrior_.restart(bounds_ ? startVolumeWithin(start, *bounds_) : start);
   identityAmbiguity_ = 0.0;
   confidentBefore_ = 0;
   numbers_.restart();

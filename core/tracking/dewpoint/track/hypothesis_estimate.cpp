@@ -92,7 +92,7 @@ SphereEstimate sphereEstimateFrom(const TrackHypothesis& hypothesis, double iden
   SphereEstimate result =
       estimateFrom(hypothesis, identityAmbiguity, seeingCenters(cameras, observation), errors,
                    Eigen::Matrix3d::Zero());
-  result.camerasSeeing = SphereObservation::camerasSeeing(cameras);
+  result.seeingCameraCount = SphereObservation::camerasSeeing(cameras);
   result.cameras = std::move(cameras);
   return result;
 }

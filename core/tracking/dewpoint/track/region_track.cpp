@@ -63,7 +63,7 @@ int viewsInView(const std::vector<RegionMeasurement>& views) {
 } // namespace
 
 void RegionTrack::restart(const StartVolume& start) {
-  searchPrior_.restart(bounds_ ? within(start, *bounds_) : start);
+  searchPrior_.restart(bounds_ ? startVolumeWithin(start, *bounds_) : start);
   numbers_.restart();
   discardHypothesis();
 }
@@ -292,7 +292,7 @@ SphereEstimate RegionTrack::estimate(const RegionObservation& observation) const
       kShapeShare * kShapeShare * std::max(1.0, state.disagreement) * 0.25 * state.extent;
   SphereEstimate result =
       estimateFrom(state.hypothesis, state.ambiguity, seeing, settings_.systematicErrors, ofShape);
-  result.camerasSeeing = SphereObservation::camerasSeeing(cameras);
+  result.seeingCameraCount = SphereObservation::camerasSeeing(cameras);
   result.cameras = std::move(cameras);
   result.extent = state.extent;
   return result;

@@ -68,7 +68,7 @@ protected:
   }
 
   bool calibrate() {
-    QSignalSpy over(&calibrator(), &BoardCalibrator::calibrated);
+    QSignalSpy over(&calibrator(), &BoardCalibrator::calibrationEnded);
     QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCalibrate")), Qt::LeftButton);
     return over.wait(kTimeoutMs);
   }

@@ -138,7 +138,7 @@ void BoardPageTest::theCommandLineGivesTheSameBits() {
 void BoardPageTest::cancelKeepsWhatWas() {
   openRecording();
   const auto before = project().cameras;
-  QSignalSpy over(&calibrator(), &BoardCalibrator::calibrated);
+  QSignalSpy over(&calibrator(), &BoardCalibrator::calibrationEnded);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCalibrate")), Qt::LeftButton);
   QVERIFY(find<QPushButton>(QStringLiteral("boardCancel"))->isVisible());
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCancel")), Qt::LeftButton);
@@ -188,7 +188,7 @@ void BoardPageTest::printsAndReports() {
   large.board.board.squareSize *= 3.0;
   large.board.board.markerSize *= 3.0;
   calibrator().setRequest(large);
-  QSignalSpy split(&calibrator(), &BoardCalibrator::splitOnSheets);
+  QSignalSpy split(&calibrator(), &BoardCalibrator::printedOnSeveralSheets);
   calibrator().printBoard(QStringLiteral("A4"), file("sheets.pdf"));
   QVERIFY(split.wait(kTimeoutMs));
   QVERIFY(split.first().at(1).toInt() > 1);
@@ -212,7 +212,7 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   request.rigGuidance.instantsPerPair = 4;
   calibrator().setRequest(request);
   const auto before = project().cameras;
-  QSignalSpy over(&calibrator(), &BoardCalibrator::calibrated);
+  QSignalSpy over(&calibrator(), &BoardCalibrator::calibrationEnded);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton);
   // What was taken is solved only: whatever stage says how far it is, none of them looks for a
   // board.
@@ -223,7 +223,7 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   std::size_t taken = 0;
   int images = 0;
   connect(&calibrator(), &BoardCalibrator::guideChanged, this, [&] {
-    const auto state = calibrator().guide();
+    const auto state = calibrator().guideState();
     std::size_t now = 0;
     for (const auto& camera : state->cameras) {
       now += camera.capturedOutlines.size();
@@ -239,7 +239,7 @@ void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   QVERIFY(solving > 0);
   QCOMPARE(looking, 0);
   QVERIFY2(calibrator().outcome() != nullptr, qPrintable(result()));
-  QVERIFY(!calibrator().isWatching());
+  QVERIFY(!calibrator().isGuiding());
   QVERIFY(project().cameras == before); // until it is wanted
   QVERIFY(find<QLabel>(QStringLiteral("boardAdvice0"))->isVisible());
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardApply")), Qt::LeftButton);
@@ -257,9 +257,9 @@ void BoardPageTest::liveViewsCanBeTakenByHand() {
   auto* capture = find<QPushButton>(QStringLiteral("boardCapture"));
   for (int k = 0; k < 9; ++k) {
     *place_ = k;
-    const auto views = [&] { return calibrator().guide()->detections->cameras[0].views.size(); };
+    const auto views = [&] { return calibrator().guideState()->detections->cameras[0].views.size(); };
     const std::size_t before = views();
-    QVERIFY(waitFor([&] { return calibrator().guide()->cameras[0].detection.has_value(); }));
+    QVERIFY(waitFor([&] { return calibrator().guideState()->cameras[0].detection.has_value(); }));
     QTest::mouseClick(capture, Qt::LeftButton);
     QVERIFY(waitFor([&] { return views() > before; }));
   }
@@ -271,7 +271,7 @@ void BoardPageTest::liveViewsCanBeTakenByHand() {
   const QImage full = map->grab().toImage();
   QSignalSpy guide(&calibrator(), &BoardCalibrator::guideChanged);
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton); // over
-  QVERIFY(calibrator().guide()->cameras[0].capturedOutlines.empty());
+  QVERIFY(calibrator().guideState()->cameras[0].capturedOutlines.empty());
   QVERIFY(map->grab().toImage() != full);
   QTest::mouseClick(capture, Qt::LeftButton);
 }
@@ -284,8 +284,8 @@ void BoardPageTest::theNextViewIsShownAcrossTheRoom() {
   const auto text = [&](const char* name) { return find<QLabel>(QLatin1String(name))->text(); };
   QVERIFY(!text("roomAdvice").isEmpty()); // how to begin
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardStart")), Qt::LeftButton);
-  QVERIFY(waitFor([&] { return calibrator().guide()->cameras.size() == 2; }));
-  QVERIFY(waitFor([&] { return calibrator().guide()->cameras[0].detection.has_value(); }));
+  QVERIFY(waitFor([&] { return calibrator().guideState()->cameras.size() == 2; }));
+  QVERIFY(waitFor([&] { return calibrator().guideState()->cameras[0].detection.has_value(); }));
   QVERIFY(waitFor([&] { return !text("roomCamera").isEmpty(); }));
   const QString none = text("roomCount");
   QTest::mouseClick(find<QPushButton>(QStringLiteral("boardCapture")), Qt::LeftButton);

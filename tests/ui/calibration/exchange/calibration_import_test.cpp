@@ -141,7 +141,7 @@ void CalibrationImportTest::goldenFilesAreTaken() {
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     project.cameras[k].camera.name = "eye " + std::to_string(k);
   }
-  document.replace(project);
+  document.replaceProject(project);
   const CameraListModel cameraList(document);
   CalibrationImportDialog dialog(document, cameraList);
   dialog.show();
@@ -299,7 +299,7 @@ void CalibrationImportTest::anExportHasAFileAtOnce() {
   QVERIFY(window_->document().edit(QStringLiteral("name"),
                                    [](Project& project) { project.name = "take 1.5"; }));
   const Project saved = project();
-  window_->document().setSaved(saved, path("saved.toml"));
+  window_->document().markSaved(saved, path("saved.toml"));
   find<QAction>("actionExportCalibration")->trigger();
   auto* out = window_->findChild<CalibrationExportDialog*>();
   QCOMPARE(out->file(), file("take 1.5-calibration.toml"));
@@ -344,7 +344,7 @@ void CalibrationImportTest::aCameraWithoutANameCanBeMeant() {
   Project nameless = window_->document().project();
   nameless.cameras[0].camera.name = "left";
   nameless.cameras[1].camera.name.clear();
-  document.replace(nameless);
+  document.replaceProject(nameless);
   const CameraListModel cameras(document);
   CalibrationImportDialog dialog(document, cameras);
   auto* meant = dialog.findChild<QComboBox*>("calibrationImportCamera");

@@ -128,13 +128,13 @@ void CalibrationClicksTest::beforeSaysThatItsGridIsOutOfSight() {
   const Camera facing = camera(0);
   QVERIFY(manual->setGrid(QStringLiteral("grid"), grid_, {}));
   QVERIFY(layer(0)->shownLabel().isEmpty());
-  manual->showEarlier(EarlierCameras::LastChange);
+  manual->showEarlierCameras(EarlierCameras::LastChange);
   QCOMPARE(layer(0)->shownLabel(), QStringLiteral("before"));
-  manual->showEarlier({});
+  manual->showEarlierCameras({});
   manual->changeCamera(0, QStringLiteral("away"),
                        rotated(facing, {0.0, 0.0, 180.0 * base::kDegree}, NudgeFrame::World));
   manual->changeCamera(0, QStringLiteral("back"), facing);
-  manual->showEarlier(EarlierCameras::LastChange);
+  manual->showEarlierCameras(EarlierCameras::LastChange);
   QVERIFY(layer(0)->shownLabel().contains(QStringLiteral("outside")));
 }
 

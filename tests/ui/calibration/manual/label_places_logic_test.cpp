@@ -13,7 +13,7 @@ TEST(LabelPlacer, ALabelLiesBesideItsPoint) {
   for (const QPointF outward : {QPointF(1, 0), QPointF(1, -1), QPointF(-3, 1), QPointF(0, 1)}) {
     LabelPlacer places(kArea);
     const QPointF point(100.0, 50.0);
-    const auto box = places.reserve(point, kLabel, outward);
+    const auto box = places.reservePlace(point, kLabel, outward);
     ASSERT_TRUE(box);
     EXPECT_EQ(box->size(), kLabel);
     EXPECT_FALSE(box->adjusted(-5.0, -5.0, 5.0, 5.0).contains(point)); // its ring is seen
@@ -25,10 +25,10 @@ TEST(LabelPlacer, ALabelAvoidsLinesAndOtherLabels) {
   LabelPlacer places(kArea);
   const QPointF point(100.0, 50.0);
   places.avoid({QPointF(110.0, 0.0), QPointF(110.0, 100.0)}); // at the right of the point
-  const auto first = places.reserve(point, kLabel, {1.0, 0.0});
+  const auto first = places.reservePlace(point, kLabel, {1.0, 0.0});
   ASSERT_TRUE(first);
   EXPECT_LT(first->right(), 110.0);
-  const auto second = places.reserve(point, kLabel, {1.0, 0.0});
+  const auto second = places.reservePlace(point, kLabel, {1.0, 0.0});
   ASSERT_TRUE(second);
   EXPECT_FALSE(first->intersects(*second));
 }
@@ -39,18 +39,18 @@ TEST(LabelPlacer, ANeededLabelCoversALineRatherThanItsPoint) {
   for (double x = 5.0; x < 200.0; x += 10.0) {
     places.avoid({QPointF(x, 0.0), QPointF(x, 100.0)});
   }
-  EXPECT_FALSE(places.reserve(point, kLabel, {0.0, -1.0}));
-  const auto box = places.reserveNeeded(point, kLabel, {0.0, -1.0});
+  EXPECT_FALSE(places.reservePlace(point, kLabel, {0.0, -1.0}));
+  const auto box = places.reserveEvenOverLines(point, kLabel, {0.0, -1.0});
   ASSERT_TRUE(box);
   EXPECT_LT(box->bottom(), point.y());
   EXPECT_FALSE(
-      places.reserveInDirection({40.0, 50.0}, kLabel, {0.0, -1.0})); // this one may be left out
+      places.reserveInDirectionOnly({40.0, 50.0}, kLabel, {0.0, -1.0})); // this one may be left out
 }
 
 TEST(LabelPlacer, NoLabelOfAPointOutOfSight) {
   LabelPlacer places(kArea);
-  EXPECT_FALSE(places.reserve({201.0, 50.0}, kLabel, {1.0, 0.0}));
-  const auto atTheEdge = places.reserve({199.0, 50.0}, kLabel, {1.0, 0.0});
+  EXPECT_FALSE(places.reservePlace({201.0, 50.0}, kLabel, {1.0, 0.0}));
+  const auto atTheEdge = places.reservePlace({199.0, 50.0}, kLabel, {1.0, 0.0});
   ASSERT_TRUE(atTheEdge);
   EXPECT_TRUE(kArea.contains(*atTheEdge));
 }
@@ -58,9 +58,9 @@ TEST(LabelPlacer, NoLabelOfAPointOutOfSight) {
 TEST(LabelPlacer, ALabelThatMayBeLeftOutHasOnePlace) {
   LabelPlacer places(kArea);
   const QPointF point(100.0, 50.0);
-  EXPECT_TRUE(places.reserveInDirection(point, kLabel, {1.0, -1.0}));
-  EXPECT_FALSE(places.reserveInDirection(point, kLabel, {1.0, -1.0}));
-  EXPECT_TRUE(places.reserve(point, kLabel, {1.0, -1.0})); // elsewhere
+  EXPECT_TRUE(places.reserveInDirectionOnly(point, kLabel, {1.0, -1.0}));
+  EXPECT_FALSE(places.reserveInDirectionOnly(point, kLabel, {1.0, -1.0}));
+  EXPECT_TRUE(places.reservePlace(point, kLabel, {1.0, -1.0})); // elsewhere
 }
 
 } // namespace

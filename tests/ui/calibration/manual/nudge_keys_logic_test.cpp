@@ -15,7 +15,7 @@ std::optional<KeyNudge> pressed(int key, Qt::KeyboardModifiers modifiers = Qt::N
 void expectNudge(const std::optional<KeyNudge>& nudge, int axis, double factor) {
   ASSERT_TRUE(nudge);
   EXPECT_EQ(nudge->axis, axis);
-  EXPECT_DOUBLE_EQ(nudge->factor, factor);
+  EXPECT_DOUBLE_EQ(nudge->amount, factor);
 }
 
 TEST(NudgeKeys, ArrowsAndLettersDoTheSame) {
@@ -30,7 +30,7 @@ TEST(NudgeKeys, ArrowsAndLettersDoTheSame) {
       const auto byLetter = pressed(letter, Qt::NoModifier, mode);
       ASSERT_TRUE(byArrow && byLetter);
       EXPECT_EQ(byArrow->axis, byLetter->axis);
-      EXPECT_EQ(byArrow->factor, byLetter->factor);
+      EXPECT_EQ(byArrow->amount, byLetter->amount);
     }
   }
 }

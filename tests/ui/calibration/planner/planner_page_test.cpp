@@ -174,16 +174,16 @@ void PlannerPageTest::aPlannedCameraIsNoPartOfTheProject() {
   const Project before = project();
   QVERIFY(waitForMap([this] { find<QPushButton>("planAdd")->click(); }));
   QCOMPARE(plan().map()->cameraCount, before.cameras.size() + 1);
-  QCOMPARE(plan().planned().size(), 1U);
+  QCOMPARE(plan().plannedCameras().size(), 1U);
   QCOMPARE(find<QComboBox>("planCamera")->count(), 1);
   // Numbers: where it stands, what it looks at, its lens.
   QVERIFY(waitForMap([this] { find<QDoubleSpinBox>("planPlaceX")->setValue(1.25); }));
-  QVERIFY(std::abs(plan().planned()[0].center().x() - 1.25) < 1e-9);
+  QVERIFY(std::abs(plan().plannedCameras()[0].center().x() - 1.25) < 1e-9);
   QVERIFY(waitForMap([this] { find<QDoubleSpinBox>("planTargetY")->setValue(0.75); }));
-  const Eigen::Vector3d target = aimPoint(plan().planned()[0], plan().volume().min().z());
+  const Eigen::Vector3d target = aimPoint(plan().plannedCameras()[0], plan().volume().min().z());
   QVERIFY(std::abs(target.y() - 0.75) < 1e-6);
   QVERIFY(waitForMap([this] { find<QDoubleSpinBox>("planFieldOfView")->setValue(90.0); }));
-  const Intrinsics& lens = plan().planned()[0].intrinsics;
+  const Intrinsics& lens = plan().plannedCameras()[0].intrinsics;
   QVERIFY(std::abs(lens.focalX - lens.width / 2.0) < 1e-6); // the tangent of 45 degrees is 1
   QVERIFY(project() == before);
   QCOMPARE(history().count(), 0);
@@ -197,28 +197,28 @@ void PlannerPageTest::aPlannedCameraIsDragged() {
   showMap();
   find<QAction>("actionPlanCamera")->trigger();
   (void)view().currentImage(); // the view is framed anew
-  const Camera before = plan().planned()[0];
+  const Camera before = plan().plannedCameras()[0];
   const QPointF from = placeInView(before.center());
   const double scale = view().scene().metersPerPixel() * view().devicePixelRatioF();
   QVERIFY(waitForMap([&] { dragInView(from, {-20.0, 12.0}, 4); }));
-  const Eigen::Vector3d moved = plan().planned()[0].center() - before.center();
+  const Eigen::Vector3d moved = plan().plannedCameras()[0].center() - before.center();
   QVERIFY(std::abs(moved.x() + 20.0 * scale) < 1.5 * scale);
   QVERIFY(std::abs(moved.y() + 12.0 * scale) < 1.5 * scale);
-  QCOMPARE(plan().chosen(), 0);
+  QCOMPARE(plan().selectedCamera(), 0);
   QCOMPARE(history().count(), 0);
   // One of the project is taken: the planned one is not chosen any more.
   dragInView(placeInView(camera(0).center()), {4.0, 0.0}, 1);
-  QCOMPARE(plan().chosen(), -1);
+  QCOMPARE(plan().selectedCamera(), -1);
 }
 
 void PlannerPageTest::theBestPlaceIsFoundAndShown() {
   showMap();
   const double before = summaryOf(*plan().map(), plan().mapOptions().goodSigma).within;
   find<QPushButton>("planFind")->click();
-  QVERIFY(waitFor([&] { return !plan().planned().empty(); }));
+  QVERIFY(waitFor([&] { return !plan().plannedCameras().empty(); }));
   QVERIFY(waitFor([&] { return plan().map()->cameraCount == project().cameras.size() + 1; }));
   QVERIFY(summaryOf(*plan().map(), plan().mapOptions().goodSigma).within >= before);
-  const Eigen::Vector3d place = plan().planned()[0].center();
+  const Eigen::Vector3d place = plan().plannedCameras()[0].center();
   const Eigen::AlignedBox3d& box = plan().volume();
   const double away =
       std::min({box.max().z() - place.z(), place.x() - box.min().x(), box.max().x() - place.x(),
@@ -227,9 +227,9 @@ void PlannerPageTest::theBestPlaceIsFoundAndShown() {
   QVERIFY(find<QLabel>("planSaid")->text().startsWith(QLatin1String("With ")));
   QVERIFY(!find<QProgressBar>("planProgress")->isVisible());
   QCOMPARE(history().count(), 0);
-  Camera elsewhere = plan().planned()[0];
+  Camera elsewhere = plan().plannedCameras()[0];
   elsewhere.cameraFromWorld.translation().x() += 0.1;
-  plan().change(0, elsewhere);
+  plan().changeCamera(0, elsewhere);
   QVERIFY(!find<QLabel>("planSaid")->isVisible()); // it was about the other place
 }
 
@@ -238,8 +238,8 @@ void PlannerPageTest::aSearchCanBeCanceled() {
   QVERIFY(find<QPushButton>("planCancel")->isVisible());
   QVERIFY(!find<QPushButton>("planFind")->isEnabled());
   find<QPushButton>("planCancel")->click();
-  QVERIFY(waitFor([&] { return !plan().search().isRunning(); }));
-  QVERIFY(plan().planned().empty());
+  QVERIFY(waitFor([&] { return !plan().positionSearch().isRunning(); }));
+  QVERIFY(plan().plannedCameras().empty());
   QVERIFY(find<QPushButton>("planFind")->isEnabled());
 }
 
@@ -275,7 +275,7 @@ void PlannerPageTest::draggingStaysFluid() {
     QElapsedTimer clock;
     clock.start();
     // As fast as a hand on a mouse, some 100 moves a second: the rate is what is measured.
-    dragInView(placeInView(plan().planned()[0].center()), {-60.0, 40.0}, 100,
+    dragInView(placeInView(plan().plannedCameras()[0].center()), {-60.0, 40.0}, 100,
                [] { letTimePass(10); });
     const double rate = 1e3 * maps / static_cast<double>(clock.elapsed());
     qInfo("%s: %d maps, %.0f per second; longest stall of the window %.0f ms",

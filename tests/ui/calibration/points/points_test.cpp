@@ -168,13 +168,13 @@ void PointsTest::pointsOfOtherFramesAreFaint() {
     }
   }));
   QVERIFY(picture() != faint);
-  const auto strength = [](bool isElsewhere) {
+  const auto strength = [](bool isInOtherFrames) {
     QImage image(60, 60, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
     QPainter painter(&image);
     PaintedPoint point;
     point.click = QPointF(30.0, 30.0);
-    point.isElsewhere = isElsewhere;
+    point.isInOtherFrames = isInOtherFrames;
     paintPoints(painter, {point});
     return qAlpha(image.pixel(30, 30));
   };

@@ -38,7 +38,7 @@ TEST(WandText, EveryObstacleIsASentenceOfItsOwn) {
 TEST(WandText, EveryTouchHasItsText) {
   std::set<QString> words;
   for (int role = 0; role < kWandEventCount; ++role) {
-    words.insert(touchText(static_cast<WandEvent>(role)));
+    words.insert(wandEventText(static_cast<WandEvent>(role)));
   }
   EXPECT_EQ(words.size(), static_cast<std::size_t>(kWandEventCount));
 }
