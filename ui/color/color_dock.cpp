@@ -94,7 +94,7 @@ void ColorDock::learn(bool starts) {
     return;
   }
   if (starts && panel_->addsTarget()) {
-    panel_->setTarget(targets_->chosen());
+    panel_->setTarget(targets_->chosenTarget());
   }
   panel_->setPicking(starts);
   if (starts) {
@@ -133,7 +133,7 @@ void ColorDock::updateLearnActionText() {
 }
 
 void ColorDock::learned(int target, bool isNew) {
-  targets_->choose(target);
+  targets_->chooseTarget(target);
   if (panel_->targetsAreBoxes()) {
     targetDock_->raise();
     bench_.session.startAfterBoxDrawn(isNew);

@@ -29,7 +29,7 @@ constexpr qint64 kBetweenTextsMs = 500;
 BackwardTracker::BackwardTracker(const Workbench& bench, QObject* parent)
     : QObject(parent), bench_(bench) {
   connect(&job_, &LatestJob::progressChanged, this, &BackwardTracker::showProgress);
-  connect(&job_, &LatestJob::idle, this, &BackwardTracker::clearProgress);
+  connect(&job_, &LatestJob::becameIdle, this, &BackwardTracker::clearProgress);
   connect(&bench_.session, &SessionController::runEnded, this, &BackwardTracker::cancel);
 }
 

@@ -19,12 +19,12 @@ int percentOf(double part) {
 ExportJobs::ExportJobs(QObject* parent)
     : QObject(parent), cancelled_(std::make_shared<std::atomic<bool>>(false)) {
   connect(&preview_, &LatestJob::progressChanged, this,
-          [this](double part) { Q_EMIT previewing(percentOf(part)); });
+          [this](double part) { Q_EMIT previewProgressChanged(percentOf(part)); });
   connect(&export_, &BackgroundJob::progressChanged, this,
           [this](double part) { Q_EMIT progressChanged(percentOf(part)); });
 }
 
-void ExportJobs::preview(TrajectoryPtr trajectory, const ExportOptions& options,
+void ExportJobs::startPreview(TrajectoryPtr trajectory, const ExportOptions& options,
                          const std::filesystem::path& file) {
   preview_.start([this, trajectory = std::move(trajectory), options,
                   file](const BackgroundJob::Progress& progress) -> std::function<void()> {
@@ -37,7 +37,7 @@ void ExportJobs::preview(TrajectoryPtr trajectory, const ExportOptions& options,
   });
 }
 
-void ExportJobs::checkExists(const std::filesystem::path& file,
+void ExportJobs::checkFileExists(const std::filesystem::path& file,
                              std::function<void(bool exists)> report) {
   finding_.start([file, report = std::move(report)](const BackgroundJob::Progress&) {
     std::error_code ignored;

@@ -57,7 +57,7 @@ void VideoExporter::open() {
         if (state_ == state) {
           state_.reset();
           drawer_->stop();
-          Q_EMIT existing(QString::fromStdString(state->request.file.string()));
+          Q_EMIT fileExists(QString::fromStdString(state->request.file.string()));
         }
       };
     }

@@ -57,7 +57,7 @@ std::vector<VideoView> cameraViewsOf(const Workbench& bench) {
   return views;
 }
 
-void addSceneTo(VideoOffer& offer, const Workbench& bench) {
+void addSceneTo(VideoSources& offer, const Workbench& bench) {
   const auto* scene = bench.window.findChild<BirdsEyeView*>();
   if (scene == nullptr || !scene->hasImage() || !bench.document.presentation().hasBirdsEyeView) {
     return;
@@ -73,11 +73,11 @@ void addSceneTo(VideoOffer& offer, const Workbench& bench) {
     view.height = std::ranges::max(offer.views, {}, &VideoView::height).height;
   }
   offer.views.push_back(std::move(view));
-  offer.scene = scene;
+  offer.birdsEyeView = scene;
 }
 
-VideoOffer offerOf(const Workbench& bench, const TimelineModel& time) {
-  VideoOffer offer;
+VideoSources offerOf(const Workbench& bench, const TimelineModel& time) {
+  VideoSources offer;
   offer.session = bench.session.session();
   if (offer.session == nullptr) {
     return offer;
@@ -92,7 +92,7 @@ VideoOffer offerOf(const Workbench& bench, const TimelineModel& time) {
     }
     return frames;
   };
-  offer.lastTracked = time.history.head;
+  offer.lastTrackedFrame = time.history.head;
   offer.framesPerSecond = time.framesPerSecond;
   return offer;
 }
@@ -104,7 +104,7 @@ QString videoFile(const ExportDestination& destination) {
 VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) {
   auto* dialog = new VideoDialog([bench, &time] { return offerOf(bench, time); }, &bench.window);
   MessageBar* messages = &bench.messages;
-  QObject::connect(dialog, &VideoDialog::done, messages, [dialog, messages](const QString& text) {
+  QObject::connect(dialog, &VideoDialog::exportEnded, messages, [dialog, messages](const QString& text) {
     if (!dialog->isVisible()) {
       messages->showNotice(text);
     }
@@ -119,7 +119,7 @@ VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) 
     dialog->resetChoices(videoFile(*destination));
   };
   QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
-  QObject::connect(dialog, &VideoDialog::wrote, destination, &ExportDestination::remember);
+  QObject::connect(dialog, &VideoDialog::fileWritten, destination, &ExportDestination::remember);
   resetChoices();
   QObject::connect(&bench.session, &SessionController::runEnded, dialog, [dialog] {
     dialog->stop(VideoDialog::tr("The export was stopped because the run has ended."));

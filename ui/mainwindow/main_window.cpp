@@ -75,9 +75,9 @@ namespace {
 void shareCursor(PlotStack& plots, PlotStack& trajectory, Timeline* timeline) {
   plots.shareCursor(trajectory);
   for (PlotStack* stack : {&plots, &trajectory}) {
-    QObject::connect(stack, &PlotStack::hovered, timeline, &Timeline::setHovered);
-    QObject::connect(timeline, &Timeline::hovered, stack, [stack](qint64 frame) {
-      stack->setHovered(frame < 0 ? std::nullopt : std::optional<std::int64_t>(frame));
+    QObject::connect(stack, &PlotStack::frameHovered, timeline, &Timeline::setHoveredFrame);
+    QObject::connect(timeline, &Timeline::frameHovered, stack, [stack](qint64 frame) {
+      stack->setHoveredFrame(frame < 0 ? std::nullopt : std::optional<std::int64_t>(frame));
     });
   }
 }
@@ -103,7 +103,7 @@ MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
   updateTitle();
   resize(1400, 900);
   docks_->layOut();
-  projects_->showStart();
+  projects_->showStartPage();
 }
 
 MainWindow::~MainWindow() {
@@ -127,7 +127,7 @@ void MainWindow::installFeatures() {
   installCameras(bench);
   auto* color = new ColorDock(bench, *cameras, targets);
   auto* people = new PeopleDock(bench, *cameras, *birdsEye, {targets.dock, color->dock()});
-  connect(&cameras->pick(), &ImagePickTool::imageClicked, people, &PeopleDock::selectSeenAt);
+  connect(&cameras->pick(), &ImagePickTool::imageClicked, people, &PeopleDock::selectPersonAt);
   new CorrectionMode(bench, *cameras, *birdsEye, *trajectory);
   auto* calibration = new CalibrationMode(bench);
   connect(calibration, &CalibrationMode::shown, &color->panel(),
@@ -164,7 +164,7 @@ void MainWindow::installFeatures() {
           [this] { docks_->lockLowerDockHeights(true); });
   connect(messageRow_, &MessageRow::heightChanged, docks_,
           [this] { docks_->lockLowerDockHeights(false); });
-  menus_->make();
+  menus_->makeMenus();
   connectRun();
   birdsEye->prepare();
 }
@@ -241,14 +241,14 @@ void MainWindow::saveRun(const std::filesystem::path& folder, std::function<void
 }
 
 void MainWindow::setTheme(Theme theme) {
-  themes_->set(theme);
+  themes_->setTheme(theme);
 }
 
 Theme MainWindow::theme() const {
   return themes_->theme();
 }
 
-void MainWindow::keepGeometry() {
+void MainWindow::restoreAndKeepGeometry() {
   keepsGeometry_ = true;
   restoreGeometry(Preferences().windowGeometry());
 }
@@ -270,7 +270,7 @@ void MainWindow::changeEvent(QEvent* event) {
     actions_->retranslateUi();
     history_->updateActionTexts();
     updateTitle();
-    menus_->make();
+    menus_->makeMenus();
   } else if (event->type() == QEvent::WindowStateChange) {
     bench_->action("actionFullScreen")->setChecked(isFullScreen());
   }
@@ -286,7 +286,7 @@ bool MainWindow::focusNextPrevChild(bool next) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  event->setAccepted(projects_->mayClose());
+  event->setAccepted(projects_->confirmClose());
   if (event->isAccepted() && keepsGeometry_) {
     Preferences().setWindowGeometry(saveGeometry());
   }

@@ -90,7 +90,7 @@ void ProjectController::connectPages() {
     if (bench_.session.isRunning()) {
       bench_.docks.showViews(true);
     } else {
-      showStart();
+      showStartPage();
     }
   });
   connect(newProject_, &NewProjectPage::failed, &bench_.messages, &MessageBar::showError);
@@ -171,7 +171,7 @@ void ProjectController::open(const std::filesystem::path& file) {
   bench_.session.open({.source = file});
 }
 
-void ProjectController::showStart() {
+void ProjectController::showStartPage() {
   startPage_->refresh();
   pages_->setCurrentWidget(startPage_);
   bench_.docks.showViews(false);
@@ -202,7 +202,7 @@ void ProjectController::chooseProject() {
   changes_->runAfterSaveOrDiscard([this] {
     const QString file =
         askForFile(&bench_.window, tr("Open a project"),
-                   withAllSuffixes(tr("Dewpoint projects (*.toml);;All files (*)")));
+                   withAllProjectSuffixes(tr("Dewpoint projects (*.toml);;All files (*)")));
     if (!file.isEmpty()) {
       open(toPath(file));
     }
@@ -214,14 +214,14 @@ void ProjectController::close() {
   if (MessageBar& bar = bench_.messages; !bar.isQuestionOpen(bar.text())) {
     bar.dismiss(); // it was about what is closed
   }
-  showStart();
+  showStartPage();
 }
 
 ProjectSaver& ProjectController::saver() {
   return changes_->saver();
 }
 
-bool ProjectController::mayClose() {
+bool ProjectController::confirmClose() {
   if (!changes_->confirmDiscard([this] { bench_.window.close(); })) {
     return false;
   }
@@ -247,7 +247,7 @@ void ProjectController::drop(const QMimeData& data) {
     return;
   }
   changes_->runAfterSaveOrDiscard([this, files] {
-    if (files.size() == 1 && isProject(files.front())) {
+    if (files.size() == 1 && isProjectFile(files.front())) {
       open(toPath(files.front()));
     } else {
       showNewProjectPage(files);
@@ -262,7 +262,7 @@ void ProjectController::enableRecovery(const std::filesystem::path& folder, Text
     if (changes_->confirmDiscard(read)) {
       read();
     } else {
-      recovery_->offer(); // the question came late, and there is other work by now
+      recovery_->offerRecovery(); // the question came late, and there is other work by now
     }
   });
   connect(recovery_, &RecoveryOffer::recovered, this,

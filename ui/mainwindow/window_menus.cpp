@@ -56,7 +56,7 @@ QMenu* WindowMenus::add(const QString& title, const char* name,
   return menu;
 }
 
-void WindowMenus::make() {
+void WindowMenus::makeMenus() {
   QMenuBar* bar = bench_.window.menuBar();
   qDeleteAll(bar->findChildren<QMenu*>(Qt::FindDirectChildrenOnly));
   bar->clear();

@@ -59,8 +59,8 @@ TargetDock installTargets(const Workbench& bench) {
   bench.connectView(panel);
   QObject::connect(panel, &TargetPanel::targetChosen, &bench.selection, &Selection::selectTarget);
   QObject::connect(&bench.selection, &Selection::targetSelected, panel, &TargetPanel::choose);
-  bench.onTriggered("actionRemoveTarget", panel, [panel] { panel->removeChosen(); });
-  bench.onTriggered("actionHideTarget", panel, [panel] { panel->toggleShown(panel->chosen()); });
+  bench.onTriggered("actionRemoveTarget", panel, [panel] { panel->removeChosenTarget(); });
+  bench.onTriggered("actionHideTarget", panel, [panel] { panel->toggleTargetShown(panel->chosenTarget()); });
   bench.requireRun({"actionRemoveTarget", "actionHideTarget"});
   return {dock, panel};
 }
@@ -74,7 +74,7 @@ CameraPanel* installCameras(const Workbench& bench) {
   bench.connectImageView(panel);
   QObject::connect(panel, &CameraPanel::importRequested, bench.action("actionImportCalibration"),
                    &QAction::trigger);
-  const BackgroundImageTaker* taker = &panel->taker();
+  const BackgroundImageTaker* taker = &panel->backgroundImageTaker();
   QObject::connect(taker, &BackgroundImageTaker::failed, &bench.messages, &MessageBar::showError);
   QObject::connect(taker, &BackgroundImageTaker::messageRequested, &bench.messages,
                    &MessageBar::showNotice);

@@ -36,8 +36,8 @@ void AddPersonTool::attach(int camera, CameraView* view) {
   });
 }
 
-void AddPersonTool::setPlacing(bool placing, double floor) {
-  birdsEye_->setPlacing(placing, floor);
+void AddPersonTool::setPlacingPeople(bool placing, double floor) {
+  birdsEye_->setPlacingPeople(placing, floor);
   for (ImagePickOverlay* layer : layers_) {
     layer->setPicking(placing);
     layer->setVisible(placing);

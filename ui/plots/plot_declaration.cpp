@@ -47,7 +47,7 @@ QString quantityText(PlotQuantity quantity, double value) {
   return number(0);
 }
 
-QString drawnNumberText(PlotQuantity quantity, double value) {
+QString axisNumberText(PlotQuantity quantity, double value) {
   switch (quantity) {
   case PlotQuantity::Length:
     return lengthNumber(value, LengthScale::Millimeters, 1, NumberForm::Table);
@@ -96,7 +96,7 @@ QString axisUnit(PlotQuantity quantity) {
   return {};
 }
 
-double drawnValue(PlotQuantity quantity, double value) {
+double valueInAxisUnit(PlotQuantity quantity, double value) {
   return quantity == PlotQuantity::Length ? std::max(kLeastMm, inMillimeters(value)) : value;
 }
 

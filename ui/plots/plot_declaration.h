@@ -51,13 +51,13 @@ struct PlotDeclaration {
 QString quantityText(PlotQuantity quantity, double value);
 /// Returns a value as text without the unit, converted to the axis unit. The number of decimals
 /// does not depend on the value.
-QString drawnNumberText(PlotQuantity quantity, double value);
+QString axisNumberText(PlotQuantity quantity, double value);
 /// Returns the unit in which a quantity is shown on an axis; may be empty.
 QString axisUnit(PlotQuantity quantity);
 /// Returns the title of a plot with the axis unit, for example "Spread (mm)".
 QString titleWithUnit(const PlotDeclaration& plot);
 /// Converts a stored value to the unit used on the axis and in tables.
-double drawnValue(PlotQuantity quantity, double value);
+double valueInAxisUnit(PlotQuantity quantity, double value);
 
 /// Returns a curve color that color-blind users can distinguish (Okabe-Ito, darker on a light
 /// background). A negative index returns the text color.

@@ -34,7 +34,7 @@ PlotPanel* installPlots(const Workbench& bench) {
   QObject::connect(&bench.document, &Document::replaced, &panel->stack(), &PlotStack::showAll);
   QObject::connect(&bench.session, &SessionController::restarting, &panel->stack(),
                    &PlotStack::showAll);
-  QObject::connect(panel, &PlotPanel::notice, &bench.messages, &MessageBar::showNotice);
+  QObject::connect(panel, &PlotPanel::noticeRequested, &bench.messages, &MessageBar::showNotice);
   QObject::connect(panel, &PlotPanel::failed, &bench.messages, &MessageBar::showError);
   return panel;
 }

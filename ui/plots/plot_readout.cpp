@@ -174,7 +174,7 @@ void PlotReadout::draw(QCPPainter* painter) {
     const QRect box = boxOf(entry);
     painter->fillRect(QRect(box.left(), box.center().y(), 8, 2), curveColor(curve.color, text));
     painter->setPen(text);
-    const QString number = drawnNumberText(declaration_.quantity, value);
+    const QString number = axisNumberText(declaration_.quantity, value);
     const int room = width - kSwatch - metrics.horizontalAdvance(number) - 6;
     if (room > 0 && (count > 1 || room > metrics.horizontalAdvance(curve.name))) {
       painter->drawText(box.adjusted(kSwatch, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,

@@ -69,7 +69,7 @@ void CameraFrusta::setPalette(const ScenePalette& palette) {
   paint(plumbs_, palette.camera, 0.3);
 }
 
-void CameraFrusta::prepareFrame(const ScreenScale& scale) {
+void CameraFrusta::prepareRendering(const ScreenScale& scale) {
   edges_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * scale.pixelRatio));
   plumbs_->GetProperty()->SetLineWidth(static_cast<float>(scale.pixelRatio));
 }

@@ -17,7 +17,7 @@ struct EllipsoidAxes {
 
 /// Returns the principal axes of the ellipsoid of a symmetric matrix, or nothing if no eigenvalue
 /// is positive.
-std::optional<EllipsoidAxes> axesOf(const Eigen::Matrix3d& matrix);
+std::optional<EllipsoidAxes> ellipsoidAxesOf(const Eigen::Matrix3d& matrix);
 
 /// Rotates a VTK actor so that its axes point along the columns of `directions`, which must be
 /// right-handed.

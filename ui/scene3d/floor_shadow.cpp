@@ -94,7 +94,7 @@ void FloorShadow::setColors(const SceneColor& plumb, bool darkBackground) {
   drawDisc(darkBackground);
 }
 
-void FloorShadow::prepareFrame(const ScreenScale& scale) {
+void FloorShadow::prepareRendering(const ScreenScale& scale) {
   const Eigen::Vector3d below(point_.x(), point_.y(), 0.0);
   const double radius = std::max(kLarger * radius_, scale.meters(below, kSmallestPx));
   disc_->SetPosition(below.x(), below.y(), scale.meters(below, kLiftPx));

@@ -247,7 +247,7 @@ void Ground::appendTextAreas(const ScreenScale& scale,
   }
 }
 
-void Ground::prepareFrame(const ScreenScale& scale) {
+void Ground::prepareRendering(const ScreenScale& scale) {
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
   minor_->GetProperty()->SetLineWidth(width(1.0));
   major_->GetProperty()->SetLineWidth(width(1.6));
@@ -274,8 +274,8 @@ void Ground::prepareFrame(const ScreenScale& scale) {
     const bool across = std::abs(scale.direction[axis]) < 0.97;
     names_[axis].setVisible(across);
     numbers_[axis].setVisible(axis == 2 ? fromFront || fromSide : across);
-    names_[axis].prepareFrame(scale);
-    numbers_[axis].prepareFrame(scale);
+    names_[axis].prepareRendering(scale);
+    numbers_[axis].prepareRendering(scale);
   }
 }
 

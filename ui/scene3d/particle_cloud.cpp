@@ -96,7 +96,7 @@ void ParticleCloud::colorParticles() {
   colors_->Modified();
 }
 
-void ParticleCloud::prepareFrame(const ScreenScale& scale, const Eigen::Vector3d& about) {
+void ParticleCloud::prepareRendering(const ScreenScale& scale, const Eigen::Vector3d& about) {
   const double dot = scale.meters(about, kParticlePx);
   // A new scale makes the mapper upload all points again: only when it shows.
   if (std::abs(dot - mapper_->GetScaleFactor()) > 0.1 * dot) {

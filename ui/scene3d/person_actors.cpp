@@ -106,7 +106,7 @@ void PersonActors::repaint() {
   }
 }
 
-void PersonActors::prepareFrame(const ScreenScale& scale) {
+void PersonActors::prepareRendering(const ScreenScale& scale) {
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
   edges_->GetProperty()->SetLineWidth(width(0.8));
   for (const auto& curve : curves_) {

@@ -133,10 +133,10 @@ void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapOptions& look)
 std::optional<Eigen::Vector3d> Scene3d::positionInLayer(const Eigen::Vector2d& place) const {
   const Eigen::AlignedBox3d volume = parts_->map.volume();
   const MapOptions& look = parts_->map.options();
-  if (volume.isEmpty() || !look.slice) {
+  if (volume.isEmpty() || !look.layerShown) {
     return std::nullopt;
   }
-  auto there = positionAtHeight(place, look.height);
+  auto there = positionAtHeight(place, look.layerHeight);
   if (!there || !volume.contains(*there)) {
     return std::nullopt;
   }
@@ -240,7 +240,7 @@ void Scene3d::zoom(double factor) {
   }
 }
 
-void Scene3d::prepareFrame(int width, int height) {
+void Scene3d::prepareRendering(int width, int height) {
   SceneParts& parts = *parts_;
   const bool resized = width != parts.viewportWidth || height != parts.viewportHeight;
   parts.viewportWidth = width;
@@ -252,16 +252,16 @@ void Scene3d::prepareFrame(int width, int height) {
   parts.keepUpright();
   parts.setClipping();
   parts.updateScale();
-  parts.ground.prepareFrame(parts.scale);
-  parts.frusta.prepareFrame(parts.scale);
-  parts.planned.prepareFrame(parts.scale);
-  parts.map.prepareFrame(parts.scale);
-  parts.volume.prepareFrame(parts.scale);
-  parts.lineOfSight.prepareFrame(parts.scale);
-  parts.range.prepareFrame(parts.scale);
-  parts.crowd.prepareFrame(parts.scale, focus());
+  parts.ground.prepareRendering(parts.scale);
+  parts.frusta.prepareRendering(parts.scale);
+  parts.planned.prepareRendering(parts.scale);
+  parts.map.prepareRendering(parts.scale);
+  parts.volume.prepareRendering(parts.scale);
+  parts.lineOfSight.prepareRendering(parts.scale);
+  parts.range.prepareRendering(parts.scale);
+  parts.crowd.prepareRendering(parts.scale, focus());
   for (const auto& target : parts.targets) {
-    target->prepareFrame(parts.scale);
+    target->prepareRendering(parts.scale);
   }
 }
 

@@ -202,7 +202,7 @@ void SceneLabels::appendTextAreas(const ScreenScale& scale,
   }
 }
 
-void SceneLabels::prepareFrame(const ScreenScale& scale) {
+void SceneLabels::prepareRendering(const ScreenScale& scale) {
   for (const Label& label : labels_) {
     // 2D text is projected through the eye too: behind it, it would appear mirrored.
     label.actor->SetVisibility(visible_ && (scale.parallel || scale.depth(label.point) > 0.05));

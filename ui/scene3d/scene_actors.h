@@ -89,7 +89,7 @@ public:
            double up = 0.0);
   void setVisible(bool visible) { visible_ = visible; }
   void setColors(const SceneColor& text, const SceneColor& background);
-  void prepareFrame(const ScreenScale& scale);
+  void prepareRendering(const ScreenScale& scale);
   /// Appends the approximate areas of the texts in the rendered image: device pixels to the right
   /// of and above the center.
   void appendTextAreas(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;

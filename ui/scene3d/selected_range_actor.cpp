@@ -41,7 +41,7 @@ void SelectedRangeActor::setPalette(const ScenePalette& palette) {
   paint(actor_, palette.truth, 0.6);
 }
 
-void SelectedRangeActor::prepareFrame(const ScreenScale& scale) {
+void SelectedRangeActor::prepareRendering(const ScreenScale& scale) {
   actor_->GetProperty()->SetLineWidth(static_cast<float>(kWidthPx * scale.pixelRatio));
 }
 

@@ -147,7 +147,7 @@ void TargetActors::showBody(const TargetSnapshot& target) {
   semiAxes_.setConstant(radius_);
   directions_.setIdentity();
   if (const auto extent = extentOf(target.estimate)) {
-    if (const auto axes = axesOf(*extent)) {
+    if (const auto axes = ellipsoidAxesOf(*extent)) {
       semiAxes_ = axes->values.cwiseMax(1e-8).cwiseSqrt();
       directions_ = axes->directions;
       radius_ = semiAxes_.maxCoeff();
@@ -156,7 +156,7 @@ void TargetActors::showBody(const TargetSnapshot& target) {
 }
 
 void TargetActors::showEllipsoid(const Eigen::Matrix3d& covariance) {
-  const auto axes = axesOf(covariance);
+  const auto axes = ellipsoidAxesOf(covariance);
   if (!axes) {
     return;
   }
@@ -255,18 +255,18 @@ void TargetActors::drawBest(const ScreenScale& scale) {
   triangle.writeTo(bestData_);
 }
 
-void TargetActors::prepareFrame(const ScreenScale& scale) {
+void TargetActors::prepareRendering(const ScreenScale& scale) {
   placeBody(scale);
-  cloud_.prepareFrame(scale, mean_);
-  shadow_.prepareFrame(scale);
-  seen_.prepareFrame(scale);
-  hidden_.prepareFrame(scale);
-  tail_.prepareFrame(scale);
-  path_.prepareFrame(scale);
+  cloud_.prepareRendering(scale, mean_);
+  shadow_.prepareRendering(scale);
+  seen_.prepareRendering(scale);
+  hidden_.prepareRendering(scale);
+  tail_.prepareRendering(scale);
+  path_.prepareRendering(scale);
   drawTruth(scale);
   drawBest(scale);
   if (person_ != nullptr) {
-    person_->prepareFrame(scale);
+    person_->prepareRendering(scale);
   }
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
   rings_->GetProperty()->SetLineWidth(width(1.0));

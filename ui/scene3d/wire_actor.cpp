@@ -33,7 +33,7 @@ void WireActor::setColor(const SceneColor& color, double opacity) {
   paint(actor_, color, opacity);
 }
 
-void WireActor::prepareFrame(const ScreenScale& scale) {
+void WireActor::prepareRendering(const ScreenScale& scale) {
   actor_->GetProperty()->SetLineWidth(static_cast<float>(widthPx_ * scale.pixelRatio));
 }
 

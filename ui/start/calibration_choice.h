@@ -70,7 +70,7 @@ private:
   bool takesProposals_ = true; ///< the user has chosen nothing; a selected file was proposed
   std::vector<std::string> cameras_;
   std::optional<CheckedCalibration> checked_; ///< result for the file; empty while it is being read
-  LatestJob checking_{LatestJob::Superseded::Dropped};
+  LatestJob checking_{LatestJob::SupersededJob::Dropped};
 };
 
 } // namespace dewpoint::ui

@@ -99,7 +99,7 @@ private:
   std::unique_ptr<JobQueue> searches_;
   int pendingSearches_ = 0; ///< number of searches whose rows have not been added yet
   /// Creates the project, which may take long, because the first image of each video is read.
-  LatestJob making_{LatestJob::Superseded::Dropped};
+  LatestJob making_{LatestJob::SupersededJob::Dropped};
 };
 
 } // namespace dewpoint::ui

@@ -57,7 +57,7 @@ private:
   Exists exists_;
   Known known_;
   /// An unresponsive disk blocks at most one thread.
-  LatestJob checking_{LatestJob::Superseded::Kept};
+  LatestJob checking_{LatestJob::SupersededJob::Kept};
 };
 
 } // namespace dewpoint::ui

@@ -225,7 +225,7 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
   }
 }
 
-void Timeline::setHovered(qint64 frame) {
+void Timeline::setHoveredFrame(qint64 frame) {
   if (frame != hovered_) {
     hovered_ = frame;
     update();
@@ -236,8 +236,8 @@ void Timeline::hover(const QPointF& place) {
   const bool inside = model_.history.last >= 0 && place.x() >= gutter_;
   const qint64 frame = inside ? scale_.frameAt(place.x()) : -1;
   if (frame != hovered_) {
-    setHovered(frame);
-    Q_EMIT hovered(frame);
+    setHoveredFrame(frame);
+    Q_EMIT frameHovered(frame);
   }
 }
 

@@ -40,7 +40,7 @@ TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEy
   QObject::connect(&run, &SessionController::iterationsLogged, panel, &TrajectoryPanel::refresh);
   QObject::connect(&bench.document, &Document::replaced, &panel->plots(), &PlotStack::showAll);
   QObject::connect(&run, &SessionController::restarting, &panel->plots(), &PlotStack::showAll);
-  QObject::connect(panel, &TrajectoryPanel::notice, &bench.messages, &MessageBar::showNotice);
+  QObject::connect(panel, &TrajectoryPanel::noticeRequested, &bench.messages, &MessageBar::showNotice);
   QObject::connect(panel, &TrajectoryPanel::highlightChanged, &birdsEye, &BirdsEyeView::highlight);
   QObject::connect(&birdsEye, &BirdsEyeView::tailClicked, panel, &TrajectoryPanel::choosePosition);
   return panel;

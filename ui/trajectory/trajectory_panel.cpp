@@ -107,7 +107,7 @@ void TrajectoryPanel::makeTable() {
 void TrajectoryPanel::makePlots() {
   plots_->setObjectName(QStringLiteral("motionPlots"));
   plots_->setAxis(PlotAxis::Time);
-  plots_->setShown({QStringLiteral("speed"), QStringLiteral("height")});
+  plots_->setShownPlots({QStringLiteral("speed"), QStringLiteral("height")});
   onRetranslate(plots_, [this] {
     plots_->focusProxy()->setAccessibleName(tr("Speed and height over time"));
     plots_->setEmptyText(tr("Speed and height appear during tracking."));
@@ -244,7 +244,7 @@ void TrajectoryPanel::setTarget(const std::string& name) {
 void TrajectoryPanel::copyCsv() {
   if (pages_->currentWidget() == boxes_) {
     QGuiApplication::clipboard()->setText(QString::fromUtf8(boxes_->csv()));
-    Q_EMIT notice(tr("The boxes are on the clipboard as CSV."));
+    Q_EMIT noticeRequested(tr("The boxes are on the clipboard as CSV."));
     return;
   }
   fetch();
@@ -260,7 +260,7 @@ void TrajectoryPanel::copyCsv() {
     const int count = static_cast<int>(chosen.size());
     return [this, text, count] {
       QGuiApplication::clipboard()->setText(text);
-      Q_EMIT notice(tr("%n rows are on the clipboard as CSV.", nullptr, count));
+      Q_EMIT noticeRequested(tr("%n rows are on the clipboard as CSV.", nullptr, count));
     };
   });
 }

@@ -68,7 +68,7 @@ public:
   QSize sizeHint() const override { return {900, 240}; }
 
 Q_SIGNALS:
-  void notice(const QString& sentence);
+  void noticeRequested(const QString& sentence);
   /// Emitted when the user wants to remove this target's correction at this frame.
   void correctionRemovalRequested(qint64 frame, int target);
   /// Emitted with the positions in the selected range (meters), one list per uninterrupted part.
@@ -113,7 +113,7 @@ private:
   QTimer timer_;
   QElapsedTimer sinceRefresh_;
   double lastRefreshMs_ = 0.0;
-  LatestJob csv_{LatestJob::Superseded::Kept}; ///< prepares the clipboard text
+  LatestJob csv_{LatestJob::SupersededJob::Kept}; ///< prepares the clipboard text
 };
 
 } // namespace dewpoint::ui

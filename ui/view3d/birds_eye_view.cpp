@@ -332,7 +332,7 @@ void BirdsEyeView::setChosenTarget(int target) {
   requestRendering();
 }
 
-void BirdsEyeView::setPlacing(bool placing, double floor) {
+void BirdsEyeView::setPlacingPeople(bool placing, double floor) {
   placing_ = placing;
   floor_ = floor;
   if (placing && (scene_.view() == Scene3d::View::Front || scene_.view() == Scene3d::View::Side)) {

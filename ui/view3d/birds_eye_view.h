@@ -93,7 +93,7 @@ public:
   }
   /// Sets the placing mode, in which a click on the floor emits `floorClicked()`. `floor` is the
   /// floor height, world z in meters.
-  void setPlacing(bool placing, double floor = 0.0);
+  void setPlacingPeople(bool placing, double floor = 0.0);
 
   /// Copies the appearance of another view, to draw the same scene elsewhere: the layers, the map,
   /// the selected target and the point of view (`Scene3d::copyView()`), but not the snapshot, the

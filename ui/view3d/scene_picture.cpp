@@ -40,7 +40,7 @@ void ScenePicture::prepare() {
   start();
   if (vtk_) {
     constexpr QSize kSmall(64, 64);
-    scene_.prepareFrame(kSmall.width(), kSmall.height());
+    scene_.prepareRendering(kSmall.width(), kSmall.height());
     vtk_->render(kSmall);
   }
 }
@@ -64,7 +64,7 @@ void ScenePicture::render() {
     Q_EMIT drawing();
     const QSize pixels = size();
     scene_.setPixelRatio(view_.devicePixelRatioF());
-    scene_.prepareFrame(pixels.width(), pixels.height());
+    scene_.prepareRendering(pixels.width(), pixels.height());
     image_ = vtk_->render(pixels);
     image_.setDevicePixelRatio(view_.devicePixelRatioF());
     Q_EMIT drawn();

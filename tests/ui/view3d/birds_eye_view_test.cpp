@@ -124,7 +124,7 @@ private Q_SLOTS:
     QVERIFY(std::abs(found.center.x() - expected.x()) < 2.5 * view_->devicePixelRatioF());
     QVERIFY(std::abs(found.center.y() - expected.y()) < 2.5 * view_->devicePixelRatioF());
     // From the side, the floor has no places to click.
-    view_->setPlacing(true);
+    view_->setPlacingPeople(true);
     QCOMPARE(view_->currentView(), Scene3d::View::Above);
   }
 
@@ -357,7 +357,7 @@ private Q_SLOTS:
     const auto west = scene.positionInLayer(scene.projectToImage({-1.45, -1.45, 0.0}));
     QVERIFY(west.has_value());
     QCOMPARE(cellAt(map->grid, *west), std::optional<std::size_t>(0));
-    look.volume = true;
+    look.volumeShown = true;
     view_->showMap(map, look);
     QVERIFY(differentPixels(view_->currentImage(), picture) > 1000);
     view_->showMap(nullptr, look);
