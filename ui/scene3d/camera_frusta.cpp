@@ -24,7 +24,7 @@ Eigen::Vector3d unproject(const Camera& camera, double column, double row, doubl
 } // namespace
 
 CameraFrusta::CameraFrusta(vtkRenderer* renderer)
-    : edges_(flatActor(edgeData_)), faces_(flatActor(faceData_)), plumbs_(flatActor(plumbData_)) {
+    : edges_(makeFlatActor(edgeData_)), faces_(makeFlatActor(faceData_)), plumbs_(makeFlatActor(plumbData_)) {
   renderer->AddActor(edges_);
   renderer->AddActor(faces_);
   renderer->AddActor(plumbs_);

@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 /// axes are right-handed, because a mirrored sphere would be lit from inside.
 struct EllipsoidAxes {
   Eigen::Matrix3d directions;
-  Eigen::Vector3d values;
+  Eigen::Vector3d eigenvalues;
 };
 
 /// Returns the principal axes of the ellipsoid of a symmetric matrix, or nothing if no eigenvalue

@@ -96,8 +96,8 @@ void FloorShadow::setColors(const SceneColor& plumb, bool darkBackground) {
 
 void FloorShadow::prepareRendering(const ScreenScale& scale) {
   const Eigen::Vector3d below(point_.x(), point_.y(), 0.0);
-  const double radius = std::max(kLarger * radius_, scale.meters(below, kSmallestPx));
-  disc_->SetPosition(below.x(), below.y(), scale.meters(below, kLiftPx));
+  const double radius = std::max(kLarger * radius_, scale.lengthInMeters(below, kSmallestPx));
+  disc_->SetPosition(below.x(), below.y(), scale.lengthInMeters(below, kLiftPx));
   disc_->SetScale(radius, radius, 1.0);
   plumb_->GetProperty()->SetLineWidth(static_cast<float>(kPlumbPx * scale.pixelRatio));
 }

@@ -65,10 +65,10 @@ constexpr double kMarginBelow = 0.01;
 } // namespace
 
 Ground::Ground(vtkRenderer* renderer)
-    : plane_(flatActor(planeData_)), minor_(flatActor(minorData_)),
-      major_(flatActor(majorData_)), wallMinor_{flatActor(wallMinorData_[0]),
-                                                flatActor(wallMinorData_[1])},
-      wallMajor_{flatActor(wallMajorData_[0]), flatActor(wallMajorData_[1])},
+    : plane_(makeFlatActor(planeData_)), minor_(makeFlatActor(minorData_)),
+      major_(makeFlatActor(majorData_)), wallMinor_{makeFlatActor(wallMinorData_[0]),
+                                                makeFlatActor(wallMinorData_[1])},
+      wallMajor_{makeFlatActor(wallMajorData_[0]), makeFlatActor(wallMajorData_[1])},
       numbers_{SceneLabels(renderer), SceneLabels(renderer), SceneLabels(renderer)},
       names_{SceneLabels(renderer), SceneLabels(renderer), SceneLabels(renderer)} {
   renderer->AddActor(plane_);
@@ -79,7 +79,7 @@ Ground::Ground(vtkRenderer* renderer)
     renderer->AddActor(wallMajor_[wall]);
   }
   for (int axis = 0; axis < 3; ++axis) {
-    axes_[axis] = flatActor(axisData_[axis]);
+    axes_[axis] = makeFlatActor(axisData_[axis]);
     renderer->AddActor(axes_[axis]);
   }
 }
@@ -251,8 +251,8 @@ void Ground::prepareRendering(const ScreenScale& scale) {
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
   minor_->GetProperty()->SetLineWidth(width(1.0));
   major_->GetProperty()->SetLineWidth(width(1.6));
-  const bool fromFront = scale.parallel && std::abs(scale.direction.y()) > 0.99;
-  const bool fromSide = scale.parallel && std::abs(scale.direction.x()) > 0.99;
+  const bool fromFront = scale.isParallel && std::abs(scale.direction.y()) > 0.99;
+  const bool fromSide = scale.isParallel && std::abs(scale.direction.x()) > 0.99;
   const bool isWallShown[2] = {fromFront, fromSide};
   for (int wall = 0; wall < 2; ++wall) {
     wallMinor_[wall]->SetVisibility(isWallShown[wall] && minorStep_ < majorStep_);

@@ -41,12 +41,12 @@ double surfaceLevel(const MapOptions& look, const MapClass& one) {
 } // namespace
 
 MapActor::MapActor(vtkRenderer* renderer)
-    : renderer_(renderer), box_(flatActor(boxData_)), slice_(flatActor(sliceData_)) {
+    : renderer_(renderer), box_(makeFlatActor(boxData_)), slice_(makeFlatActor(sliceData_)) {
   slice_->GetProperty()->SetOpacity(kSliceOpacity);
   renderer_->AddActor(slice_);
   renderer_->AddActor(box_);
   for (Surface& surface : surfaces_) {
-    surface.actor = flatActor(surface.data);
+    surface.actor = makeFlatActor(surface.data);
     surface.actor->GetProperty()->LightingOn();
     surface.actor->GetProperty()->SetAmbient(0.45);
     surface.actor->GetProperty()->SetDiffuse(0.6);

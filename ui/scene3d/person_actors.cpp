@@ -46,16 +46,16 @@ void drawCurves(const std::vector<LevelCurve>& curves, vtkPolyData* data) {
 } // namespace
 
 PersonActors::PersonActors(vtkRenderer* renderer)
-    : renderer_(renderer), palette_(scenePalette(false)), hull_(flatActor(hullData_)),
-      edges_(flatActor(edgeData_)) {
+    : renderer_(renderer), palette_(scenePalette(false)), hull_(makeFlatActor(hullData_)),
+      edges_(makeFlatActor(edgeData_)) {
   for (std::size_t k = 0; k < curves_.size(); ++k) {
-    curves_[k] = flatActor(curveData_[k]);
+    curves_[k] = makeFlatActor(curveData_[k]);
     curves_[k]->VisibilityOff();
-    addKnownToBeNew(renderer_, curves_[k]);
+    addNewProp(renderer_, curves_[k]);
   }
   for (vtkActor* actor : {hull_.Get(), edges_.Get()}) {
     actor->VisibilityOff();
-    addKnownToBeNew(renderer_, actor);
+    addNewProp(renderer_, actor);
   }
 }
 

@@ -35,40 +35,40 @@ bool allFinite(const std::vector<Eigen::Vector3d>& points) {
 
 } // namespace
 
-double ScreenScale::meters(const Eigen::Vector3d& point, double pixels) const {
-  const double perPixel = parallel ? metersPerPixel : slope * std::max(depth(point), 1e-3);
+double ScreenScale::lengthInMeters(const Eigen::Vector3d& point, double pixels) const {
+  const double perPixel = isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(point), 1e-3);
   return pixels * pixelRatio * perPixel;
 }
 
 Eigen::Vector2d ScreenScale::project(const Eigen::Vector3d& point) const {
-  const double perPixel = parallel ? metersPerPixel : slope * std::max(depth(point), 1e-3);
+  const double perPixel = isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(point), 1e-3);
   return Eigen::Vector2d((point - eye).dot(right), (point - eye).dot(up)) / perPixel;
 }
 
 Eigen::Vector3d ScreenScale::unproject(const Eigen::Vector2d& place,
                                        const Eigen::Vector3d& like) const {
-  const double perPixel = parallel ? metersPerPixel : slope * std::max(depth(like), 1e-3);
+  const double perPixel = isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(like), 1e-3);
   return eye + depth(like) * direction + perPixel * (place.x() * right + place.y() * up);
 }
 
 double ScreenScale::closerFactor(const Eigen::Vector3d& point, double distance) const {
   const double away = (point - eye).norm();
-  return parallel || away <= 0.0 ? 1.0 : std::clamp(1.0 - distance / away, 0.3, 1.0);
+  return isParallel || away <= 0.0 ? 1.0 : std::clamp(1.0 - distance / away, 0.3, 1.0);
 }
 
 Eigen::Vector3d ScreenScale::movedCloser(const Eigen::Vector3d& point, double distance) const {
-  if (parallel) {
+  if (isParallel) {
     return point - direction * distance;
   }
   return eye + (point - eye) * closerFactor(point, distance);
 }
 
-void addKnownToBeNew(vtkRenderer* renderer, vtkProp* prop) {
+void addNewProp(vtkRenderer* renderer, vtkProp* prop) {
   renderer->GetViewProps()->AddItem(prop);
   prop->AddConsumer(renderer);
 }
 
-vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
+vtkSmartPointer<vtkActor> makeFlatActor(vtkPolyData* data) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   auto actor = vtkSmartPointer<vtkActor>::New();
@@ -79,10 +79,10 @@ vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
 }
 
 vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data) {
-  auto actor = flatActor(data);
+  auto actor = makeFlatActor(data);
   actor->ForceTranslucentOn();
   actor->VisibilityOff();
-  addKnownToBeNew(renderer, actor);
+  addNewProp(renderer, actor);
   return actor;
 }
 
@@ -205,8 +205,8 @@ void SceneLabels::appendTextAreas(const ScreenScale& scale,
 void SceneLabels::prepareRendering(const ScreenScale& scale) {
   for (const Label& label : labels_) {
     // 2D text is projected through the eye too: behind it, it would appear mirrored.
-    label.actor->SetVisibility(visible_ && (scale.parallel || scale.depth(label.point) > 0.05));
-    const double height = scale.meters(label.point, label.sizePx);
+    label.actor->SetVisibility(visible_ && (scale.isParallel || scale.depth(label.point) > 0.05));
+    const double height = scale.lengthInMeters(label.point, label.sizePx);
     const Eigen::Vector3d place =
         label.point + (scale.right * label.right + scale.up * label.up) * height;
     label.actor->GetPositionCoordinate()->SetValue(place.x(), place.y(), place.z());

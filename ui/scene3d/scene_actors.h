@@ -26,9 +26,9 @@ struct ScreenScale {
   Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ(); ///< unit vector of the viewing direction
   Eigen::Vector3d right = Eigen::Vector3d::UnitX();
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();
-  bool parallel = true;
+  bool isParallel = true;
   double metersPerPixel = 0.01; ///< at the focus, per device pixel
-  double slope = 0.0;           ///< meters per pixel and per meter of depth; only for perspective
+  double metersPerPixelAndDepth = 0.0;           ///< meters per pixel and per meter of depth; only for perspective
   double pixelRatio = 1.0;
 
   /// Returns the depth of a point in front of the viewer, in meters.
@@ -39,7 +39,7 @@ struct ScreenScale {
   double closerFactor(const Eigen::Vector3d& point, double distance) const;
   Eigen::Vector3d movedCloser(const Eigen::Vector3d& point, double distance) const;
   /// Converts a length in logical pixels at `point` to meters.
-  double meters(const Eigen::Vector3d& point, double pixels) const;
+  double lengthInMeters(const Eigen::Vector3d& point, double pixels) const;
   /// Returns the position of a point in the rendered image: device pixels to the right of and above
   /// the center.
   Eigen::Vector2d project(const Eigen::Vector3d& point) const;
@@ -49,10 +49,10 @@ struct ScreenScale {
 
 /// Adds a prop to the renderer; the prop must not have been added before. This is faster than
 /// AddActor, which searches all existing props first.
-void addKnownToBeNew(vtkRenderer* renderer, vtkProp* prop);
+void addNewProp(vtkRenderer* renderer, vtkProp* prop);
 /// Creates an unlit actor for lines or faces.
-vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data);
-/// Creates an actor like flatActor(), initially hidden, and adds it to the renderer. Actors are
+vtkSmartPointer<vtkActor> makeFlatActor(vtkPolyData* data);
+/// Creates an actor like makeFlatActor(), initially hidden, and adds it to the renderer. Actors are
 /// blended in the order in which they are added.
 vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data);
 /// Sets an actor's color and opacity (0 to 1).

@@ -11,7 +11,7 @@ constexpr double kWidthPx = 7.0;
 } // namespace
 
 SelectedRangeActor::SelectedRangeActor(vtkRenderer* renderer)
-    : renderer_(renderer), actor_(flatActor(data_)) {
+    : renderer_(renderer), actor_(makeFlatActor(data_)) {
   actor_->VisibilityOff();
   renderer_->AddActor(actor_);
 }

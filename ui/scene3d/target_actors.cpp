@@ -148,7 +148,7 @@ void TargetActors::showBody(const TargetSnapshot& target) {
   directions_.setIdentity();
   if (const auto extent = extentOf(target.estimate)) {
     if (const auto axes = ellipsoidAxesOf(*extent)) {
-      semiAxes_ = axes->values.cwiseMax(1e-8).cwiseSqrt();
+      semiAxes_ = axes->eigenvalues.cwiseMax(1e-8).cwiseSqrt();
       directions_ = axes->directions;
       radius_ = semiAxes_.maxCoeff();
     }
@@ -162,7 +162,7 @@ void TargetActors::showEllipsoid(const Eigen::Matrix3d& covariance) {
   }
   const Eigen::Matrix3d& directions = axes->directions;
   const Eigen::Vector3d semiAxes =
-      (axes->values * kChiSquared95ThreeDof).cwiseMax(1e-12).cwiseSqrt().cwiseMax(1e-4);
+      (axes->eigenvalues * kChiSquared95ThreeDof).cwiseMax(1e-12).cwiseSqrt().cwiseMax(1e-4);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       ellipsoidPose_->SetElement(row, column, directions(row, column) * semiAxes[column]);
@@ -208,10 +208,10 @@ void TargetActors::paintBody() {
 }
 
 void TargetActors::placeBody(const ScreenScale& scale) {
-  const Eigen::Vector3d axes = semiAxes_.cwiseMax(scale.meters(mean_, kSmallestBodyPx));
+  const Eigen::Vector3d axes = semiAxes_.cwiseMax(scale.lengthInMeters(mean_, kSmallestBodyPx));
   body_.setPose(mean_, directions_, axes, scale);
   rim_.setPose(mean_, directions_, axes, scale);
-  rings_->SetVisibility(cloudRadius_ > scale.meters(mean_, kSmallestRingsPx));
+  rings_->SetVisibility(cloudRadius_ > scale.lengthInMeters(mean_, kSmallestRingsPx));
 }
 
 /// Cross hairs about the true position that leave the middle open for the estimate.
@@ -220,8 +220,8 @@ void TargetActors::drawTruth(const ScreenScale& scale) {
     return;
   }
   const double inner =
-      std::max(scale.meters(truth_, kSmallestBodyPx), radius_) + scale.meters(truth_, 1.0);
-  const double outer = inner + scale.meters(truth_, 7.0);
+      std::max(scale.lengthInMeters(truth_, kSmallestBodyPx), radius_) + scale.lengthInMeters(truth_, 1.0);
+  const double outer = inner + scale.lengthInMeters(truth_, 7.0);
   const double nearer = 1.5 * cloudRadius_ + 3.0 * outer;
   LinesAndFaces hairs;
   for (int axis = 0; axis < 3; ++axis) {
@@ -243,7 +243,7 @@ void TargetActors::drawBest(const ScreenScale& scale) {
   if (bestMark_->GetVisibility() == 0) {
     return;
   }
-  const double pixel = scale.meters(*best_, 1.0);
+  const double pixel = scale.lengthInMeters(*best_, 1.0);
   const double nearer = 1.5 * cloudRadius_ + 3.0 * (radius_ + 8.0 * pixel);
   std::vector<Eigen::Vector3d> corners;
   for (const auto& [right, up] : {std::pair{0.0, 8.0}, {7.0, -4.5}, {-7.0, -4.5}, {0.0, 8.0}}) {

@@ -7,9 +7,9 @@
 namespace dewpoint::ui {
 
 WireActor::WireActor(vtkRenderer* renderer, double widthPx)
-    : renderer_(renderer), widthPx_(widthPx), actor_(flatActor(data_)) {
+    : renderer_(renderer), widthPx_(widthPx), actor_(makeFlatActor(data_)) {
   actor_->VisibilityOff();
-  addKnownToBeNew(renderer_, actor_);
+  addNewProp(renderer_, actor_);
 }
 
 WireActor::~WireActor() {

@@ -328,7 +328,7 @@ bool BirdsEyeView::event(QEvent* event) {
 
 void BirdsEyeView::setChosenTarget(int target) {
   chosenTarget_ = target;
-  scene_.choose(target);
+  scene_.setChosenTarget(target);
   requestRendering();
 }
 

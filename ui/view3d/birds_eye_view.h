@@ -76,18 +76,18 @@ public:
   void setChosenTarget(int target);
   /// Sets whether each target's highest-weight particle is shown.
   void setBestShown(bool shown) {
-    scene_.showBest(shown);
+    scene_.setBestShown(shown);
     requestRendering();
   }
   /// Sets whether lines of sight from the cameras to the estimates are shown.
   void setRaysShown(bool shown) {
-    scene_.showRays(shown);
+    scene_.setRaysShown(shown);
     sceneStale_ = true;
     requestRendering();
   }
   /// Sets whether camera images are shown in the scene.
   void setImagesShown(bool shown) {
-    scene_.showImages(shown);
+    scene_.setImagesShown(shown);
     sceneStale_ = true;
     requestRendering();
   }

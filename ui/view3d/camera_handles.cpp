@@ -54,7 +54,7 @@ bool CameraHandles::grab(QPointF position) {
     }
   }
   if (drag_) {
-    scene_.keepCamera(); // the picture must not move under the hand
+    scene_.holdView(); // the picture must not move under the hand
     Q_EMIT chosen(drag_->camera);
     view_.update();
   }

@@ -85,7 +85,7 @@ bool SceneInset::isTooSmall(const TargetSnapshot& target) const {
     return false;
   }
   const Eigen::Vector3d mean = positionOf(target.estimate)->mean;
-  return scene_.isInFront(mean) && 2.0 * scene_.logicalPixels(mean, *reach) < kSmallCloudPx;
+  return scene_.isInFront(mean) && 2.0 * scene_.lengthInLogicalPixels(mean, *reach) < kSmallCloudPx;
 }
 
 int SceneInset::target(const QWidget& view, int chosen) const {

@@ -31,7 +31,7 @@ void ScenePicture::start() {
     return;
   }
   vtk_->onCameraMoved = [this] {
-    scene_.keepCamera();
+    scene_.holdView();
     request();
   };
 }

@@ -129,7 +129,7 @@ private Q_SLOTS:
       return std::abs(qGray(seen.pixel(x, y)) - qGray(bare.pixel(x, y))) > 25;
     };
     // The cloud is 0.08 m about the middle; the ball reaches three times as far.
-    const double reach = ratio * view_->scene().logicalPixels(kBall, 0.1);
+    const double reach = ratio * view_->scene().lengthInLogicalPixels(kBall, 0.1);
     QVERIFY(countPixels(seen, at(seen, kBall), reach, stands) > 100);
     QCOMPARE(view_->cloudInset().target(*view_, -1), -1);
   }
@@ -328,16 +328,16 @@ private Q_SLOTS:
       path.add(snapshot);
       path.add(snapshot); // shown once more, of the same iteration
     }
-    QCOMPARE(path.of(0).size(), MeanPath::kMaxPositions);
-    QCOMPARE(path.of(0).back().x(), 0.70);
+    QCOMPARE(path.positionsOf(0).size(), MeanPath::kMaxPositions);
+    QCOMPARE(path.positionsOf(0).back().x(), 0.70);
     snapshot.iterations = 1; // restarted
     path.add(snapshot);
-    QCOMPARE(path.of(0).size(), std::size_t{1});
+    QCOMPARE(path.positionsOf(0).size(), std::size_t{1});
     snapshot.iterations = 2;
     sphere.valid = true;
     path.add(snapshot);
-    QVERIFY(path.of(0).empty());
-    QVERIFY(path.of(7).empty());
+    QVERIFY(path.positionsOf(0).empty());
+    QVERIFY(path.positionsOf(7).empty());
   }
 
   void theWayOfTheMeanIsDrawn() {

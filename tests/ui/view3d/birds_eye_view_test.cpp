@@ -354,7 +354,7 @@ private Q_SLOTS:
     QVERIFY(qRed(colorAt(1.45, -1.45)) > qBlue(colorAt(1.45, -1.45)) + 40);
     const QRgb blank = colorAt(-1.45, 1.45);
     QVERIFY(std::abs(qBlue(blank) - qRed(blank)) < 30);
-    const auto west = scene.positionInLayer(scene.projectToImage({-1.45, -1.45, 0.0}));
+    const auto west = scene.positionInMapLayer(scene.projectToImage({-1.45, -1.45, 0.0}));
     QVERIFY(west.has_value());
     QCOMPARE(cellAt(map->grid, *west), std::optional<std::size_t>(0));
     look.volumeShown = true;
@@ -362,7 +362,7 @@ private Q_SLOTS:
     QVERIFY(differentPixels(view_->currentImage(), picture) > 1000);
     view_->showMap(nullptr, look);
     (void)view_->currentImage();
-    QVERIFY(!scene.positionInLayer({0.0, 0.0}));
+    QVERIFY(!scene.positionInMapLayer({0.0, 0.0}));
   }
 
   void withoutOpenGlTheWidgetStillWorks() {
