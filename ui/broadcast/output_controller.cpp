@@ -150,7 +150,7 @@ void OutputController::startSending(std::shared_ptr<broadcast::Broadcaster> broa
   if (wanted_) {
     broadcaster_ = std::move(broadcaster);
     broadcaster_->setPageTexts(pageTexts()); // the language may have changed meanwhile
-    broadcaster_->offer(bench_.session.shown());
+    broadcaster_->offer(bench_.session.shownSnapshot());
     timer_.start(kOutputUpdate);
     showStatus();
   }

@@ -50,7 +50,7 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
     show(mode->isChecked());
   });
   // A mode, no part of the layout.
-  connect(&bench_.docks, &DockManager::laidOut, this, [this, mode] { show(mode->isChecked()); });
+  connect(&bench_.docks, &DockManager::layoutChanged, this, [this, mode] { show(mode->isChecked()); });
   // One thing at a time is meant by a click in an image. A color is also learned for the wand, with
   // the panel open: then the images belong to it until the color is known.
   bench_.onToggled("actionLearnColor", this, [this](bool learning) {

@@ -34,7 +34,7 @@ constexpr std::array kExamples{
 } // namespace
 
 AddressForm::AddressForm(QWidget* parent)
-    : QWidget(parent), label_(new QLabel(this)), kind_(makeChoice("addressKind", this)),
+    : QWidget(parent), label_(new QLabel(this)), kind_(makeChoiceField("addressKind", this)),
       address_(new PathField(this)), try_(new QPushButton(this)), add_(new QPushButton(this)),
       replace_(new QPushButton(this)), image_(new QLabel(this)), result_(new QLabel(this)) {
   address_->setObjectName(QStringLiteral("addressText"));

@@ -220,7 +220,7 @@ std::optional<std::size_t> ProjectPane::device() const {
 }
 
 void ProjectPane::showImages() {
-  const TrackSnapshotPtr snapshot = bench_.session.withFilledFrames(bench_.session.shown());
+  const TrackSnapshotPtr snapshot = bench_.session.withFilledFrames(bench_.session.shownSnapshot());
   std::vector<QIcon> icons;
   const auto count = bench_.document.project().cameras.size();
   for (std::size_t k = 0; k < count; ++k) {
@@ -230,7 +230,7 @@ void ProjectPane::showImages() {
                                palette(), devicePixelRatioF()));
   }
   icons_->setIcons(std::move(icons));
-  exposure_->setSnapshot(bench_.session.shown());
+  exposure_->setSnapshot(bench_.session.shownSnapshot());
 }
 
 void ProjectPane::refresh() {

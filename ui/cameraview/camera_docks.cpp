@@ -191,7 +191,7 @@ bool isWorthSaying(const TrackEstimate& estimate, const CameraReport& reason) {
 } // namespace
 
 void CameraDocks::updateTitles() {
-  const TrackSnapshotPtr& snapshot = bench_.session.shown();
+  const TrackSnapshotPtr& snapshot = bench_.session.shownSnapshot();
   if (!snapshot) {
     return;
   }
@@ -208,7 +208,7 @@ void CameraDocks::updateTitles() {
     } else if (isBlind(target->reasons[k]) &&
                trackingState(*snapshot, camera) == TrackingState::Held) {
       // The others hold it: here that word would be a riddle.
-      title.setReasonAlone(cameraBlindText(target->reasons[k]));
+      title.setOnlyReason(cameraBlindText(target->reasons[k]));
     } else {
       title.setReason(cameraReasonHereText(target->reasons[k]));
     }

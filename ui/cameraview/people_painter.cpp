@@ -94,7 +94,7 @@ void paintPeopleObstacle(QPainter& painter, const TrackSnapshot& snapshot, int c
   if (text.isEmpty()) {
     return;
   }
-  const auto share = backgroundLearned(snapshot, camera);
+  const auto share = learnedBackgroundShare(snapshot, camera);
   const QFontMetricsF metrics(painter.font());
   const double most = room.width() - 16.0;
   if (share && metrics.horizontalAdvance(text) + 24.0 > most) {

@@ -40,7 +40,7 @@ void BackwardTracker::cancel() {
 
 void BackwardTracker::start(const PositionCorrection& correction,
                             std::vector<TrajectorySample> believed, const std::string& mergeKey) {
-  const TrackSnapshotPtr& shown = bench_.session.shown();
+  const TrackSnapshotPtr& shown = bench_.session.shownSnapshot();
   if (!shown || !shown->frameCount) {
     return; // live: what is past is not there to be read again
   }

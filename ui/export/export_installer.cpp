@@ -79,10 +79,10 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
     QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
     QObject::connect(dialog, &ExportDialog::wrote, destination, &ExportDestination::remember);
     resetChoices();
-    const auto sayOld = [dialog, results = &bench.session.results()] {
+    const auto sayOld = [dialog, results = &bench.session.resultRefresher()] {
       dialog->setHasOldResults(!results->oldResults().frames.empty());
     };
-    QObject::connect(&bench.session.results(), &ResultRefresher::oldResultsChanged, dialog, sayOld);
+    QObject::connect(&bench.session.resultRefresher(), &ResultRefresher::oldResultsChanged, dialog, sayOld);
     sayOld();
   }
   dialog->proposeFile(trajectoryFile(*destination));

@@ -168,7 +168,7 @@ void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
   painter.setClipPath(edge);
   const QPointF ball(width() / 2.0, height() / 2.0);
   paintScene(painter, QRectF(rect()), ball);
-  const QColor color = toColor(
+  const QColor color = toQColor(
       legibleOn(DisplayColor(kBall.redF(), kBall.greenF(), kBall.blueF()), DisplayGround::Image));
   if (sign_ == LegendSign::Mask) {
     QColor tint = color;

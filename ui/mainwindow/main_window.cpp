@@ -185,14 +185,14 @@ void MainWindow::connectRun() {
   connect(session_, &SessionController::opened, this, &MainWindow::projectOpened);
   connect(session_, &SessionController::openFailed, this, &MainWindow::openFailed);
   connect(session_, &SessionController::iterationsLogged, this,
-          [this] { Q_EMIT snapshotShown(session_->shown()); });
+          [this] { Q_EMIT snapshotShown(session_->shownSnapshot()); });
   connect(document_, &Document::replaced, this, &MainWindow::updateTitle);
   connect(document_, &Document::changed, this, &MainWindow::updateTitle);
   connect(document_, &Document::fileChanged, this, &MainWindow::updateTitle);
   connect(document_->undoStack(), &QUndoStack::cleanChanged, this,
           [this] { setWindowModified(document_->isUnsaved()); });
   connect(docks_, &DockManager::viewsShown, this, &MainWindow::placeMessageRow);
-  connect(docks_, &DockManager::laidOut, this, &MainWindow::placeMessageRow);
+  connect(docks_, &DockManager::layoutChanged, this, &MainWindow::placeMessageRow);
   bench_->onTriggered("actionResetLayout", docks_, [this] { docks_->reset(); });
   bench_->requireRun({"actionResetLayout"});
   bench_->onTriggered("actionQuit", this, [this] { close(); });
@@ -233,7 +233,7 @@ ProjectSaver& MainWindow::saver() {
 }
 
 TrackSnapshotPtr MainWindow::shown() const {
-  return session_->shown();
+  return session_->shownSnapshot();
 }
 
 void MainWindow::saveRun(const std::filesystem::path& folder, std::function<void(bool)> written) {

@@ -19,7 +19,7 @@ namespace {
 
 /// False: there is nothing to lose.
 bool askToRestart(const Workbench& bench, bool newSeed) {
-  const TrackSnapshotPtr& shown = bench.session.shown();
+  const TrackSnapshotPtr& shown = bench.session.shownSnapshot();
   if (shown == nullptr || shown->history.head <= 0) {
     return false;
   }
@@ -32,7 +32,7 @@ bool askToRestart(const Workbench& bench, bool newSeed) {
 
 /// False: the recording has not ended, or there is nothing to lose.
 bool askToPlayAgain(const Workbench& bench) {
-  const TrackSnapshotPtr& shown = bench.session.shown();
+  const TrackSnapshotPtr& shown = bench.session.shownSnapshot();
   if (shown == nullptr || shown->state != PlayState::Ended || shown->history.head <= 0) {
     return false;
   }
@@ -56,7 +56,7 @@ void installRunActions(const Workbench& bench) {
   bench.onTriggered("actionFilterThreads", run, [run, bench] {
     auto* dialog = new ThreadCountDialog(QThread::idealThreadCount(), &bench.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(dialog, &QDialog::accepted, run, &SessionController::useFilterThreads);
+    QObject::connect(dialog, &QDialog::accepted, run, &SessionController::applyFilterThreadCount);
     Workbench::present(dialog);
   });
   for (const bool newSeed : {false, true}) {

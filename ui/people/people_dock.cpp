@@ -98,7 +98,7 @@ void PeopleDock::connectPlacer(const CameraDocks& cameras) {
 void PeopleDock::connectActions() {
   bench_.onToggled("actionPlacePerson", this, [this](bool placing) { placePeople(placing); });
   bench_.onTriggered("actionRemovePerson", this, [this] {
-    if (const auto place = placeOfPerson(bench_.session.shown(), panel_->chosenPerson())) {
+    if (const auto place = placeOfPerson(bench_.session.shownSnapshot(), panel_->chosenPerson())) {
       correct(tr("Remove a person"), {.position = *place, .present = false});
     }
   });
@@ -114,7 +114,7 @@ void PeopleDock::connectActions() {
 }
 
 void PeopleDock::correct(const QString& step, PersonCorrection correction) {
-  const TrackSnapshotPtr& shown = bench_.session.shown();
+  const TrackSnapshotPtr& shown = bench_.session.shownSnapshot();
   if (shown == nullptr) {
     return;
   }
@@ -127,7 +127,7 @@ void PeopleDock::correct(const QString& step, PersonCorrection correction) {
 }
 
 void PeopleDock::selectPersonAt(int camera, const QPointF& pixel) {
-  const TrackSnapshotPtr& shown = bench_.session.shown();
+  const TrackSnapshotPtr& shown = bench_.session.shownSnapshot();
   const int person = shown ? personSeenAt(*shown, camera, {pixel.x(), pixel.y()}) : -1;
   if (person >= 0) {
     bench_.selection.selectTarget(person);

@@ -81,7 +81,7 @@ void TakeController::startNamed(const QString& name) {
 void TakeController::start() {
   using Started = Result<std::unique_ptr<TakeRecorder>>;
   const bool starts =
-      job_->start([this, project = bench_.document.project(), feeds = bench_.session.feeds(),
+      job_->start([this, project = bench_.document.project(), feeds = bench_.session.encodedFeeds(),
                    folder = takesFolder(), options = nextOptions()](
                       const BackgroundJob::Progress&) -> std::function<void()> {
         auto take = std::make_shared<Started>(TakeRecorder::start(project, feeds, folder, options));
@@ -161,7 +161,7 @@ void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const
 }
 
 void TakeController::keepPreRoll() {
-  TakeRecorder::setPreRoll(bench_.session.feeds(), Preferences().preRollSeconds());
+  TakeRecorder::setPreRoll(bench_.session.encodedFeeds(), Preferences().preRollSeconds());
 }
 
 TakeOptions TakeController::nextOptions() const {
@@ -228,7 +228,7 @@ void TakeController::showStatus() {
 }
 
 void TakeController::updateAction() {
-  const bool isLive = !bench_.session.feeds().empty();
+  const bool isLive = !bench_.session.encodedFeeds().empty();
   action_->setEnabled(isLive && !job_->isRunning());
   bench_.action("actionTakeNotes")->setEnabled(isLive);
   action_->setChecked(isRecording());

@@ -231,7 +231,7 @@ void CameraTable::showKnown(int row) {
   name->setIcon(rowPicture(isRead ? known->second.facts->preview : cv::Mat(), palette(),
                            devicePixelRatioF()));
   QString text;
-  QColor color = secondaryText(palette());
+  QColor color = secondaryTextColor(palette());
   if (location.isEmpty()) {
     text = QString();
   } else if (!isKnown) {

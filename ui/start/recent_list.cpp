@@ -83,7 +83,7 @@ private:
                          const QStyleOptionViewItem& option, bool open) {
     const QPalette& palette = option.palette;
     const QColor faint = palette.color(QPalette::Disabled, QPalette::Text);
-    const QColor second = open ? secondaryText(palette) : faint;
+    const QColor second = open ? secondaryTextColor(palette) : faint;
     QFont bold = option.font;
     bold.setWeight(QFont::DemiBold);
     const int line = QFontMetrics(option.font).height();

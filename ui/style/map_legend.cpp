@@ -38,7 +38,7 @@ std::vector<Entry> entries(const MapOptions& look) {
       text = last ? QStringLiteral("> ") + lengthText(before, LengthForm::Short)
                   : QStringLiteral("≤ ") + lengthText(one.bound, LengthForm::Short);
     }
-    all.push_back({toColor(one.color), text});
+    all.push_back({toQColor(one.color), text});
     before = one.bound;
   }
   all.push_back(

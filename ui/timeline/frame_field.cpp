@@ -74,7 +74,7 @@ void FrameField::goToEntered() {
                                : std::get<qint64>(*entered);
       if (first <= frame && frame <= last) {
         close(true);
-        timeline_.goTo(frame);
+        timeline_.goToFrame(frame);
         return;
       }
     }

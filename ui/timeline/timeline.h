@@ -41,10 +41,10 @@ public:
   /// last.
   void step(qint64 frames);
   /// Shows this frame, which must be in reachableFrames().
-  void goTo(qint64 frame) { requestFrame(frame); }
+  void goToFrame(qint64 frame) { requestFrame(frame); }
   /// Returns the first and the last frame that can be shown.
   std::pair<qint64, qint64> reachableFrames() const {
-    return {model_.live ? model_.history.first : scale_.first(), scale_.last()};
+    return {model_.isLive ? model_.history.first : scale_.first(), scale_.last()};
   }
   /// Returns the frame requested last or, if no request is pending, the current frame.
   qint64 latestFrame() const;

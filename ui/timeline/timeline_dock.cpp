@@ -81,8 +81,8 @@ void connectActions(const Workbench& bench, ViewDock* dock, Timeline* timeline) 
 /// recording what is shown follows the change (ResultRefresher).
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
   const bool again = changes.boxes && bench.document.methodFamily().tracksAgainOnEdit;
-  const bool isLive = bench.session.shown() && !bench.session.shown()->frameCount;
-  if (isLive && bench.selection.isPast() && (changes.parameters || changes.targets) && !again) {
+  const bool isLive = bench.session.shownSnapshot() && !bench.session.shownSnapshot()->frameCount;
+  if (isLive && bench.selection.showsOtherFrame() && (changes.parameters || changes.targets) && !again) {
     bench.messages.showNotice(
         Timeline::tr(
             "The change applies to new frames. Use “%1” to track again from the current frame.")
@@ -103,8 +103,8 @@ Timeline* installTimeline(const Workbench& bench) {
                      timeline->append(frames.records, frames.restarted);
                    });
   bench.connectView(timeline);
-  QObject::connect(&bench.session.results(), &ResultRefresher::oldResultsChanged, timeline,
-                   [timeline, results = &bench.session.results()] {
+  QObject::connect(&bench.session.resultRefresher(), &ResultRefresher::oldResultsChanged, timeline,
+                   [timeline, results = &bench.session.resultRefresher()] {
                      timeline->setOldResults(results->oldResults().frames);
                    });
   QObject::connect(&bench.session, &SessionController::snapshotChanged, timeline,

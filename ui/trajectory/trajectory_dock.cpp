@@ -42,7 +42,7 @@ TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEy
   QObject::connect(&run, &SessionController::restarting, &panel->plots(), &PlotStack::showAll);
   QObject::connect(panel, &TrajectoryPanel::noticeRequested, &bench.messages, &MessageBar::showNotice);
   QObject::connect(panel, &TrajectoryPanel::highlightChanged, &birdsEye, &BirdsEyeView::highlight);
-  QObject::connect(&birdsEye, &BirdsEyeView::tailClicked, panel, &TrajectoryPanel::choosePosition);
+  QObject::connect(&birdsEye, &BirdsEyeView::pathClicked, panel, &TrajectoryPanel::choosePosition);
   return panel;
 }
 

@@ -48,10 +48,10 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   bench.onTriggered("actionLookFromAbove", view, [view] { view->lookFromAbove(); });
   bench.onTriggered("actionLookFromFront", view, [view] { view->lookFromFront(); });
   bench.onTriggered("actionLookFromSide", view, [view] { view->lookFromSide(); });
-  bench.onTriggered("actionLookFree", view, [view] { view->lookFree(); });
+  bench.onTriggered("actionLookFree", view, [view] { view->lookFreely(); });
   bench.onTriggered("actionFitScene", view, [view] { view->resetView(); });
   const auto update = [bench, dock] { showForMethod(bench, dock); };
-  QObject::connect(&bench.docks, &DockManager::laidOut, dock, update);
+  QObject::connect(&bench.docks, &DockManager::layoutChanged, dock, update);
   QObject::connect(&bench.document, &Document::methodChanged, dock, update);
   return view;
 }

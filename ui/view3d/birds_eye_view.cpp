@@ -253,7 +253,7 @@ void BirdsEyeView::clickTail(QPointF position, bool extend) {
                                          ViewProjection(*this, scene_).toRenderedImage(position),
                                          kTailReachPx * devicePixelRatioF());
   if (found) {
-    Q_EMIT tailClicked(found->target, found->position, extend);
+    Q_EMIT pathClicked(found->target, found->position, extend);
   }
 }
 

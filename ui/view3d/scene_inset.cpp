@@ -150,7 +150,7 @@ void SceneInset::paint(QPainter& painter, const QWidget& view, int chosen) const
   const bool dark = isDarkPalette(palette);
   const QColor ground = palette.color(QPalette::Base);
   const QColor ink = palette.color(QPalette::Text);
-  const QColor color = toColor(scene_.colorOf(static_cast<std::size_t>(index)));
+  const QColor color = toQColor(scene_.colorOf(static_cast<std::size_t>(index)));
   const QRectF box = shownArea(view, chosen);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -73,7 +73,7 @@ void DockManager::remove(ViewDock* dock) {
   std::erase_if(hiddenBeforeMaximized_, [dock](const auto& one) { return one.first == dock; });
   window_.removeDockWidget(dock);
   delete dock;
-  names_->showSoon();
+  names_->updateNamesSoon();
 }
 
 bool DockManager::isBehind(const QWidget* widget) {
@@ -97,7 +97,7 @@ void DockManager::layOut() {
     rearrange(arrangement_.cameraColumns());
     return;
   }
-  Q_EMIT laidOut();
+  Q_EMIT layoutChanged();
 }
 
 void DockManager::reset() {
@@ -154,7 +154,7 @@ void DockManager::rearrange(int columns) {
   for (ViewDock* dock : inFront) {
     dock->raise();
   }
-  Q_EMIT laidOut();
+  Q_EMIT layoutChanged();
 }
 
 void DockManager::distributeDockSizesSoon() {

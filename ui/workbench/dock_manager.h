@@ -71,7 +71,7 @@ Q_SIGNALS:
   void dockMade(ViewDock* dock);
   /// Emitted when the docks have been arranged again. Modes such as calibration must then show
   /// their docks.
-  void laidOut();
+  void layoutChanged();
   /// viewsAboutToChange() is emitted before the views are shown (true) or replaced by a page
   /// (false), viewsShown() afterward.
   void viewsAboutToChange(bool shown);

@@ -205,7 +205,7 @@ void TakeWindowTest::aTakeBeginsBeforeItsStart() {
   find<QSpinBox>("takePreRoll")->setValue(2);
   find<QDialog>("takeDialog")->accept();
   QCOMPARE(Preferences().preRollSeconds(), 2);
-  const auto& feeds = window_->workbench().session.feeds();
+  const auto& feeds = window_->workbench().session.encodedFeeds();
   QVERIFY(waitFor([&] {
     return std::ranges::all_of(feeds,
                                [](const auto& feed) { return feed->preRoll().images >= 20; });

@@ -15,8 +15,8 @@ constexpr QSize kTimelineSize(400, 120);
 
 TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
   TimelineModel model;
-  model.targets = {QStringLiteral("green ball"), QStringLiteral("box")};
-  model.colors = {{.learned = ColorRange{108.0, 132.0, 0.4, 0.6, 0.4, 0.6}}, {}};
+  model.targetNames = {QStringLiteral("green ball"), QStringLiteral("box")};
+  model.colorSources = {{.learned = ColorRange{108.0, 132.0, 0.4, 0.6, 0.4, 0.6}}, {}};
   TimelineScale scale;
   scale.setExtent(0, 49);
   scale.setPixels(100.0, 300.0);
@@ -28,9 +28,9 @@ TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
     QPainter painter(&picture);
     paintTimeline(painter, model, scale, rows, Selection(), -1, palette);
     painter.end();
-    const auto colors = targetColors(model.colors, displayGround(palette));
+    const auto colors = targetColors(model.colorSources, displayGround(palette));
     for (int k = 0; k < 2; ++k) {
-      const QPoint chip(3, qRound(rows.ribbon(k).center().y()));
+      const QPoint chip(3, qRound(rows.ribbonArea(k).center().y()));
       EXPECT_EQ(picture.pixelColor(chip).rgb(), colors[static_cast<std::size_t>(k)].rgb()) << k;
     }
     EXPECT_GT(colors[0].green(), colors[0].red()); // as it was learned
@@ -39,7 +39,7 @@ TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
 
 TEST(TimelineFooter, SaysOnlyWhatIsTrackedAgain) {
   TimelineModel model;
-  model.targets = {QStringLiteral("ball")};
+  model.targetNames = {QStringLiteral("ball")};
   model.history = {
       .first = 0, .last = 49, .head = 33, .bytes = 62U << 20U, .maxBytes = 512U << 20U};
   TimelineScale scale;

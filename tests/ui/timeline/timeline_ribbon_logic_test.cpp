@@ -15,7 +15,7 @@ constexpr int kFrames = 50;
 /// A ribbon of frames that all have this status, 10 pixels each.
 QImage ribbonOf(TargetStatus status, float existence = 0.99F, bool dark = false) {
   TimelineModel model;
-  model.targets = {QStringLiteral("ball")};
+  model.targetNames = {QStringLiteral("ball")};
   std::vector<FrameRecord> records(kFrames);
   for (int k = 0; k < kFrames; ++k) {
     records[static_cast<std::size_t>(k)].frame = k;

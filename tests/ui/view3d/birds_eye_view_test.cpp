@@ -130,7 +130,7 @@ private Q_SLOTS:
 
   void darkAndFreeDiffer() {
     view_->setSnapshot(ballSnapshot());
-    view_->lookFree();
+    view_->lookFreely();
     const QImage light = view_->currentImage();
     keep(light, "free");
     QPalette dark;
@@ -298,7 +298,7 @@ private Q_SLOTS:
 
   void orbitingTurnsTheFreeView() {
     view_->setSnapshot(ballSnapshot());
-    view_->lookFree();
+    view_->lookFreely();
     const QImage before = view_->currentImage();
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, {300, 200});
     QTest::mouseMove(view_.get(), {380, 230});
@@ -367,7 +367,7 @@ private Q_SLOTS:
 
   void withoutOpenGlTheWidgetStillWorks() {
     view_->setSnapshot(ballSnapshot());
-    view_->lookFree();
+    view_->lookFreely();
     QTest::mouseClick(view_.get(), Qt::LeftButton, {}, {100, 100});
     QTest::keyClick(view_.get(), Qt::Key_Plus);
     const QImage shown = view_->grab().toImage();

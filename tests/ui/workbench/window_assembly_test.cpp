@@ -219,8 +219,8 @@ void WindowAssemblyTest::viewsAreToldInOrder() {
   const auto tell = [&](const char* what) {
     return [&told, what] { told << QLatin1String(what); };
   };
-  connect(&session, &SessionController::replacing, this, tell("replacing"));
-  connect(&session, &SessionController::replaced, this, tell("replaced"));
+  connect(&session, &SessionController::documentReplacing, this, tell("replacing"));
+  connect(&session, &SessionController::documentReplaced, this, tell("replaced"));
   connect(&session, &SessionController::runStarted, this, tell("started"));
   connect(&session, &SessionController::framesLogged, this, tell("frames"));
   connect(&session, &SessionController::snapshotChanged, this,
@@ -237,7 +237,7 @@ void WindowAssemblyTest::viewsAreToldInOrder() {
   told.clear();
   session.close();
   QCOMPARE(told, QStringList({"ended", "nothing", "closed"}));
-  QVERIFY(!session.isRunning() && session.shown() == nullptr);
+  QVERIFY(!session.isRunning() && session.shownSnapshot() == nullptr);
   QVERIFY(document.project().cameras.empty());
 }
 
@@ -249,7 +249,7 @@ void WindowAssemblyTest::closingBeforeTheRunBeginsKeepsItFromBeginning() {
   QSignalSpy started(&session, &SessionController::runStarted);
   QSignalSpy closed(&session, &SessionController::closed);
   // Between the document's change and the run's beginning lies a turn of the event loop.
-  connect(&session, &SessionController::replaced, &session, [&session] {
+  connect(&session, &SessionController::documentReplaced, &session, [&session] {
     QMetaObject::invokeMethod(&session, &SessionController::close, Qt::QueuedConnection);
   });
   session.open({.source = std::filesystem::path("still")});
