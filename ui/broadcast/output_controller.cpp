@@ -41,7 +41,7 @@ OutputController::OutputController(const Workbench& bench)
       dialog = new OutputDialog(bench_.document, &bench_.window);
       dialog->setAttribute(Qt::WA_DeleteOnClose);
     }
-    Workbench::present(dialog);
+    Workbench::presentDialog(dialog);
   });
   bench_.requireRun({"actionOutputs"});
   connect(&bench_.session, &SessionController::snapshotChanged, this,

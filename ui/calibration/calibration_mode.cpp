@@ -23,7 +23,7 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
     : QObject(&bench.window), bench_(bench),
       manual_(new ManualCalibration(bench.document, bench.selection, bench.cameras, this)),
       pages_(new CalibrationDock(&bench.window)) {
-  dock_ = bench_.docks.make({.name = QStringLiteral("calibrationDock"),
+  dock_ = bench_.docks.makeDock({.name = QStringLiteral("calibrationDock"),
                              .title = [] { return tr("Calibration"); }, // a tab: short
                              .content = pages_,
                              .rank = 5,

@@ -142,7 +142,7 @@ void CameraDocks::make() {
   for (int camera = 0; camera < static_cast<int>(cameras.size()); ++camera) {
     auto* view = new CameraView(camera, &bench_.window);
     const auto index = static_cast<std::size_t>(camera);
-    ViewDock* dock = bench_.docks.make(
+    ViewDock* dock = bench_.docks.makeDock(
         {.name = QStringLiteral("cameraDock%1").arg(camera),
          .title = [given = cameras[index].camera.name, index] { return cameraName(given, index); },
          .content = view,
@@ -210,7 +210,7 @@ void CameraDocks::updateTitles() {
       // The others hold it: here that word would be a riddle.
       title.setOnlyReason(cameraBlindText(target->reasons[k]));
     } else {
-      title.setReason(cameraReasonHereText(target->reasons[k]));
+      title.setReason(cameraReasonTextInImage(target->reasons[k]));
     }
   }
 }

@@ -34,7 +34,7 @@ ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const T
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidget(panel_);
-  dock_ = bench_.docks.make({.name = QStringLiteral("colorDock"),
+  dock_ = bench_.docks.makeDock({.name = QStringLiteral("colorDock"),
                              .title = [] { return tr("Color"); },
                              .content = scroll,
                              .rank = 3});

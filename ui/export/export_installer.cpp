@@ -61,7 +61,7 @@ void exportBoxes(const Workbench& bench) {
     reset();
   }
   dialog->proposeFolder(destination->folder());
-  Workbench::present(dialog);
+  Workbench::presentDialog(dialog);
 }
 
 void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
@@ -91,7 +91,7 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
                                ? std::optional(std::pair(time.secondsOf(selectedRange->first),
                                                          time.secondsOf(selectedRange->last)))
                                : std::nullopt);
-  Workbench::present(dialog);
+  Workbench::presentDialog(dialog);
 }
 
 } // namespace

@@ -151,7 +151,7 @@ void installVideoExport(const Workbench& bench, const Timeline& timeline) {
     dialog->setSelectedRange(
         range ? std::optional(std::pair(time.secondsOf(range->first), time.secondsOf(range->last)))
               : std::nullopt);
-    Workbench::present(dialog);
+    Workbench::presentDialog(dialog);
   });
   bench.requireRun({"actionExportVideo"});
 }

@@ -34,7 +34,7 @@ template <class Dialog, class Make> Dialog* presentOne(const Workbench& bench, c
     dialog = make();
     dialog->setAttribute(Qt::WA_DeleteOnClose);
   }
-  Workbench::present(dialog);
+  Workbench::presentDialog(dialog);
   return dialog;
 }
 
@@ -46,7 +46,7 @@ void showManual(const Workbench& bench, const QString& page) {
 }
 
 QStringList lastMessages(const Workbench& bench) {
-  const QStringList& all = bench.messages.recent();
+  const QStringList& all = bench.messages.recentMessages();
   return all.mid(std::max<qsizetype>(0, all.size() - kReportedMessages));
 }
 
@@ -65,7 +65,7 @@ void openCrashReportDialog(const Workbench& bench, const QString& crash) {
   auto* report = new ProblemReport({lastMessages(bench), projectText(bench), crash},
                                    bench.session.opener(), &bench.window);
   report->setAttribute(Qt::WA_DeleteOnClose);
-  Workbench::present(report);
+  Workbench::presentDialog(report);
 }
 
 QString manualPageForFocusedView(const Workbench& bench) {

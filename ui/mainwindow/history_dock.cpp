@@ -21,7 +21,7 @@ HistoryDock::HistoryDock(const Workbench& bench) : QObject(&bench.window), bench
     view->setEmptyLabel(tr("Initial state"));
     view->setAccessibleName(tr("History of changes"));
   });
-  bench_.docks.make({.name = QStringLiteral("historyDock"),
+  bench_.docks.makeDock({.name = QStringLiteral("historyDock"),
                      .title = [] { return tr("History"); },
                      .content = view,
                      .area = DockArea::History,

@@ -147,7 +147,7 @@ void MainWindow::installFeatures() {
   installCameraSources(bench);
   auto* outputs = new OutputController(bench);
   auto* takes = new TakeController(bench);
-  connect(outputs, &OutputController::recordRequested, takes, &TakeController::startNamed);
+  connect(outputs, &OutputController::recordRequested, takes, &TakeController::startTakeNamed);
   connect(takes, &TakeController::openRequested, this, &MainWindow::openProject);
   new RunAlerts(bench, *notices_, *calibration);
   new OldResultsOffer(bench);

@@ -57,7 +57,7 @@ void installRunActions(const Workbench& bench) {
     auto* dialog = new ThreadCountDialog(QThread::idealThreadCount(), &bench.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(dialog, &QDialog::accepted, run, &SessionController::applyFilterThreadCount);
-    Workbench::present(dialog);
+    Workbench::presentDialog(dialog);
   });
   for (const bool newSeed : {false, true}) {
     new KeyGuard(

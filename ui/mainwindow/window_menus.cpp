@@ -196,7 +196,7 @@ void WindowMenus::openShortcuts() {
   if (editor == nullptr) {
     editor = new ShortcutEditor(bench_.actions, &bench_.window);
   }
-  Workbench::present(editor);
+  Workbench::presentDialog(editor);
 }
 
 std::vector<CommandPalette::Entry> WindowMenus::extraPaletteEntries() {

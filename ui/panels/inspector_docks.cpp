@@ -38,7 +38,7 @@ void installParameters(const Workbench& bench) {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setMinimumWidth(324); // room for the names of all tabs
   scroll->setWidget(new ParameterPanel(bench.document, &bench.window));
-  ViewDock* dock = bench.docks.make({.name = QStringLiteral("parameterDock"),
+  ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("parameterDock"),
                                      .title = [] { return ParameterPanel::tr("Parameters"); },
                                      .content = scroll,
                                      .rank = 0});
@@ -52,7 +52,7 @@ TargetDock installTargets(const Workbench& bench) {
   auto* panel = new TargetPanel(bench.document, bench.targets, &bench.window);
   panel->addTools(bench.action("actionAddTarget"), bench.action("actionRemoveTarget"),
                   bench.action("actionLearnColor"));
-  ViewDock* dock = bench.docks.make({.name = QStringLiteral("targetDock"),
+  ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("targetDock"),
                                      .title = [] { return TargetPanel::tr("Target"); },
                                      .content = panel,
                                      .rank = 2});
@@ -67,7 +67,7 @@ TargetDock installTargets(const Workbench& bench) {
 
 CameraPanel* installCameras(const Workbench& bench) {
   auto* panel = new CameraPanel(bench.document, bench.selection, bench.cameras, &bench.window);
-  bench.docks.make({.name = QStringLiteral("cameraListDock"),
+  bench.docks.makeDock({.name = QStringLiteral("cameraListDock"),
                     .title = [] { return CameraPanel::tr("Cameras"); },
                     .content = panel,
                     .rank = 4});

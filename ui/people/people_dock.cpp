@@ -56,7 +56,7 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
       addPersonTool_(new AddPersonTool(&birdsEye, bench.cameras, this)),
       check_(new LatestJob(LatestJob::SupersededJob::Dropped, this)),
       writing_(new LatestJob(LatestJob::SupersededJob::Kept, this)), others_(std::move(others)) {
-  dock_ = bench_.docks.make({.name = QStringLiteral("peopleDock"),
+  dock_ = bench_.docks.makeDock({.name = QStringLiteral("peopleDock"),
                              .title = [] { return tr("People"); },
                              .content = panel_,
                              .rank = 1,

@@ -55,16 +55,16 @@ QString axisNumberText(PlotQuantity quantity, double value) {
     return lengthNumber(value, LengthScale::Meters, 3, NumberForm::Table);
   case PlotQuantity::Speed:
   case PlotQuantity::Probability:
-    return tableText(value, 2);
+    return tableNumberText(value, 2);
   case PlotQuantity::LogLikelihood:
   case PlotQuantity::Pixels:
   case PlotQuantity::PixelPosition:
-    return tableText(value, 1);
+    return tableNumberText(value, 1);
   case PlotQuantity::Duration:
   case PlotQuantity::Count:
     break;
   }
-  return tableText(value, 0);
+  return tableNumberText(value, 0);
 }
 
 QString titleWithUnit(const PlotDeclaration& plot) {

@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 
 PlotPanel* installPlots(const Workbench& bench) {
   auto* panel = new PlotPanel(bench.actions, bench.selection, &bench.window);
-  ViewDock* dock = bench.docks.make({.name = QStringLiteral("plotDock"),
+  ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("plotDock"),
                                      .title = [] { return PlotPanel::tr("Plots"); },
                                      .content = panel,
                                      .area = DockArea::Plots,

@@ -71,7 +71,7 @@ void TakeController::toggle(bool record) {
   }
 }
 
-void TakeController::startNamed(const QString& name) {
+void TakeController::startTakeNamed(const QString& name) {
   if (action_->isEnabled() && !action_->isChecked()) {
     name_ = name;
     action_->trigger();
@@ -142,14 +142,14 @@ void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const
   const TakeStatus take = recorder->status();
   const QString folder = QString::fromStdString(take.folder.string());
   QString text =
-      tr("Take %1 (%2) was saved in %3.").arg(take.number).arg(clockText(take.seconds), folder);
+      tr("Take %1 (%2) was saved in %3.").arg(take.number).arg(minutesAndSecondsText(take.seconds), folder);
   if (!reason.isEmpty()) {
     text.prepend(reason + QLatin1Char(' '));
   }
   if (const QString before = preRollText(take); !before.isEmpty()) {
     text += QLatin1Char(' ') + before;
   }
-  if (const QString problem = takeProblem(take); !problem.isEmpty()) {
+  if (const QString problem = takeProblemText(take); !problem.isEmpty()) {
     text += QLatin1Char(' ') + tr("Problem: %1").arg(problem);
   }
   bench_.messages.showQuestion(
@@ -179,7 +179,7 @@ void TakeController::editDetails(const std::shared_ptr<TakeRecorder>& take) {
     const TakeStatus status = take->status();
     details = {status.number, QString::fromStdString(status.notes)};
   } else {
-    details.preRoll = Preferences().preRollSeconds();
+    details.preRollSeconds = Preferences().preRollSeconds();
   }
   auto* dialog = new TakeDialog(details, take != nullptr, &bench_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -188,8 +188,8 @@ void TakeController::editDetails(const std::shared_ptr<TakeRecorder>& take) {
       saveNotes(take, dialog->details().notes);
     } else {
       next_ = dialog->details();
-      if (next_.preRoll != Preferences().preRollSeconds()) {
-        Preferences().setPreRollSeconds(next_.preRoll);
+      if (next_.preRollSeconds != Preferences().preRollSeconds()) {
+        Preferences().setPreRollSeconds(next_.preRollSeconds);
         keepPreRoll();
       }
     }
@@ -202,7 +202,7 @@ void TakeController::editDetails(const std::shared_ptr<TakeRecorder>& take) {
       dialog->reject();
     }
   });
-  Workbench::present(dialog);
+  Workbench::presentDialog(dialog);
 }
 
 void TakeController::saveNotes(const std::shared_ptr<TakeRecorder>& take, const QString& notes) {
@@ -217,10 +217,10 @@ void TakeController::saveNotes(const std::shared_ptr<TakeRecorder>& take, const 
 
 void TakeController::showStatus() {
   const TakeStatus take = status();
-  label_->setText(QStringLiteral("● ") + takeLine(take));
-  label_->setToolTip(takeDetails(take));
+  label_->setText(QStringLiteral("● ") + takeSummaryText(take));
+  label_->setToolTip(takeDetailsText(take));
   label_->show();
-  const QString problem = takeProblem(take);
+  const QString problem = takeProblemText(take);
   if (!problem.isEmpty() && problem != shownProblem_) {
     bench_.messages.showWarning(problem);
   }

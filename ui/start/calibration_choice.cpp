@@ -48,7 +48,7 @@ CalibrationChoice::CalibrationChoice(QWidget* parent)
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-QWidget* CalibrationChoice::lastButton() const {
+QWidget* CalibrationChoice::lastButtonInTabOrder() const {
   return drop_;
 }
 
@@ -79,7 +79,7 @@ void CalibrationChoice::setFile(const QString& file) {
   useFile(file);
 }
 
-void CalibrationChoice::propose(const QString& file) {
+void CalibrationChoice::proposeFile(const QString& file) {
   if (takesProposals_ && file != file_) {
     useFile(file);
   }
@@ -103,7 +103,7 @@ void CalibrationChoice::useFile(const QString& file) {
   });
 }
 
-void CalibrationChoice::setCameras(std::vector<std::string> names) {
+void CalibrationChoice::setCameraNames(std::vector<std::string> names) {
   if (names != cameras_) {
     cameras_ = std::move(names);
     showResult();

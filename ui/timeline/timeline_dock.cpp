@@ -37,7 +37,7 @@ void showMenu(const Workbench& bench, const QPoint& place) {
 }
 
 void openFrameField(const Workbench& bench, ViewDock* dock, Timeline* timeline, FrameField* field) {
-  if (bench.docks.maximized() != nullptr && bench.docks.maximized() != dock) {
+  if (bench.docks.maximizedDock() != nullptr && bench.docks.maximizedDock() != dock) {
     bench.docks.restoreMaximized();
   }
   if (dock->isBehind()) {
@@ -94,7 +94,7 @@ void explainChange(const Workbench& bench, const ProjectChanges& changes) {
 
 Timeline* installTimeline(const Workbench& bench) {
   auto* timeline = new Timeline(bench.selection, bench.document, &bench.window);
-  ViewDock* dock = bench.docks.make({.name = QStringLiteral("timelineDock"),
+  ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("timelineDock"),
                                      .title = [] { return Timeline::tr("Timeline"); },
                                      .content = timeline,
                                      .area = DockArea::Timeline});

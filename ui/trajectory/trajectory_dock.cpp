@@ -17,7 +17,7 @@ namespace dewpoint::ui {
 
 TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEye) {
   auto* panel = new TrajectoryPanel(bench.actions, bench.selection, &bench.window);
-  bench.docks.make({.name = QStringLiteral("trajectoryDock"),
+  bench.docks.makeDock({.name = QStringLiteral("trajectoryDock"),
                     .title = [] { return TrajectoryPanel::tr("Trajectory"); },
                     .content = panel,
                     .area = DockArea::Plots,
@@ -28,13 +28,13 @@ TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEy
     panel->setSource([session](auto& generation, auto& position) {
       return session->samplesSince(generation, position);
     });
-    panel->boxes().setSource([session](auto& generation, auto& position) {
+    panel->boxPanel().setSource([session](auto& generation, auto& position) {
       return session->boxesSince(generation, position);
     });
   });
   QObject::connect(&run, &SessionController::runEnded, panel, [panel] {
     panel->setSource({});
-    panel->boxes().setSource({});
+    panel->boxPanel().setSource({});
   });
   bench.connectView(panel);
   QObject::connect(&run, &SessionController::iterationsLogged, panel, &TrajectoryPanel::refresh);

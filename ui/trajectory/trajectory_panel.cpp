@@ -114,11 +114,11 @@ void TrajectoryPanel::makePlots() {
     plots_->setPlots({{QStringLiteral("speed"),
                        tr("Speed"),
                        PlotQuantity::Speed,
-                       {{tr("speed"), QStringLiteral("speed_m_s"), MotionSeries::kSpeed, 0}}},
+                       {{tr("speed"), QStringLiteral("speed_m_s"), MotionSeries::kSpeedColumn, 0}}},
                       {QStringLiteral("height"),
                        tr("Height"),
                        PlotQuantity::Position,
-                       {{QStringLiteral("z"), QStringLiteral("z_m"), MotionSeries::kHeight, 2}}}});
+                       {{QStringLiteral("z"), QStringLiteral("z_m"), MotionSeries::kHeightColumn, 2}}}});
     updateSummary();
   });
   plots_->setSeries(&motion_.series());

@@ -57,7 +57,7 @@ public:
   /// or, if `extend` is true, selects the range from the current frame to this frame.
   void choosePosition(int target, const Eigen::Vector3d& position, bool extend);
   /// Returns the panel with the bounding boxes, for methods that track boxes.
-  BoxPanel& boxes() { return *boxes_; }
+  BoxPanel& boxPanel() { return *boxes_; }
   PlotStack& plots() { return *plots_; }
   /// Copies the selected rows, or all rows if none are selected, to the clipboard. The text is
   /// prepared in another thread.

@@ -31,7 +31,7 @@ void showForMethod(const Workbench& bench, ViewDock* dock) {
 
 BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   auto* view = new BirdsEyeView(&bench.window);
-  ViewDock* dock = bench.docks.make({.name = QStringLiteral("birdsEyeDock"),
+  ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("birdsEyeDock"),
                                      .title = [] { return BirdsEyeView::tr("Bird's-eye view"); },
                                      .content = view,
                                      .area = DockArea::Scene});

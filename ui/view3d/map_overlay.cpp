@@ -13,7 +13,7 @@
 
 namespace dewpoint::ui {
 
-bool MapOverlay::set(std::shared_ptr<const RigMap> map, const MapOptions& look) {
+bool MapOverlay::setMap(std::shared_ptr<const RigMap> map, const MapOptions& look) {
   if (map == nullptr && map_ == nullptr) {
     return false;
   }

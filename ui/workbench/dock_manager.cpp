@@ -33,7 +33,7 @@ DockManager::DockManager(QMainWindow& window, Document& document, const SessionC
   window_.installEventFilter(this);
 }
 
-ViewDock* DockManager::make(const DockDeclaration& declaration) {
+ViewDock* DockManager::makeDock(const DockDeclaration& declaration) {
   auto* dock = new ViewDock(declaration, &window_);
   connect(dock, &ViewDock::maximizeRequested, this, [this, dock] { toggleMaximized(dock); });
   const auto movedByUser = [this] {
@@ -48,7 +48,7 @@ ViewDock* DockManager::make(const DockDeclaration& declaration) {
       QMetaObject::invokeMethod(
           this,
           [this] {
-            ViewDock* inspector = arrangement_.first(DockArea::Inspector);
+            ViewDock* inspector = arrangement_.firstDockAt(DockArea::Inspector);
             window_.resizeDocks({inspector}, {inspector->minimumSizeHint().width()},
                                 Qt::Horizontal);
           },
@@ -102,7 +102,7 @@ void DockManager::layOut() {
 
 void DockManager::reset() {
   document_.setLayout({});
-  for (ViewDock* camera : arrangement_.at(DockArea::Cameras)) {
+  for (ViewDock* camera : arrangement_.docksAt(DockArea::Cameras)) {
     camera->setHiddenByUser(false);
   }
   layOut();
@@ -133,10 +133,10 @@ int DockManager::restore(const QByteArray& layout) {
 
 void DockManager::arrange() {
   const bool before = std::exchange(arranging_, true);
-  arrangement_.place();
+  arrangement_.placeDocks();
   showViews(session_.isRunning());
-  arrangement_.first(DockArea::Inspector)->raise();
-  arrangement_.first(DockArea::Plots)->raise();
+  arrangement_.firstDockAt(DockArea::Inspector)->raise();
+  arrangement_.firstDockAt(DockArea::Plots)->raise();
   arranging_ = before;
   distributeDockSizesSoon();
 }

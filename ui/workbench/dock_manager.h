@@ -30,7 +30,7 @@ public:
   DockManager(QMainWindow& window, Document& document, const SessionController& session,
               QObject* parent = nullptr);
 
-  ViewDock* make(const DockDeclaration& declaration);
+  ViewDock* makeDock(const DockDeclaration& declaration);
   /// Removes a dock and its view from the window permanently.
   void remove(ViewDock* dock);
   /// Returns all docks, in the order of the window's children.
@@ -65,7 +65,7 @@ public:
   void toggleMaximized(ViewDock* dock);
   void restoreMaximized();
   /// Returns the dock that fills the window, or null if there is none.
-  ViewDock* maximized() const { return maximized_; }
+  ViewDock* maximizedDock() const { return maximized_; }
 
 Q_SIGNALS:
   void dockMade(ViewDock* dock);

@@ -211,7 +211,7 @@ void LiveWindowTest::noticesStayAsLongAsTheirCauses() {
   QVERIFY(waitFor([&] { return hidden->isVisible(); }));
   QTest::mouseClick(hidden, Qt::LeftButton);
   QVERIFY(waitFor([&] { return text->isVisible() && !hidden->isVisible(); }));
-  const QStringList& recent = window_->workbench().messages.recent();
+  const QStringList& recent = window_->workbench().messages.recentMessages();
   QVERIFY(recent.filter(QStringLiteral("camera 1")).size() > 0);
   QVERIFY(recent.filter(QStringLiteral("camera 2")).size() > 0);
   action("actionCloseProject")->trigger();

@@ -294,9 +294,9 @@ void TakeWindowTest::recordingsHaveNoButton() {
 }
 
 void TakeWindowTest::durationsAreShownAsOnAClock() {
-  QCOMPARE(clockText(7.9), QStringLiteral("0:07"));
-  QCOMPARE(clockText(754.0), QStringLiteral("12:34"));
-  QCOMPARE(clockText(3723.0), QStringLiteral("1:02:03"));
+  QCOMPARE(minutesAndSecondsText(7.9), QStringLiteral("0:07"));
+  QCOMPARE(minutesAndSecondsText(754.0), QStringLiteral("12:34"));
+  QCOMPARE(minutesAndSecondsText(3723.0), QStringLiteral("1:02:03"));
 }
 
 DEWPOINT_WINDOW_TEST(TakeWindowTest)

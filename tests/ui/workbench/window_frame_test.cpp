@@ -379,7 +379,7 @@ void WindowFrameTest::theSeverityOfAMessageIsSeen() {
   const auto error = looks();
   QVERIFY(notice.first != warning.first && warning.first != error.first);
   QVERIFY(notice.second != warning.second && warning.second != error.second);
-  QVERIFY(messages.recent().last().endsWith(QStringLiteral("a")));
+  QVERIFY(messages.recentMessages().last().endsWith(QStringLiteral("a")));
 }
 
 DEWPOINT_WINDOW_TEST(WindowFrameTest)
