@@ -148,7 +148,7 @@ void AddressForm::tryAddress() {
         return;
       }
       size_ = QSize((*tried)->size.width, (*tried)->size.height);
-      image_->setPixmap(QPixmap::fromImage(toImage((*tried)->image)));
+      image_->setPixmap(QPixmap::fromImage(toQImage((*tried)->image)));
       image_->show();
       result_->setText(tr("✓ %1").arg(imageText(size_, (*tried)->framesPerSecond)));
     };

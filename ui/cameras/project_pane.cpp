@@ -226,7 +226,7 @@ void ProjectPane::showImages() {
   for (std::size_t k = 0; k < count; ++k) {
     const bool has = snapshot && snapshot->frames && k < snapshot->frames->frames.size() &&
                      snapshot->frames->frames[k] != nullptr;
-    icons.push_back(cameraIcon(has ? toImage(snapshot->frames->frames[k]->image) : QImage(),
+    icons.push_back(cameraIcon(has ? toQImage(snapshot->frames->frames[k]->image) : QImage(),
                                palette(), devicePixelRatioF()));
   }
   icons_->setIcons(std::move(icons));

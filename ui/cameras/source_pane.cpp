@@ -219,7 +219,7 @@ void SourcePane::showImages() {
                      snapshot->frames->frames[camera] != nullptr;
     if (user) {
       list_->item(row)->setIcon(
-          cameraIcon(has ? toImage(snapshot->frames->frames[camera]->image) : QImage(), palette(),
+          cameraIcon(has ? toQImage(snapshot->frames->frames[camera]->image) : QImage(), palette(),
                      devicePixelRatioF()));
     }
   }

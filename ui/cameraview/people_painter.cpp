@@ -63,7 +63,7 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
       paintOverlay(painter, overlay, placement, color, ParticleRamp::tinted(color));
       if (overlay.estimate) {
         const QPointF middle(overlay.estimate->x() + 0.5, overlay.estimate->y() + 0.5);
-        paintBadge(painter, person.estimate->identity,
+        paintIdentityBadge(painter, person.estimate->identity,
                    placement.corner + middle * placement.scale - QPointF(0.0, 14.0), room,
                    isChosen);
       }
@@ -75,7 +75,7 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
     }
     paintHull(painter, outline, color, target.status == TargetStatus::Held, isChosen);
     const auto top = std::ranges::min_element(outline, {}, &QPointF::y);
-    paintBadge(painter, person.estimate->identity, *top - QPointF(0.0, 3.0), room, isChosen);
+    paintIdentityBadge(painter, person.estimate->identity, *top - QPointF(0.0, 3.0), room, isChosen);
   }
   painter.restore();
 }

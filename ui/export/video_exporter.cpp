@@ -14,7 +14,7 @@ namespace {
 constexpr int kMaxWaiting = 3;
 
 cv::Mat colorsOfPicture(QImage& image) {
-  // RGB32 lies in memory as blue, green, red, unused on the machines we support (toImage()).
+  // RGB32 lies in memory as blue, green, red, unused on the machines we support (toQImage()).
   return cv::Mat(image.height(), image.width(), CV_8UC4, image.bits(),
                  static_cast<std::size_t>(image.bytesPerLine()));
 }

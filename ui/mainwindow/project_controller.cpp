@@ -123,10 +123,10 @@ void ProjectController::connectOpening() {
     }
   });
   connect(&bench_.session, &SessionController::opened, this, [this](const OpenRequest& request) {
-    if (request.calibrate) {
+    if (request.opensCalibrationPage) {
       bench_.action("actionCalibrateByHand")->setChecked(true);
     }
-    if (request.guide) { // the action is enabled once the page that covers the run is gone
+    if (request.opensGuide) { // the action is enabled once the page that covers the run is gone
       QMetaObject::invokeMethod(bench_.action("actionCalibrate"), &QAction::trigger,
                                 Qt::QueuedConnection);
     }
@@ -139,7 +139,7 @@ void ProjectController::connectOpening() {
 }
 
 void ProjectController::openScene(const QString& name, bool calibrate) {
-  bench_.session.open({.source = toPath(name), .calibrate = calibrate});
+  bench_.session.open({.source = toPath(name), .opensCalibrationPage = calibrate});
 }
 
 void ProjectController::connectRun() {
@@ -158,8 +158,8 @@ void ProjectController::connectRun() {
     }
   });
   connect(run, &SessionController::opened, this, [this](const OpenRequest& request) {
-    if (!request.note.isEmpty()) {
-      bench_.messages.showNotice(request.note);
+    if (!request.message.isEmpty()) {
+      bench_.messages.showNotice(request.message);
     }
   });
   connect(run, &SessionController::openFailed, &bench_.messages, &MessageBar::showError);
@@ -193,9 +193,9 @@ void ProjectController::openCreated(const Project& project, const QString& note)
           ? tr("Click the object to track in any image. Its color is learned and tracking starts.")
           : note;
   bench_.session.open({.source = project,
-                       .unsaved = true,
-                       .guide = std::exchange(guideNewProject_, false),
-                       .note = hint});
+                       .isUnsaved = true,
+                       .opensGuide = std::exchange(guideNewProject_, false),
+                       .message = hint});
 }
 
 void ProjectController::chooseProject() {
@@ -269,8 +269,8 @@ void ProjectController::enableRecovery(const std::filesystem::path& folder, Text
           [this](const Project& project, const RecoverableWork& work) {
             bench_.session.open(
                 {.source = project,
-                 .unsaved = true,
-                 .note = tr("The changes were recovered. Save the project to keep them."),
+                 .isUnsaved = true,
+                 .message = tr("The changes were recovered. Save the project to keep them."),
                  .recovered = work});
           });
 }

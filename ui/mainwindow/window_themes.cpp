@@ -29,8 +29,8 @@ WindowThemes::WindowThemes(const Workbench& bench)
     });
   }
   const auto applyAgain = [this] { setTheme(theme_); };
-  connect(systemColors_, &SystemColors::changed, this, applyAgain);
-  connect(systemColors_, &SystemColors::replaced, this, applyAgain);
+  connect(systemColors_, &SystemColors::darkModeChanged, this, applyAgain);
+  connect(systemColors_, &SystemColors::colorsReplaced, this, applyAgain);
 }
 
 void WindowThemes::setTheme(Theme theme) {

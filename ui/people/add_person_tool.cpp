@@ -15,7 +15,7 @@ AddPersonTool::AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& came
   connect(birdsEye_, &BirdsEyeView::floorClicked, this, &AddPersonTool::floorClicked);
 }
 
-void AddPersonTool::attach(int camera, CameraView* view) {
+void AddPersonTool::attachView(int camera, CameraView* view) {
   auto* layer = new ImagePickOverlay(view);
   layer->setObjectName(view->objectName() + QStringLiteral("Person"));
   layer->setMagnifying(false); // people are large

@@ -25,7 +25,7 @@ public:
   AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& cameras, QObject* parent);
 
   /// Adds a camera view, which may be deleted at any time.
-  void attach(int camera, CameraView* view);
+  void attachView(int camera, CameraView* view);
   /// Starts or stops the tool. `floor` is the floor height, world z in meters.
   void setPlacingPeople(bool placing, double floor = 0.0);
 

@@ -81,7 +81,7 @@ bool PeopleDock::tracksPeople() const {
 
 void PeopleDock::connectPlacer(const CameraDocks& cameras) {
   QAction* place = bench_.action("actionPlacePerson");
-  connect(&cameras, &CameraDocks::viewMade, addPersonTool_, &AddPersonTool::attach);
+  connect(&cameras, &CameraDocks::viewMade, addPersonTool_, &AddPersonTool::attachView);
   connect(addPersonTool_, &AddPersonTool::personClicked, this,
           [this, place](int camera, const Eigen::Vector2d& pixel) {
             correct(tr("Add a person"), {.click = PersonCorrection::Click{camera, pixel}});

@@ -66,7 +66,7 @@ PlotPanel::PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* par
   });
   connectActions();
   stack_->setSeries(&seriesOf(0));
-  stack_->link(selection_);
+  stack_->connectSelection(selection_);
   connect(&selection_, &Selection::currentFrameChanged, this, &PlotPanel::showCurrentFrame);
   connect(&selection_, &Selection::targetSelected, this,
           [this](int target) { setTarget(std::max(0, target)); });

@@ -232,7 +232,7 @@ void PlotStack::setAxis(PlotAxis axis) {
   }
 }
 
-void PlotStack::link(Selection& selection) {
+void PlotStack::connectSelection(Selection& selection) {
   connect(pointer_, &PlotPointer::frameChosen, &selection, &Selection::requestFrame);
   connect(pointer_, &PlotPointer::rangeChosen, &selection, [&selection](qint64 first, qint64 last) {
     selection.selectRange(SelectedRange{first, last});

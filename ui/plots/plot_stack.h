@@ -52,7 +52,7 @@ public:
 
   /// Connects the stack with the selection shared by all views: shows the selected range, and
   /// changes the selection when the user selects a frame or a range in the plots.
-  void link(Selection& selection);
+  void connectSelection(Selection& selection);
   /// Connects the cursors of two stacks: the frame under the pointer in one is also marked in the
   /// other.
   void shareCursor(PlotStack& other);

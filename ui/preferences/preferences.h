@@ -22,8 +22,7 @@ struct BoardPreferences {
   bool calibratesIntrinsics = true; ///< whether intrinsics are calibrated
   bool calibratesPositions = true; ///< whether positions are calibrated
   double intrinsicsAccuracyPx = 0; ///< requested accuracy of the intrinsics, pixels
-  /// Requested accuracy of the positions, as a fraction of the distance.
-  double positionAccuracyMeters = 0;
+  double positionAccuracyMeters = 0; ///< requested standard deviation of the positions
 };
 
 /// Typed settings that the program stores for the user between sessions. All keys are in one file.

@@ -38,9 +38,9 @@ SessionController::SessionController(ProjectOpener opener, Document& document, S
   connect(loader_, &ProjectLoader::openingChanged, this, &SessionController::openingChanged);
   connect(backgroundImageLoader_, &BackgroundImageLoader::failed, this, &SessionController::failed);
   connect(backgroundImageLoader_, &BackgroundImageLoader::loaded, this,
-          [this](const auto& files, const auto& rooms) {
+          [this](const auto& files, const auto& images) {
             if (bridge_ != nullptr) {
-              bridge_->session().setBackgroundImages(files, rooms);
+              bridge_->session().setBackgroundImages(files, images);
               results_->onSettingEdited();
             }
           });
@@ -130,7 +130,7 @@ void SessionController::applyOpened(const OpenRequest& request,
   endRun();
   Q_EMIT documentReplacing(request);
   if (!request.keepHistory) {
-    document_.replace(inputs->project, request.unsaved);
+    document_.replace(inputs->project, request.isUnsaved);
   } else if (inputs->source->isLive()) {
     storeImageSizes(inputs->project);
   }
@@ -161,7 +161,7 @@ void SessionController::start(const OpenRequest& request, SessionInputs inputs) 
   const std::vector<Target>& targets = inputs.project.targets;
   const bool wantsTarget =
       targets.empty() && methodFamily(inputs.project.method).lacksTargets(targets);
-  const bool waits = !inputs.source->isLive() && (request.unsaved || wantsTarget);
+  const bool waits = !inputs.source->isLive() && (request.isUnsaved || wantsTarget);
   inputs.threads = Preferences().filterThreadCount();
   feeds_ = std::exchange(inputs.feeds, {});
   cameraCount_ = inputs.project.cameras.size();

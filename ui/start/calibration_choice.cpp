@@ -165,7 +165,7 @@ void CalibrationChoice::showResult() {
   name_->setToolTip(file_);
   drop_->setVisible(!file_.isEmpty());
   result_->setVisible(!file_.isEmpty());
-  fit_->setNames(cameras_, checked_ ? checked_->cameras : std::vector<std::string>());
+  fit_->setCameraNames(cameras_, checked_ ? checked_->cameras : std::vector<std::string>());
   bool good = true;
   result_->setText(checked_ ? resultText(*checked_, good) : tr("Reading…"));
   QPalette colors = palette();

@@ -67,7 +67,7 @@ void CalibrationFit::showFitQuestion() {
   fitRow_->show();
 }
 
-void CalibrationFit::setNames(const std::vector<std::string>& cameras,
+void CalibrationFit::setCameraNames(const std::vector<std::string>& cameras,
                               const std::vector<std::string>& inFile) {
   if (cameras != cameras_ || inFile != inFile_) {
     cameras_ = cameras;

@@ -66,7 +66,7 @@ QIcon rowPicture(const cv::Mat& preview, const QPalette& palette, double ratio) 
   QPixmap tile(kRowPicture * ratio);
   tile.setDevicePixelRatio(ratio);
   tile.fill(palette.color(QPalette::Button));
-  if (const QImage image = toImage(preview); !image.isNull()) {
+  if (const QImage image = toQImage(preview); !image.isNull()) {
     QPainter painter(&tile);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     QRect area(QPoint(), image.size().scaled(kRowPicture, Qt::KeepAspectRatio));

@@ -31,7 +31,7 @@ void BoxModel::replaceFrom(std::size_t first, const std::vector<BoxSample>& samp
   }
 }
 
-void BoxModel::setNames(const QStringList& names) {
+void BoxModel::setTargetNames(const QStringList& names) {
   if (names != names_) {
     names_ = names;
     if (!samples_.empty()) {

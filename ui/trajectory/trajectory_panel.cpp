@@ -125,7 +125,7 @@ void TrajectoryPanel::makePlots() {
 }
 
 void TrajectoryPanel::connectViews() {
-  plots_->link(selection_);
+  plots_->connectSelection(selection_);
   connect(gaps_, &GapList::gapChosen, this, [this](qint64 first, qint64 last) {
     selection_.selectRange(SelectedRange{first, last});
   });

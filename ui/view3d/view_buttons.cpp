@@ -51,7 +51,7 @@ void ViewButtons::moveToCorner() {
   int x = kSpacing;
   int above = kSpacing; // the lower border of the view
   const double end =
-      SceneInset::hasRoom(view_) ? SceneInset::area(view_).left() : view_.width() - kSpacing;
+      SceneInset::fitsInView(view_) ? SceneInset::area(view_).left() : view_.width() - kSpacing;
   const auto put = [&](QToolButton* button) {
     const QSize size = button->sizeHint();
     if (x > kSpacing && x + size.width() > end) { // words are long in some languages

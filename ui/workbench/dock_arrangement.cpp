@@ -65,7 +65,7 @@ void DockArrangement::placeCameras(ViewDock* scene) {
   // Cameras stand to the left of the scene, in as many columns as show the largest images.
   const std::size_t count = cameras.size();
   if (cameraColumns_ < 1 || cameraColumns_ > static_cast<int>(count)) {
-    cameraColumns_ = cameraGrid(shares().cameras).columns;
+    cameraColumns_ = cameraGrid(shares().cameraAreaSize).columnCount;
   }
   const auto columns = static_cast<std::size_t>(cameraColumns_);
   window_.removeDockWidget(scene);
@@ -91,7 +91,7 @@ ImageGrid DockArrangement::cameraGrid(const QSize& room) const {
 }
 
 int DockArrangement::bestCameraColumns() const {
-  return docksAt(DockArea::Cameras).empty() ? cameraColumns_ : cameraGrid(shares().cameras).columns;
+  return docksAt(DockArea::Cameras).empty() ? cameraColumns_ : cameraGrid(shares().cameraAreaSize).columnCount;
 }
 
 void DockArrangement::distributeSizes() {
@@ -100,31 +100,31 @@ void DockArrangement::distributeSizes() {
   const std::vector<ViewDock*> cameras = docksAt(DockArea::Cameras);
   QList<QDockWidget*> row;
   QList<int> widths;
-  int left = window_.width() - all.inspector - kDockSeparator;
+  int left = window_.width() - all.inspectorWidth - kDockSeparator;
   if (!cameras.empty()) {
-    const ImageGrid grid = cameraGrid(all.cameras);
+    const ImageGrid grid = cameraGrid(all.cameraAreaSize);
     // No wider than the images can use, if something else can.
     const int least = cameras.size() > 1 ? all.minimumCameraWidth : 0;
-    const int wanted = all.scene == 0 ? all.cameras.width()
-                                      : std::min(all.cameras.width(),
+    const int wanted = all.sceneWidth == 0 ? all.cameraAreaSize.width()
+                                      : std::min(all.cameraAreaSize.width(),
                                                  std::max(least, qCeil(grid.maximumUsefulWidth)));
     for (std::size_t column = 0; column < grid.columnShares.size(); ++column) {
       row.push_back(cameras[column]);
       widths.push_back(std::max(1, qRound(wanted * grid.columnShares[column])));
     }
-    left -= wanted + kDockSeparator * grid.columns;
+    left -= wanted + kDockSeparator * grid.columnCount;
   }
-  if (all.scene > 0) {
+  if (all.sceneWidth > 0) {
     row.push_back(scene);
     widths.push_back(std::max(1, left));
   }
   row.push_back(firstDockAt(DockArea::Inspector));
-  widths.push_back(all.inspector);
+  widths.push_back(all.inspectorWidth);
   window_.resizeDocks(row, widths, Qt::Horizontal);
   window_.resizeDocks({firstDockAt(DockArea::Plots), firstDockAt(DockArea::Timeline)},
-                      {all.plots, all.timeline}, Qt::Vertical);
+                      {all.plotHeight, all.timelineHeight}, Qt::Vertical);
   if (!cameras.empty()) {
-    distributeCameras(cameraGrid(all.cameras), all.cameras.height());
+    distributeCameras(cameraGrid(all.cameraAreaSize), all.cameraAreaSize.height());
   }
 }
 

@@ -38,9 +38,9 @@ ViewDock* DockManager::makeDock(const DockDeclaration& declaration) {
   connect(dock, &ViewDock::maximizeRequested, this, [this, dock] { toggleMaximized(dock); });
   const auto movedByUser = [this] {
     suitsSize_ = suitsSize_ && arranging_;
-    heightsBelow_.forget();
+    heightsBelow_.forgetHeights();
   };
-  connect(dock, &QDockWidget::visibilityChanged, &heightsBelow_, &HeldHeights::forget);
+  connect(dock, &QDockWidget::visibilityChanged, &heightsBelow_, &HeldHeights::forgetHeights);
   connect(dock, &QDockWidget::dockLocationChanged, this, movedByUser);
   connect(dock, &QDockWidget::visibilityChanged, this, &DockManager::distributeDockSizesSoon);
   connect(dock, &QDockWidget::topLevelChanged, this, [this, movedByUser] {
@@ -185,7 +185,7 @@ void DockManager::lockLowerDockHeights(bool locked) {
   if (suitsSize_ || maximized_ != nullptr) {
     return;
   }
-  locked ? heightsBelow_.hold() : heightsBelow_.release();
+  locked ? heightsBelow_.holdHeights() : heightsBelow_.releaseHeights();
 }
 
 bool DockManager::eventFilter(QObject* watched, QEvent* event) {
@@ -194,7 +194,7 @@ bool DockManager::eventFilter(QObject* watched, QEvent* event) {
   }
   switch (event->type()) {
   case QEvent::Resize:
-    heightsBelow_.forget();
+    heightsBelow_.forgetHeights();
     [[fallthrough]];
   case QEvent::Show:
   case QEvent::LanguageChange: // the names of tabs have other widths
@@ -205,7 +205,7 @@ bool DockManager::eventFilter(QObject* watched, QEvent* event) {
     separator_ = window_.childAt(static_cast<QMouseEvent*>(event)->position().toPoint()) == nullptr;
     break;
   case QEvent::MouseButtonRelease:
-    heightsBelow_.forget();
+    heightsBelow_.forgetHeights();
     break;
   case QEvent::MouseMove:
     suitsSize_ =

@@ -36,7 +36,7 @@ double difference(QWidget& view, const cv::Mat& picture) {
   const QSize size = QSize(picture.cols, picture.rows).scaled(view.size(), Qt::KeepAspectRatio);
   const QPoint corner((view.width() - size.width()) / 2, (view.height() - size.height()) / 2);
   const QImage expected =
-      toImage(picture).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+      toQImage(picture).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   double sum = 0.0;
   for (int y = 0; y < size.height(); ++y) {
     for (int x = 0; x < size.width(); ++x) {

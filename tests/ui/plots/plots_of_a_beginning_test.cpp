@@ -100,7 +100,7 @@ void PlotsOfABeginningTest::axisStaysWhileThePlotsScroll() {
     bar->setValue(value);
     const QRect place(strip().mapTo(&plots(), QPoint()), strip().size());
     QVERIFY(strip().isVisible() && plots().rect().contains(place));
-    QVERIFY2(strip().labels().size() >= 2, qPrintable(strip().labels().join(u' ')));
+    QVERIFY2(strip().tickLabels().size() >= 2, qPrintable(strip().tickLabels().join(u' ')));
   }
 }
 

@@ -131,7 +131,7 @@ private Q_SLOTS:
     // The cloud is 0.08 m about the middle; the ball reaches three times as far.
     const double reach = ratio * view_->scene().lengthInLogicalPixels(kBall, 0.1);
     QVERIFY(countPixels(seen, at(seen, kBall), reach, stands) > 100);
-    QCOMPARE(view_->cloudInset().target(*view_, -1), -1);
+    QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, -1), -1);
   }
 
   void aTinyCloudIsEnlargedInACorner() {
@@ -139,8 +139,8 @@ private Q_SLOTS:
     scatter(snapshot->targets[0], 0.0004);
     view_->setSnapshot(snapshot);
     const QImage with = view_->currentImage();
-    QCOMPARE(view_->cloudInset().target(*view_, -1), 0);
-    QCOMPARE(view_->cloudInset().target(*view_, 0), 0);
+    QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, -1), 0);
+    QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, 0), 0);
     const double ratio = view_->devicePixelRatioF();
     const QPointF middle = SceneInset::area(*view_).center() * ratio;
     // Particles of the target's color about the middle of the inset.
@@ -150,10 +150,10 @@ private Q_SLOTS:
     const auto large = std::make_shared<TrackSnapshot>(*snapshot);
     view_->setSnapshot(large);
     view_->currentImage();
-    QCOMPARE(view_->cloudInset().target(*view_, -1), -1);
+    QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, -1), -1);
     view_->setSnapshot(TrackSnapshotPtr{});
     view_->currentImage();
-    QCOMPARE(view_->cloudInset().target(*view_, -1), -1);
+    QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, -1), -1);
   }
 
   void linesOfSightEndWhereACameraDoesNotSee() {

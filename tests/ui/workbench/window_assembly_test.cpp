@@ -196,13 +196,13 @@ void WindowAssemblyTest::theRequestComesBackWithWhatItOpened() {
   std::vector<QString> notes;
   connect(&loader, &ProjectLoader::opened, this,
           [&](const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs) {
-            notes.push_back(request.note + QString::fromStdString(inputs->project.scene));
+            notes.push_back(request.message + QString::fromStdString(inputs->project.scene));
           });
-  loader.open({.source = std::filesystem::path("still"), .note = QStringLiteral("first ")});
-  loader.open({.source = std::filesystem::path("fast"), .note = QStringLiteral("second ")});
+  loader.open({.source = std::filesystem::path("still"), .message = QStringLiteral("first ")});
+  loader.open({.source = std::filesystem::path("fast"), .message = QStringLiteral("second ")});
   loader.open({.source = std::filesystem::path("jump"), .keepHistory = true});
   QVERIFY(loader.isReopening());
-  loader.open({.source = std::filesystem::path("smooth"), .note = QStringLiteral("last ")});
+  loader.open({.source = std::filesystem::path("smooth"), .message = QStringLiteral("last ")});
   QVERIFY(!loader.isReopening());
   QTRY_VERIFY_WITH_TIMEOUT(!loader.isOpening(), kTimeoutMs);
   // Of those asked for meanwhile, the last: with its own meaning.
