@@ -11,8 +11,8 @@ namespace dewpoint::ui {
 void installFrameClock(const Workbench& bench) {
   auto* view = new FrameClock(&bench.window);
   bench.docks.makeDock({.name = QStringLiteral("frameClockDock"),
-                    .title = [] { return FrameClock::tr("Frame"); },
-                    .content = view});
+                        .title = [] { return FrameClock::tr("Frame"); },
+                        .content = view});
   bench.connectView(view);
 }
 

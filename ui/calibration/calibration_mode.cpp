@@ -24,11 +24,11 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
       manual_(new ManualCalibration(bench.document, bench.selection, bench.cameras, this)),
       pages_(new CalibrationDock(&bench.window)) {
   dock_ = bench_.docks.makeDock({.name = QStringLiteral("calibrationDock"),
-                             .title = [] { return tr("Calibration"); }, // a tab: short
-                             .content = pages_,
-                             .rank = 5,
-                             .hiddenAtFirst = true,
-                             .openedByAction = true});
+                                 .title = [] { return tr("Calibration"); }, // a tab: short
+                                 .content = pages_,
+                                 .rank = 5,
+                                 .hiddenAtFirst = true,
+                                 .openedByAction = true});
   dock_->setMinimumWidth(400); // room for the names of all tabs, and three numbers
   QAction* mode = bench_.action("actionCalibrateByHand");
   connect(mode, &QAction::triggered, this, [this, mode](bool checked) {
@@ -50,7 +50,8 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
     show(mode->isChecked());
   });
   // A mode, no part of the layout.
-  connect(&bench_.docks, &DockManager::layoutChanged, this, [this, mode] { show(mode->isChecked()); });
+  connect(&bench_.docks, &DockManager::layoutChanged, this,
+          [this, mode] { show(mode->isChecked()); });
   // One thing at a time is meant by a click in an image. A color is also learned for the wand, with
   // the panel open: then the images belong to it until the color is known.
   bench_.onToggled("actionLearnColor", this, [this](bool learning) {

@@ -64,8 +64,8 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
       if (overlay.estimate) {
         const QPointF middle(overlay.estimate->x() + 0.5, overlay.estimate->y() + 0.5);
         paintIdentityBadge(painter, person.estimate->identity,
-                   placement.corner + middle * placement.scale - QPointF(0.0, 14.0), room,
-                   isChosen);
+                           placement.corner + middle * placement.scale - QPointF(0.0, 14.0), room,
+                           isChosen);
       }
       continue;
     }
@@ -75,7 +75,8 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
     }
     paintHull(painter, outline, color, target.status == TargetStatus::Held, isChosen);
     const auto top = std::ranges::min_element(outline, {}, &QPointF::y);
-    paintIdentityBadge(painter, person.estimate->identity, *top - QPointF(0.0, 3.0), room, isChosen);
+    paintIdentityBadge(painter, person.estimate->identity, *top - QPointF(0.0, 3.0), room,
+                       isChosen);
   }
   painter.restore();
 }

@@ -35,9 +35,9 @@ ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const T
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidget(panel_);
   dock_ = bench_.docks.makeDock({.name = QStringLiteral("colorDock"),
-                             .title = [] { return tr("Color"); },
-                             .content = scroll,
-                             .rank = 3});
+                                 .title = [] { return tr("Color"); },
+                                 .content = scroll,
+                                 .rank = 3});
   bench_.connectImageView(panel_);
   connect(dock_, &QDockWidget::visibilityChanged, panel_, &ColorPanel::setInFront);
   connect(panel_, &ColorPanel::failed, &bench_.messages, &MessageBar::showError);

@@ -82,7 +82,8 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
     const auto sayOld = [dialog, results = &bench.session.resultRefresher()] {
       dialog->setHasOldResults(!results->oldResults().frames.empty());
     };
-    QObject::connect(&bench.session.resultRefresher(), &ResultRefresher::oldResultsChanged, dialog, sayOld);
+    QObject::connect(&bench.session.resultRefresher(), &ResultRefresher::oldResultsChanged, dialog,
+                     sayOld);
     sayOld();
   }
   dialog->proposeFile(trajectoryFile(*destination));

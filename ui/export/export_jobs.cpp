@@ -25,7 +25,7 @@ ExportJobs::ExportJobs(QObject* parent)
 }
 
 void ExportJobs::startPreview(TrajectoryPtr trajectory, const ExportOptions& options,
-                         const std::filesystem::path& file) {
+                              const std::filesystem::path& file) {
   preview_.start([this, trajectory = std::move(trajectory), options,
                   file](const BackgroundJob::Progress& progress) -> std::function<void()> {
     constexpr std::size_t kLines = 100; // notes, and more rows than can be seen below them
@@ -38,7 +38,7 @@ void ExportJobs::startPreview(TrajectoryPtr trajectory, const ExportOptions& opt
 }
 
 void ExportJobs::checkFileExists(const std::filesystem::path& file,
-                             std::function<void(bool exists)> report) {
+                                 std::function<void(bool exists)> report) {
   finding_.start([file, report = std::move(report)](const BackgroundJob::Progress&) {
     std::error_code ignored;
     const bool exists = std::filesystem::exists(file, ignored);

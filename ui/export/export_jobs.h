@@ -24,7 +24,7 @@ public:
 
   using TrajectoryPtr = std::shared_ptr<const Trajectory>;
   void startPreview(TrajectoryPtr trajectory, const ExportOptions& options,
-               const std::filesystem::path& file);
+                    const std::filesystem::path& file);
   void run(TrajectoryPtr trajectory, const ExportOptions& options,
            const std::filesystem::path& file);
   /// Runs another long task, such as drawing a figure; emits `finished()` or `failed()` afterwards.

@@ -14,10 +14,10 @@ namespace dewpoint::ui {
 
 /// Widgets that all export dialogs have below their own content.
 struct ExportDialogParts {
-  QWidget* fileField;     ///< field for the file to write
-  QWidget* browseButton;   ///< button that opens a file dialog for this file
-  QWidget* question; ///< question whether an existing file may be replaced
-  QWidget* outcome;  ///< result of the last export
+  QWidget* fileField;    ///< field for the file to write
+  QWidget* browseButton; ///< button that opens a file dialog for this file
+  QWidget* question;     ///< question whether an existing file may be replaced
+  QWidget* outcome;      ///< result of the last export
   QWidget* progressBar;
   QWidget* cancelButton;
   std::vector<QPushButton*> actionButtons; ///< buttons that start an export or another task

@@ -35,7 +35,7 @@ struct VideoSources {
   /// Returns all frames that can be shown, in increasing order; may be empty.
   std::function<std::vector<FrameTime>()> frames;
   std::int64_t lastTrackedFrame = -1; ///< -1: none
-  double framesPerSecond = 30.0; ///< frame rate of the recording
+  double framesPerSecond = 30.0;      ///< frame rate of the recording
 };
 
 /// Exports a run as a video, with a preview of its images. Not modal; an export continues

@@ -104,11 +104,12 @@ QString videoFile(const ExportDestination& destination) {
 VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) {
   auto* dialog = new VideoDialog([bench, &time] { return offerOf(bench, time); }, &bench.window);
   MessageBar* messages = &bench.messages;
-  QObject::connect(dialog, &VideoDialog::exportEnded, messages, [dialog, messages](const QString& text) {
-    if (!dialog->isVisible()) {
-      messages->showNotice(text);
-    }
-  });
+  QObject::connect(dialog, &VideoDialog::exportEnded, messages,
+                   [dialog, messages](const QString& text) {
+                     if (!dialog->isVisible()) {
+                       messages->showNotice(text);
+                     }
+                   });
   QObject::connect(dialog, &VideoDialog::failed, messages, [dialog, messages](const QString& text) {
     if (!dialog->isVisible()) {
       messages->showError(text);

@@ -25,7 +25,7 @@ double areaInPixels(const QSize& size) {
 } // namespace
 
 QSize largestSizeInTime(const QSize& wanted, double smallPixels, double smallMs, double largePixels,
-                     double largeMs, double maxMs) {
+                        double largeMs, double maxMs) {
   const double perPixel = std::max(0.0, (largeMs - smallMs) / (largePixels - smallPixels));
   const double fixed = std::max(0.0, smallMs - perPixel * smallPixels);
   const double whole = fixed + perPixel * areaInPixels(wanted);
@@ -74,7 +74,7 @@ void VideoScene::measure() {
   const double small = lastMs_;
   render(kLargeProbe);
   drawn_ = largestSizeInTime(wanted_, areaInPixels(kSmallProbe), small, areaInPixels(kLargeProbe),
-                          lastMs_, kMaxDrawingMs);
+                             lastMs_, kMaxDrawingMs);
 }
 
 QImage VideoScene::draw(const TrackSnapshotPtr& snapshot) {

@@ -56,6 +56,6 @@ private:
 /// estimated from two measurements: an image of `smallPixels` pixels took `smallMs`, and an image
 /// of `largePixels` pixels took `largeMs`.
 QSize largestSizeInTime(const QSize& wanted, double smallPixels, double smallMs, double largePixels,
-                     double largeMs, double maxMs);
+                        double largeMs, double maxMs);
 
 } // namespace dewpoint::ui

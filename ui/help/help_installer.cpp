@@ -81,7 +81,8 @@ QString manualPageForFocusedView(const Workbench& bench) {
 
 void installHelp(const Workbench& bench) {
   QObject* window = &bench.window;
-  bench.onTriggered("actionManual", window, [bench] { showManual(bench, manualPageForFocusedView(bench)); });
+  bench.onTriggered("actionManual", window,
+                    [bench] { showManual(bench, manualPageForFocusedView(bench)); });
   bench.onTriggered("actionMethods", window, [bench] {
     showManual(bench, manualPageOfMethod(QString::fromStdString(bench.document.project().method)));
   });

@@ -78,7 +78,7 @@ void MissingFilesOffer::locate(const OpenRequest& request, const MissingFiles& m
   }
   again.isUnsaved = true;
   again.message = tr("The project was opened with the files that you located. Save the project to "
-                  "keep their new paths.");
+                     "keep their new paths.");
   bench_.session.open(std::move(again));
 }
 

@@ -24,7 +24,8 @@ OldResultsOffer::OldResultsOffer(const Workbench& bench) : QObject(&bench.window
   bench_.onTriggered("actionTrackAgain", results, [results] { results->trackAgain(); });
   update();
   SessionController* session = &bench_.session;
-  connect(session, &SessionController::startedAtLaterFrame, this, &OldResultsOffer::offerFirstFrame);
+  connect(session, &SessionController::startedAtLaterFrame, this,
+          &OldResultsOffer::offerFirstFrame);
   connect(session, &SessionController::restarting, this, &OldResultsOffer::withdrawFirstFrame);
   connect(session, &SessionController::runEnded, this, &OldResultsOffer::withdrawFirstFrame);
   connect(session, &SessionController::framesLogged, this, [this](const LoggedFrames& logged) {

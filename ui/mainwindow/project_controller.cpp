@@ -146,8 +146,9 @@ void ProjectController::connectRun() {
   const SessionController* run = &bench_.session;
   connect(run, &SessionController::runStarted, this, [this] { bench_.docks.showViews(true); });
   connect(run, &SessionController::runEnded, &bench_.docks, &DockManager::forgetLayoutBehindPages);
-  connect(run, &SessionController::documentReplacing, this,
-          [this](const OpenRequest& request) { bench_.messages.removeOldMessages(!request.keepHistory); });
+  connect(run, &SessionController::documentReplacing, this, [this](const OpenRequest& request) {
+    bench_.messages.removeOldMessages(!request.keepHistory);
+  });
   connect(run, &SessionController::documentReplaced, this, [this](const OpenRequest& request) {
     const auto& file = bench_.document.project().file;
     if (!request.keepHistory && !file.empty()) {

@@ -57,11 +57,11 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
       check_(new LatestJob(LatestJob::SupersededJob::Dropped, this)),
       writing_(new LatestJob(LatestJob::SupersededJob::Kept, this)), others_(std::move(others)) {
   dock_ = bench_.docks.makeDock({.name = QStringLiteral("peopleDock"),
-                             .title = [] { return tr("People"); },
-                             .content = panel_,
-                             .rank = 1,
-                             .hiddenAtFirst = true}); // until a method for people is chosen
-  dock_->setMinimumWidth(384);                        // room for all columns
+                                 .title = [] { return tr("People"); },
+                                 .content = panel_,
+                                 .rank = 1,
+                                 .hiddenAtFirst = true}); // until a method for people is chosen
+  dock_->setMinimumWidth(384);                            // room for all columns
   bench_.connectView(panel_);
   connectPlacer(cameras);
   connectActions();
@@ -153,7 +153,8 @@ void PeopleDock::updateForMethod() {
 
 void PeopleDock::placePeople(bool placing) {
   const bool can = placing && bench_.session.isRunning() && tracksPeople();
-  addPersonTool_->setPlacingPeople(can, can ? bench_.document.project().parameters.at("floor_z") : 0.0);
+  addPersonTool_->setPlacingPeople(can,
+                                   can ? bench_.document.project().parameters.at("floor_z") : 0.0);
   const QString hint = tr("Click a person in a camera image, or the floor in the bird's-eye view. "
                           "Press Esc to cancel.");
   if (can) {

@@ -22,7 +22,8 @@ public:
   std::optional<double> currentPosition;
   std::optional<double> hoveredPosition;
   std::optional<std::pair<double, double>> selectedRange;
-  std::optional<std::pair<double, double>> draggedRange; ///< range to zoom to, while it is being dragged
+  std::optional<std::pair<double, double>>
+      draggedRange; ///< range to zoom to, while it is being dragged
 
 protected:
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;

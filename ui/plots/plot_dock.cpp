@@ -18,10 +18,10 @@ namespace dewpoint::ui {
 PlotPanel* installPlots(const Workbench& bench) {
   auto* panel = new PlotPanel(bench.actions, bench.selection, &bench.window);
   ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("plotDock"),
-                                     .title = [] { return PlotPanel::tr("Plots"); },
-                                     .content = panel,
-                                     .area = DockArea::Plots,
-                                     .rank = 0});
+                                         .title = [] { return PlotPanel::tr("Plots"); },
+                                         .content = panel,
+                                         .area = DockArea::Plots,
+                                         .rank = 0});
   dock->title().addTool(panel->makeTools(&dock->title()));
   bench.connectView(panel);
   QObject::connect(&bench.session, &SessionController::iterationsLogged, panel,

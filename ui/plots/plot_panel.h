@@ -54,8 +54,8 @@ public:
   /// Creates the widget for the dock title, with buttons and the position of the cursor as text.
   QWidget* makeTools(QWidget* parent);
   void copyCsv();
-  /// Writes the plots as SVG or PNG, depending on the suffix, in another thread. Emits `noticeRequested()`
-  /// or `failed()` afterwards.
+  /// Writes the plots as SVG or PNG, depending on the suffix, in another thread. Emits
+  /// `noticeRequested()` or `failed()` afterwards.
   void savePicture(const QString& file);
 
 Q_SIGNALS:

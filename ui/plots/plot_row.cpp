@@ -171,7 +171,8 @@ PlotRow::Extremes PlotRow::draw(QCPGraph* graph, const PlotSeries& series, PlotA
                                 const std::optional<PlotSeries::Offset>& offset) const {
   Extremes extremes;
   const QCPRange range = xAxis()->range();
-  const bool known = column < series.columnCount() && (!offset || offset->column < series.columnCount());
+  const bool known =
+      column < series.columnCount() && (!offset || offset->column < series.columnCount());
   const PlotSeries::Line line = known ? series.line(column, axis, range.lower, range.upper,
                                                     std::max(50, rect_->width()), offset)
                                       : PlotSeries::Line{};
@@ -219,7 +220,8 @@ void PlotRow::fill(const PlotSeries& series, PlotAxis axis) {
     }
     if (curve.truth) {
       values.add(draw(drawn.truth, series, axis, *curve.truth));
-      truthKnown = truthKnown || (*curve.truth < series.columnCount() && series.isColumnKnown(*curve.truth));
+      truthKnown =
+          truthKnown || (*curve.truth < series.columnCount() && series.isColumnKnown(*curve.truth));
     }
   }
   readout_->setTruthKnown(truthKnown);

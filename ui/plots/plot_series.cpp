@@ -101,7 +101,7 @@ bool PlotSeries::isRowDrawn(std::size_t index, PlotAxis axis) const {
 }
 
 std::pair<std::size_t, std::size_t> PlotSeries::rowsWithin(PlotAxis axis, double lower,
-                                                       double upper) const {
+                                                           double upper) const {
   const auto keyOf = [axis](const Row& row) {
     return axis == PlotAxis::Time ? row.time : static_cast<double>(row.iteration);
   };

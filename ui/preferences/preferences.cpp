@@ -161,7 +161,8 @@ BoardPreferences Preferences::boardPreferences(const BoardPreferences& otherwise
   board.calibratesIntrinsics = read(kBoardLenses, otherwise.calibratesIntrinsics).toBool();
   board.calibratesPositions = read(kBoardPlaces, otherwise.calibratesPositions).toBool();
   board.intrinsicsAccuracyPx = read(kBoardLensAccuracy, otherwise.intrinsicsAccuracyPx).toDouble();
-  board.positionAccuracyMeters = read(kBoardPlaceAccuracy, otherwise.positionAccuracyMeters).toDouble();
+  board.positionAccuracyMeters =
+      read(kBoardPlaceAccuracy, otherwise.positionAccuracyMeters).toDouble();
   return board;
 }
 

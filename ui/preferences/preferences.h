@@ -17,11 +17,11 @@ enum class Theme { System, Light, Dark };
 
 /// Settings for board calibration, shared by all projects.
 struct BoardPreferences {
-  QString board;           ///< in the format of parseBoard(); empty for the default board
-  int lensModel = 0;       ///< value of IntrinsicsModel
-  bool calibratesIntrinsics = true; ///< whether intrinsics are calibrated
-  bool calibratesPositions = true; ///< whether positions are calibrated
-  double intrinsicsAccuracyPx = 0; ///< requested accuracy of the intrinsics, pixels
+  QString board;                     ///< in the format of parseBoard(); empty for the default board
+  int lensModel = 0;                 ///< value of IntrinsicsModel
+  bool calibratesIntrinsics = true;  ///< whether intrinsics are calibrated
+  bool calibratesPositions = true;   ///< whether positions are calibrated
+  double intrinsicsAccuracyPx = 0;   ///< requested accuracy of the intrinsics, pixels
   double positionAccuracyMeters = 0; ///< requested standard deviation of the positions
 };
 

@@ -141,8 +141,9 @@ std::shared_ptr<const LiveRun> TakeController::liveRun() const {
 void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const QString& reason) {
   const TakeStatus take = recorder->status();
   const QString folder = QString::fromStdString(take.folder.string());
-  QString text =
-      tr("Take %1 (%2) was saved in %3.").arg(take.number).arg(minutesAndSecondsText(take.seconds), folder);
+  QString text = tr("Take %1 (%2) was saved in %3.")
+                     .arg(take.number)
+                     .arg(minutesAndSecondsText(take.seconds), folder);
   if (!reason.isEmpty()) {
     text.prepend(reason + QLatin1Char(' '));
   }

@@ -24,7 +24,8 @@ Eigen::Vector3d unproject(const Camera& camera, double column, double row, doubl
 } // namespace
 
 CameraFrusta::CameraFrusta(vtkRenderer* renderer)
-    : edges_(makeFlatActor(edgeData_)), faces_(makeFlatActor(faceData_)), plumbs_(makeFlatActor(plumbData_)) {
+    : edges_(makeFlatActor(edgeData_)), faces_(makeFlatActor(faceData_)),
+      plumbs_(makeFlatActor(plumbData_)) {
   renderer->AddActor(edges_);
   renderer->AddActor(faces_);
   renderer->AddActor(plumbs_);

@@ -89,8 +89,9 @@ void GlassBody::setPose(const Eigen::Vector3d& center, const Eigen::Matrix3d& di
   actor_->SetScale(semiAxes.x(), semiAxes.y(), semiAxes.z());
   setOrientation(actor_, directions);
   // The eye is far away compared with the body: one direction for all of it.
-  const Eigen::Vector3d toEye = scale.isParallel ? Eigen::Vector3d(-scale.direction)
-                                               : Eigen::Vector3d((scale.eye - center).normalized());
+  const Eigen::Vector3d toEye = scale.isParallel
+                                    ? Eigen::Vector3d(-scale.direction)
+                                    : Eigen::Vector3d((scale.eye - center).normalized());
   const Eigen::Vector3f inView =
       Eigen::Vector3d(toEye.dot(scale.right), toEye.dot(scale.up), -toEye.dot(scale.direction))
           .cast<float>();

@@ -67,7 +67,7 @@ constexpr double kMarginBelow = 0.01;
 Ground::Ground(vtkRenderer* renderer)
     : plane_(makeFlatActor(planeData_)), minor_(makeFlatActor(minorData_)),
       major_(makeFlatActor(majorData_)), wallMinor_{makeFlatActor(wallMinorData_[0]),
-                                                makeFlatActor(wallMinorData_[1])},
+                                                    makeFlatActor(wallMinorData_[1])},
       wallMajor_{makeFlatActor(wallMajorData_[0]), makeFlatActor(wallMajorData_[1])},
       numbers_{SceneLabels(renderer), SceneLabels(renderer), SceneLabels(renderer)},
       names_{SceneLabels(renderer), SceneLabels(renderer), SceneLabels(renderer)} {

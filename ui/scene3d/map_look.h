@@ -16,7 +16,7 @@ enum class MapQuantity {
 /// Appearance of a rig's map.
 struct MapOptions {
   MapQuantity quantity = MapQuantity::Sigma;
-  bool layerShown = true;  ///< shows a horizontal layer
+  bool layerShown = true;   ///< shows a horizontal layer
   double layerHeight = 0.0; ///< height of the layer, meters
   bool volumeShown = false; ///< shows the surfaces between some of the classes
   /// Standard deviation (meters) that is good enough; it is the center of the color scale.

@@ -67,8 +67,8 @@ public:
   /// call.
   void showMap(std::shared_ptr<const RigMap> map, const MapOptions& look);
   /// Returns the position on the horizontal map layer that is seen at `place` in the rendered
-  /// image, as of the last `prepareRendering()`. Returns nothing outside the layer or if there is no
-  /// layer. `place` is in device pixels, as in `projectToImage()`.
+  /// image, as of the last `prepareRendering()`. Returns nothing outside the layer or if there is
+  /// no layer. `place` is in device pixels, as in `projectToImage()`.
   std::optional<Eigen::Vector3d> positionInMapLayer(const Eigen::Vector2d& place) const;
   /// Returns the point at this height (world z, meters) that is seen at `place` in the rendered
   /// image. Returns nothing if the plane at this height is seen edge-on.
@@ -116,10 +116,11 @@ public:
   /// Returns whether a point is in front of the viewer. If it is not, it has no position in the
   /// rendered image.
   bool isInFront(const Eigen::Vector3d& point) const;
-  /// Returns the world point at the center of the rendered image, as of the last `prepareRendering()`.
+  /// Returns the world point at the center of the rendered image, as of the last
+  /// `prepareRendering()`.
   Eigen::Vector3d focus() const;
-  /// Returns the position of a world point in the rendered image, as of the last `prepareRendering()`:
-  /// device pixels to the right of and above the center.
+  /// Returns the position of a world point in the rendered image, as of the last
+  /// `prepareRendering()`: device pixels to the right of and above the center.
   Eigen::Vector2d projectToImage(const Eigen::Vector3d& point) const;
   /// Returns the world point at a position in the rendered image, at the same depth as the point
   /// `depth`. This is the inverse of `projectToImage()`.

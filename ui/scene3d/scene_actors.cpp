@@ -36,18 +36,21 @@ bool allFinite(const std::vector<Eigen::Vector3d>& points) {
 } // namespace
 
 double ScreenScale::lengthInMeters(const Eigen::Vector3d& point, double pixels) const {
-  const double perPixel = isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(point), 1e-3);
+  const double perPixel =
+      isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(point), 1e-3);
   return pixels * pixelRatio * perPixel;
 }
 
 Eigen::Vector2d ScreenScale::project(const Eigen::Vector3d& point) const {
-  const double perPixel = isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(point), 1e-3);
+  const double perPixel =
+      isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(point), 1e-3);
   return Eigen::Vector2d((point - eye).dot(right), (point - eye).dot(up)) / perPixel;
 }
 
 Eigen::Vector3d ScreenScale::unproject(const Eigen::Vector2d& place,
                                        const Eigen::Vector3d& like) const {
-  const double perPixel = isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(like), 1e-3);
+  const double perPixel =
+      isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(like), 1e-3);
   return eye + depth(like) * direction + perPixel * (place.x() * right + place.y() * up);
 }
 

@@ -28,7 +28,8 @@ struct ScreenScale {
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();
   bool isParallel = true;
   double metersPerPixel = 0.01; ///< at the focus, per device pixel
-  double metersPerPixelAndDepth = 0.0;           ///< meters per pixel and per meter of depth; only for perspective
+  double metersPerPixelAndDepth =
+      0.0; ///< meters per pixel and per meter of depth; only for perspective
   double pixelRatio = 1.0;
 
   /// Returns the depth of a point in front of the viewer, in meters.

@@ -117,12 +117,13 @@ void SceneParts::showOtherMeans(const TrackSnapshot& snapshot) {
     return;
   }
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN(); // is not drawn
-  Eigen::ArrayXXd means =
-      Eigen::ArrayXXd::Constant(static_cast<Eigen::Index>(count - kMaxDetailedTargets), 3, kUnknown);
+  Eigen::ArrayXXd means = Eigen::ArrayXXd::Constant(
+      static_cast<Eigen::Index>(count - kMaxDetailedTargets), 3, kUnknown);
   for (std::size_t k = kMaxDetailedTargets; k < count; ++k) {
     const auto position = positionOf(snapshot.targets[k].estimate);
     if (position && snapshot.targets[k].target.isShown) {
-      means.row(static_cast<Eigen::Index>(k - kMaxDetailedTargets)) = position->mean.transpose().array();
+      means.row(static_cast<Eigen::Index>(k - kMaxDetailedTargets)) =
+          position->mean.transpose().array();
     }
   }
   otherMeans.show(means, {});

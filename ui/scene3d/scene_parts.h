@@ -35,9 +35,10 @@ public:
   static constexpr std::size_t kMaxDetailedTargets = 100;
 
   SceneParts()
-      : ground(renderer), frustumImages(renderer), frusta(renderer), plannedFrusta(renderer), map(renderer),
-        volume(renderer, kVolumeLineWidthPx), lineOfSight(renderer, kLineOfSightLineWidthPx),
-        selectedRange(renderer), otherMeans(renderer) {
+      : ground(renderer), frustumImages(renderer), frusta(renderer), plannedFrusta(renderer),
+        map(renderer), volume(renderer, kVolumeLineWidthPx),
+        lineOfSight(renderer, kLineOfSightLineWidthPx), selectedRange(renderer),
+        otherMeans(renderer) {
     renderer->SetActiveCamera(camera);
     // Cullers need bounds, which a cloud of bare points does not have.
     renderer->GetCullers()->RemoveAllItems();
@@ -72,10 +73,10 @@ public:
   CameraFrusta frusta;
   CameraFrusta plannedFrusta;
   MapActor map;
-  WireActor volume;         ///< volume of interest
-  WireActor lineOfSight;    ///< camera line of sight
+  WireActor volume;                 ///< volume of interest
+  WireActor lineOfSight;            ///< camera line of sight
   SelectedRangeActor selectedRange; ///< drawn before the targets, which cover it
-  ParticleCloud otherMeans;      ///< means of the targets beyond `kMaxDetailedTargets`
+  ParticleCloud otherMeans;         ///< means of the targets beyond `kMaxDetailedTargets`
   std::vector<std::unique_ptr<TargetActors>> targets;
   std::vector<DisplayColorSource> colorSources; ///< one per target
   MeanPath meanPath;

@@ -219,8 +219,8 @@ void TargetActors::drawTruth(const ScreenScale& scale) {
   if (truthMark_->GetVisibility() == 0) {
     return;
   }
-  const double inner =
-      std::max(scale.lengthInMeters(truth_, kSmallestBodyPx), radius_) + scale.lengthInMeters(truth_, 1.0);
+  const double inner = std::max(scale.lengthInMeters(truth_, kSmallestBodyPx), radius_) +
+                       scale.lengthInMeters(truth_, 1.0);
   const double outer = inner + scale.lengthInMeters(truth_, 7.0);
   const double nearer = 1.5 * cloudRadius_ + 3.0 * outer;
   LinesAndFaces hairs;

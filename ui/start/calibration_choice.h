@@ -27,8 +27,8 @@ class CalibrationChoice : public QWidget {
 public:
   explicit CalibrationChoice(QWidget* parent = nullptr);
 
-  /// Starts a new project, for which no file is selected yet. `takesProposals` is true if proposeFile()
-  /// may select a file.
+  /// Starts a new project, for which no file is selected yet. `takesProposals` is true if
+  /// proposeFile() may select a file.
   void begin(bool takesProposals);
   /// Sets the file that the user has chosen; an empty name means that the user wants none. From
   /// then on, proposeFile() does nothing.

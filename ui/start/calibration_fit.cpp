@@ -68,7 +68,7 @@ void CalibrationFit::showFitQuestion() {
 }
 
 void CalibrationFit::setCameraNames(const std::vector<std::string>& cameras,
-                              const std::vector<std::string>& inFile) {
+                                    const std::vector<std::string>& inFile) {
   if (cameras != cameras_ || inFile != inFile_) {
     cameras_ = cameras;
     inFile_ = inFile;

@@ -22,7 +22,7 @@ struct FootageLocation {
   std::string location;
   bool canBeImageSource = false; ///< can be used as a camera
   bool isFile = false;           ///< an existing file or folder, not a device
-  bool isImageFolder = false;         ///< a folder of images
+  bool isImageFolder = false;    ///< a folder of images
 };
 
 /// Table of a new project's cameras, one row each: name, image source, and what was found there.

@@ -293,8 +293,8 @@ void NewProjectPage::chooseFolder() {
 void NewProjectPage::addConnectedCameras() {
   search([devices = devices_] { return locationsOf(pathsOf(devices->list())); },
          [this](const std::vector<FootageLocation>& devices) {
-           std::ranges::for_each(devices,
-                                 [this](const FootageLocation& device) { cameras_->addFootage(device); });
+           std::ranges::for_each(
+               devices, [this](const FootageLocation& device) { cameras_->addFootage(device); });
            if (devices.empty()) {
              Q_EMIT failed(tr("No camera is connected to this computer. A network camera can be "
                               "added by its address."));

@@ -19,9 +19,9 @@ namespace dewpoint::ui {
 /// Recent project, and what is known about its file.
 struct RecentProject {
   QString file;
-  bool isMissing = false; ///< the file does not exist
+  bool isMissing = false;      ///< the file does not exist
   QDateTime lastModified = {}; ///< time of the last save; invalid if unknown
-  QImage thumbnail = {};  ///< see ProjectThumbnails; null for none
+  QImage thumbnail = {};       ///< see ProjectThumbnails; null for none
 
   bool operator==(const RecentProject&) const = default;
 };

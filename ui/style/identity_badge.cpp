@@ -21,7 +21,7 @@ QColor readableColorOn(const QColor& ground) {
 }
 
 void paintIdentityBadge(QPainter& painter, int identity, const QPointF& foot, const QRectF& room,
-                bool chosen) {
+                        bool chosen) {
   const QColor ground = personColor(identity);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -19,6 +19,6 @@ QColor readableColorOn(const QColor& ground);
 /// Draws a round badge in the identity color with the person's number, above the point `foot` and
 /// inside the area `room`.
 void paintIdentityBadge(QPainter& painter, int identity, const QPointF& foot, const QRectF& room,
-                bool chosen);
+                        bool chosen);
 
 } // namespace dewpoint::ui

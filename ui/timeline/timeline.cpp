@@ -176,7 +176,8 @@ bool Timeline::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     if (help->pos().x() >= gutter_ && !model_.targetNames.isEmpty()) {
-      QToolTip::showText(help->globalPos(), model_.descriptionOf(scale_.frameAt(help->pos().x())), this);
+      QToolTip::showText(help->globalPos(), model_.descriptionOf(scale_.frameAt(help->pos().x())),
+                         this);
     }
     return true;
   }

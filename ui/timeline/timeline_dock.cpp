@@ -82,7 +82,8 @@ void connectActions(const Workbench& bench, ViewDock* dock, Timeline* timeline) 
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
   const bool again = changes.boxes && bench.document.methodFamily().tracksAgainOnEdit;
   const bool isLive = bench.session.shownSnapshot() && !bench.session.shownSnapshot()->frameCount;
-  if (isLive && bench.selection.showsOtherFrame() && (changes.parameters || changes.targets) && !again) {
+  if (isLive && bench.selection.showsOtherFrame() && (changes.parameters || changes.targets) &&
+      !again) {
     bench.messages.showNotice(
         Timeline::tr(
             "The change applies to new frames. Use “%1” to track again from the current frame.")
@@ -95,9 +96,9 @@ void explainChange(const Workbench& bench, const ProjectChanges& changes) {
 Timeline* installTimeline(const Workbench& bench) {
   auto* timeline = new Timeline(bench.selection, bench.document, &bench.window);
   ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("timelineDock"),
-                                     .title = [] { return Timeline::tr("Timeline"); },
-                                     .content = timeline,
-                                     .area = DockArea::Timeline});
+                                         .title = [] { return Timeline::tr("Timeline"); },
+                                         .content = timeline,
+                                         .area = DockArea::Timeline});
   QObject::connect(&bench.session, &SessionController::framesLogged, timeline,
                    [timeline](const LoggedFrames& frames) {
                      timeline->append(frames.records, frames.restarted);

@@ -132,10 +132,10 @@ QString TimelineModel::descriptionOf(qint64 frame) const {
     if (entry.status == TargetStatus::Gone) {
       continue;
     }
-    text +=
-        QStringLiteral("\n%1 %2 (%3)")
-            .arg(targetNames.value(static_cast<int>(k)), trackingStateText(trackingState(entry.status)),
-                 numberText(static_cast<double>(entry.existenceProbability), 2));
+    text += QStringLiteral("\n%1 %2 (%3)")
+                .arg(targetNames.value(static_cast<int>(k)),
+                     trackingStateText(trackingState(entry.status)),
+                     numberText(static_cast<double>(entry.existenceProbability), 2));
     if (const QString reason = reasonText(entry.cameraReports, cameraNames); !reason.isEmpty()) {
       text += QStringLiteral(" – ") + reason;
     }

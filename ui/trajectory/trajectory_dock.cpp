@@ -18,10 +18,10 @@ namespace dewpoint::ui {
 TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEye) {
   auto* panel = new TrajectoryPanel(bench.actions, bench.selection, &bench.window);
   bench.docks.makeDock({.name = QStringLiteral("trajectoryDock"),
-                    .title = [] { return TrajectoryPanel::tr("Trajectory"); },
-                    .content = panel,
-                    .area = DockArea::Plots,
-                    .rank = 1});
+                        .title = [] { return TrajectoryPanel::tr("Trajectory"); },
+                        .content = panel,
+                        .area = DockArea::Plots,
+                        .rank = 1});
   const SessionController& run = bench.session;
   QObject::connect(&run, &SessionController::runStarted, panel, [panel, &run] {
     const Session* session = run.session();
@@ -40,7 +40,8 @@ TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEy
   QObject::connect(&run, &SessionController::iterationsLogged, panel, &TrajectoryPanel::refresh);
   QObject::connect(&bench.document, &Document::replaced, &panel->plots(), &PlotStack::showAll);
   QObject::connect(&run, &SessionController::restarting, &panel->plots(), &PlotStack::showAll);
-  QObject::connect(panel, &TrajectoryPanel::noticeRequested, &bench.messages, &MessageBar::showNotice);
+  QObject::connect(panel, &TrajectoryPanel::noticeRequested, &bench.messages,
+                   &MessageBar::showNotice);
   QObject::connect(panel, &TrajectoryPanel::highlightChanged, &birdsEye, &BirdsEyeView::highlight);
   QObject::connect(&birdsEye, &BirdsEyeView::pathClicked, panel, &TrajectoryPanel::choosePosition);
   return panel;

@@ -111,14 +111,15 @@ void TrajectoryPanel::makePlots() {
   onRetranslate(plots_, [this] {
     plots_->focusProxy()->setAccessibleName(tr("Speed and height over time"));
     plots_->setEmptyText(tr("Speed and height appear during tracking."));
-    plots_->setPlots({{QStringLiteral("speed"),
-                       tr("Speed"),
-                       PlotQuantity::Speed,
-                       {{tr("speed"), QStringLiteral("speed_m_s"), MotionSeries::kSpeedColumn, 0}}},
-                      {QStringLiteral("height"),
-                       tr("Height"),
-                       PlotQuantity::Position,
-                       {{QStringLiteral("z"), QStringLiteral("z_m"), MotionSeries::kHeightColumn, 2}}}});
+    plots_->setPlots(
+        {{QStringLiteral("speed"),
+          tr("Speed"),
+          PlotQuantity::Speed,
+          {{tr("speed"), QStringLiteral("speed_m_s"), MotionSeries::kSpeedColumn, 0}}},
+         {QStringLiteral("height"),
+          tr("Height"),
+          PlotQuantity::Position,
+          {{QStringLiteral("z"), QStringLiteral("z_m"), MotionSeries::kHeightColumn, 2}}}});
     updateSummary();
   });
   plots_->setSeries(&motion_.series());

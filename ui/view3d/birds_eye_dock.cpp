@@ -31,10 +31,11 @@ void showForMethod(const Workbench& bench, ViewDock* dock) {
 
 BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   auto* view = new BirdsEyeView(&bench.window);
-  ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("birdsEyeDock"),
-                                     .title = [] { return BirdsEyeView::tr("Bird's-eye view"); },
-                                     .content = view,
-                                     .area = DockArea::Scene});
+  ViewDock* dock =
+      bench.docks.makeDock({.name = QStringLiteral("birdsEyeDock"),
+                            .title = [] { return BirdsEyeView::tr("Bird's-eye view"); },
+                            .content = view,
+                            .area = DockArea::Scene});
   bench.connectView(view);
   QObject::connect(&bench.document, &Document::replaced, view, &BirdsEyeView::resetForNewProject);
   QObject::connect(&bench.selection, &Selection::targetSelected, view,

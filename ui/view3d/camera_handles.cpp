@@ -69,7 +69,8 @@ void CameraHandles::drag(QPointF position) {
   if (!there.allFinite()) {
     return;
   }
-  drag_->isTarget ? Q_EMIT cameraAimed(drag_->camera, there) : Q_EMIT cameraDragged(drag_->camera, there);
+  drag_->isTarget ? Q_EMIT cameraAimed(drag_->camera, there)
+                  : Q_EMIT cameraDragged(drag_->camera, there);
 }
 
 void CameraHandles::drop() {

@@ -41,10 +41,10 @@ public:
 Q_SIGNALS:
   /// Emitted when the user pressed the handle of a camera.
   void cameraChosen(int camera);
-  /// cameraDragged() is emitted while a camera is dragged to this world position (meters), cameraAimed() while
-  /// the point at which the camera looks is dragged. In the views from above, from the front and
-  /// from the side, the drag stays in the plane of the view; in the 3D view, it is parallel to the
-  /// image plane.
+  /// cameraDragged() is emitted while a camera is dragged to this world position (meters),
+  /// cameraAimed() while the point at which the camera looks is dragged. In the views from above,
+  /// from the front and from the side, the drag stays in the plane of the view; in the 3D view, it
+  /// is parallel to the image plane.
   void cameraDragged(int camera, const Eigen::Vector3d& center);
   void cameraAimed(int camera, const Eigen::Vector3d& target);
   void cameraDropped();

@@ -43,8 +43,8 @@ void PersonBadges::paint(QPainter& painter, const QWidget& view, const ViewProje
                          int chosen) const {
   for (const Badge& badge : badges_) {
     paintIdentityBadge(painter, badge.identity,
-               projection.toWidget(badge.position) - QPointF(0.0, kBesidePx), QRectF(view.rect()),
-               badge.identity - 1 == chosen);
+                       projection.toWidget(badge.position) - QPointF(0.0, kBesidePx),
+                       QRectF(view.rect()), badge.identity - 1 == chosen);
   }
 }
 

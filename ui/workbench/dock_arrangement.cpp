@@ -91,7 +91,8 @@ ImageGrid DockArrangement::cameraGrid(const QSize& room) const {
 }
 
 int DockArrangement::bestCameraColumns() const {
-  return docksAt(DockArea::Cameras).empty() ? cameraColumns_ : cameraGrid(shares().cameraAreaSize).columnCount;
+  return docksAt(DockArea::Cameras).empty() ? cameraColumns_
+                                            : cameraGrid(shares().cameraAreaSize).columnCount;
 }
 
 void DockArrangement::distributeSizes() {
@@ -105,9 +106,10 @@ void DockArrangement::distributeSizes() {
     const ImageGrid grid = cameraGrid(all.cameraAreaSize);
     // No wider than the images can use, if something else can.
     const int least = cameras.size() > 1 ? all.minimumCameraWidth : 0;
-    const int wanted = all.sceneWidth == 0 ? all.cameraAreaSize.width()
-                                      : std::min(all.cameraAreaSize.width(),
-                                                 std::max(least, qCeil(grid.maximumUsefulWidth)));
+    const int wanted =
+        all.sceneWidth == 0
+            ? all.cameraAreaSize.width()
+            : std::min(all.cameraAreaSize.width(), std::max(least, qCeil(grid.maximumUsefulWidth)));
     for (std::size_t column = 0; column < grid.columnShares.size(); ++column) {
       row.push_back(cameras[column]);
       widths.push_back(std::max(1, qRound(wanted * grid.columnShares[column])));

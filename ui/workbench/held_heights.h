@@ -24,8 +24,8 @@ public:
 
   /// Forgets the heights after the docks were rearranged.
   void forgetHeights() { heights_.clear(); }
-  /// Fixes the heights of the docks at the bottom until `releaseHeights()`, unless the views in between
-  /// have no room to shrink.
+  /// Fixes the heights of the docks at the bottom until `releaseHeights()`, unless the views in
+  /// between have no room to shrink.
   void holdHeights();
   /// Updates the window layout, and allows the heights of the docks to change again.
   void releaseHeights();

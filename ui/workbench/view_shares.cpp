@@ -60,17 +60,18 @@ ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>&
   }
   shares.inspectorWidth = std::max(shares.inspectorWidth, widthOfTabs(window, inspectors));
   shares.sceneWidth = scene.isHidden() ? 0
-                                  : std::max(scene.minimumSizeHint().width(),
-                                             window.width() * kLeastOfScenePercent / 100);
+                                       : std::max(scene.minimumSizeHint().width(),
+                                                  window.width() * kLeastOfScenePercent / 100);
   shares.plotHeight = window.height() * kPlotsPercent / 100;
   shares.timelineHeight = window.height() < kSmallHeight ? timeline.minimumSizeHint().height()
-                                                   : timeline.sizeHint().height();
+                                                         : timeline.sizeHint().height();
   shares.minimumCameraWidth = window.width() * kLeastOfCamerasPercent / 100;
-  shares.cameraAreaSize = QSize(window.width() - shares.inspectorWidth - kDockSeparator - shares.sceneWidth -
-                             (shares.sceneWidth > 0 ? kDockSeparator : 0),
-                         window.height() - heightAroundViews(window) - shares.plotHeight -
-                             shares.timelineHeight - 2 * kDockSeparator)
-                       .expandedTo({1, 1});
+  shares.cameraAreaSize =
+      QSize(window.width() - shares.inspectorWidth - kDockSeparator - shares.sceneWidth -
+                (shares.sceneWidth > 0 ? kDockSeparator : 0),
+            window.height() - heightAroundViews(window) - shares.plotHeight -
+                shares.timelineHeight - 2 * kDockSeparator)
+          .expandedTo({1, 1});
   return shares;
 }
 

@@ -24,7 +24,8 @@ namespace {
 constexpr int kTimeoutMs = DEWPOINT_PATIENCE_MS;
 
 bool allEnded() {
-  return QTest::qWaitFor([] { return waitForDetachedJobs(std::chrono::milliseconds(0)); }, kTimeoutMs);
+  return QTest::qWaitFor([] { return waitForDetachedJobs(std::chrono::milliseconds(0)); },
+                         kTimeoutMs);
 }
 
 } // namespace

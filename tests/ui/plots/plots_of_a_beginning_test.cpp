@@ -54,7 +54,8 @@ private:
 void PlotsOfABeginningTest::init() {
   makeWindow({.size = {1400, 900}, .theme = Theme::Light, .play = false});
   open(); // and the first frame is tracked
-  QVERIFY(waitFor([this] { return shown().iterations == 1 && panel().shownIterationCount() == 1; }));
+  QVERIFY(
+      waitFor([this] { return shown().iterations == 1 && panel().shownIterationCount() == 1; }));
   QVERIFY(draws(*window_));
 }
 

@@ -260,7 +260,7 @@ void TrajectoryPanelTest::longRunsAreDrawnFromFewPoints() {
   PlotStack stack;
   stack.setPlots(runPlots({QStringLiteral("left"), QStringLiteral("right")}));
   stack.setShownPlots({QStringLiteral("spread"), QStringLiteral("sampleSize"),
-                  QStringLiteral("likelihood"), QStringLiteral("error")});
+                       QStringLiteral("likelihood"), QStringLiteral("error")});
   PlotSeries series;
   series.reset(runPlotColumnCount(2));
   IterationRecord record;
@@ -294,7 +294,7 @@ void TrajectoryPanelTest::longRunsAreDrawnFromFewPoints() {
         stack.lastDrawingMs());
   // A short run is drawn more smoothly.
   stack.setShownPlots({QStringLiteral("position"), QStringLiteral("spread"),
-                  QStringLiteral("sampleSize"), QStringLiteral("likelihood")});
+                       QStringLiteral("sampleSize"), QStringLiteral("likelihood")});
   series.removeFrom(700);
   stack.showAll();
   stack.showAll();

@@ -17,7 +17,7 @@ TEST(ImageGrid, TwoImagesStandAsTheyAreLargest) {
   const std::array<double, 2> wide{kWide, kWide};
   EXPECT_EQ(bestImageGrid(wide, {400.0, 700.0}, kTitle).columnCount, 1);  // a narrow column
   EXPECT_EQ(bestImageGrid(wide, {1000.0, 560.0}, kTitle).columnCount, 2); // would be letterboxed
-  const std::array<double, 2> upright{kWide, 1.0 / kWide};            // the demo's
+  const std::array<double, 2> upright{kWide, 1.0 / kWide};                // the demo's
   EXPECT_EQ(bestImageGrid(upright, {900.0, 560.0}, kTitle).columnCount, 2);
 }
 

@@ -161,9 +161,9 @@ void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacemen
   for (const bool halo : {true, false}) {
     for (std::size_t k = 0; k < lines.size(); ++k) {
       const Stroke stroke = strokeOf(grid.strokes[k].role);
-      painter.setPen(
-          halo ? QPen(haloPen(stroke.width, kGridHalo).color(), stroke.width + kGridHalo.extraWidthPx)
-               : QPen(stroke.color, stroke.width));
+      painter.setPen(halo ? QPen(haloPen(stroke.width, kGridHalo).color(),
+                                 stroke.width + kGridHalo.extraWidthPx)
+                          : QPen(stroke.color, stroke.width));
       painter.drawPolyline(lines[k]);
     }
   }
