@@ -79,7 +79,7 @@ void CalibrationMode::open(const QString& page) {
 std::vector<ViewDock*> CalibrationMode::docksInFront() const {
   std::vector<ViewDock*> front;
   for (ViewDock* view : bench_.window.findChildren<ViewDock*>()) {
-    if (view != dock_ && !view->isHidden() && !view->isBehind()) {
+    if (view != dock_ && !view->isHidden() && !view->isBehindOtherDocks()) {
       front.push_back(view);
     }
   }
@@ -90,7 +90,8 @@ void CalibrationMode::show(bool isShown) {
   if (isShown && page_.isEmpty() && !isReturning_) {
     manual_->storeEarlierCameras(EarlierCameras::PanelOpened);
   }
-  const bool wasInFront = dock_->isHidden() || !dock_->isBehind(); // hidden: by its own button
+  const bool wasInFront =
+      dock_->isHidden() || !dock_->isBehindOtherDocks(); // hidden: by its own button
   const bool opens = isShown && dock_->isHidden();
   const auto front = opens ? docksInFront() : std::vector<ViewDock*>();
   dock_->setShownByUser(isShown);

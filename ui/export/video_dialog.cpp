@@ -263,7 +263,7 @@ void VideoDialog::drawPreview() {
   }
   preview_->setFrames(wanted->frames);
   VideoDrawer& drawer = exporter_->drawer();
-  drawer.begin(offer.session, wanted->layout, offer.birdsEyeView);
+  drawer.beginVideo(offer.session, wanted->layout, offer.birdsEyeView);
   const QSize pixels = preview_->imageSize();
   const auto consume = [this, request = *wanted,
                         pixels](Result<QImage> image) -> std::function<void()> {

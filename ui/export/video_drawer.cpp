@@ -28,8 +28,8 @@ Result<TrackSnapshotPtr> countedFromOne(Error error, std::int64_t frame) {
 
 VideoDrawer::VideoDrawer(QObject* parent) : QObject(parent) {}
 
-void VideoDrawer::begin(Session* session, std::shared_ptr<const VideoLayout> look,
-                        const BirdsEyeView* scene) {
+void VideoDrawer::beginVideo(Session* session, std::shared_ptr<const VideoLayout> look,
+                             const BirdsEyeView* scene) {
   stop();
   session_ = session;
   look_ = std::move(look);

@@ -44,7 +44,7 @@ void VideoExporter::start(VideoRequest request, Session* session, const BirdsEye
   next_ = written_ = 0;
   waiting_ = 0;
   closing_ = false;
-  drawer_->begin(session, state_->request.layout, scene);
+  drawer_->beginVideo(session, state_->request.layout, scene);
   open();
 }
 

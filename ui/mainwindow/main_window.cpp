@@ -279,7 +279,7 @@ void MainWindow::changeEvent(QEvent* event) {
 bool MainWindow::focusNextPrevChild(bool next) {
   const QWidget* before = focusWidget();
   bool moved = QMainWindow::focusNextPrevChild(next);
-  while (moved && focusWidget() != before && DockManager::isBehind(focusWidget())) {
+  while (moved && focusWidget() != before && DockManager::isBehindOtherDocks(focusWidget())) {
     moved = QMainWindow::focusNextPrevChild(next);
   }
   return moved;

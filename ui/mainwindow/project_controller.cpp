@@ -180,7 +180,7 @@ void ProjectController::showStartPage() {
 
 void ProjectController::showNewProjectPage(const QStringList& files, bool findsCalibration) {
   guideNewProject_ = false;
-  newProject_->begin(files, findsCalibration);
+  newProject_->startNewProject(files, findsCalibration);
   pages_->setCurrentWidget(newProject_);
   bench_.docks.showViews(false);
 }

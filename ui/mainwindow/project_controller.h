@@ -58,7 +58,7 @@ private:
   void connectRun();
   void connectOpening();
   void openScene(const QString& name, bool calibrate);
-  /// `findsCalibration`: as in NewProjectPage::begin().
+  /// `findsCalibration`: as in NewProjectPage::startNewProject().
   void showNewProjectPage(const QStringList& files, bool findsCalibration = true);
   void openCreated(const Project& project, const QString& note);
   void chooseProject();

@@ -277,7 +277,7 @@ void TargetPanel::showRows() {
   const auto& targets = document_.project().targets;
   const bool showsColors = !document_.presentation().targetsAreBoxes;
   const std::vector<QColor> colors = targetColors(
-      displayColorSources(targets, document_.methodFamily()), displayGround(palette()));
+      displayColorSources(targets, document_.methodFamily()), displayGroundOf(palette()));
   std::vector<TargetRow> rows;
   for (std::size_t k = 0; k < targets.size(); ++k) {
     TargetRow row;

@@ -30,7 +30,7 @@ struct CurveDeclaration {
   QString name;           ///< translated, for example "x" or "camera 1"
   QString csvName;        ///< column name in a table, with the unit: "spread_x_mm"
   std::size_t column = 0; ///< column in the PlotSeries
-  int color = 0;          ///< index for curveColor()
+  int colorIndex = 0;     ///< index for curveColor()
   /// Column of the standard deviation. If set, a band of two standard deviations is drawn around
   /// the curve.
   std::optional<std::size_t> deviation = std::nullopt;

@@ -65,9 +65,9 @@ void CameraFrusta::show(const CameraRig& rig, double length) {
 }
 
 void CameraFrusta::setPalette(const ScenePalette& palette) {
-  paint(edges_, palette.camera);
-  paint(faces_, palette.camera, 0.22);
-  paint(plumbs_, palette.camera, 0.3);
+  setActorColor(edges_, palette.camera);
+  setActorColor(faces_, palette.camera, 0.22);
+  setActorColor(plumbs_, palette.camera, 0.3);
 }
 
 void CameraFrusta::prepareRendering(const ScreenScale& scale) {

@@ -90,7 +90,7 @@ void FloorShadow::hide() {
 }
 
 void FloorShadow::setColors(const SceneColor& plumb, bool darkBackground) {
-  paint(plumb_, plumb, 0.45);
+  setActorColor(plumb_, plumb, 0.45);
   drawDisc(darkBackground);
 }
 

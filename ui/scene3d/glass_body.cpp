@@ -76,7 +76,7 @@ GlassBody::~GlassBody() {
 
 void GlassBody::setAppearance(const SceneColor& color, const SceneColor& rim, double middle,
                               double atRim) {
-  paint(actor_, color);
+  setActorColor(actor_, color);
   const Eigen::Vector3f edge = rim.cast<float>();
   uniformsOf(actor_)->SetUniform3f("rimColor", edge.data());
   uniformsOf(actor_)->SetUniformf("middleAlpha", static_cast<float>(middle));

@@ -223,15 +223,15 @@ void Ground::setDecimalPoint(const std::string& sign) {
 }
 
 void Ground::setPalette(const ScenePalette& palette) {
-  paint(plane_, palette.floor);
-  paint(minor_, palette.gridMinor);
-  paint(major_, palette.gridMajor);
+  setActorColor(plane_, palette.floor);
+  setActorColor(minor_, palette.gridMinor);
+  setActorColor(major_, palette.gridMajor);
   for (int axis = 0; axis < 3; ++axis) {
-    paint(axes_[axis], axisColor(axis));
+    setActorColor(axes_[axis], axisColor(axis));
   }
   for (int wall = 0; wall < 2; ++wall) {
-    paint(wallMinor_[wall], palette.gridMinor);
-    paint(wallMajor_[wall], palette.gridMajor);
+    setActorColor(wallMinor_[wall], palette.gridMinor);
+    setActorColor(wallMajor_[wall], palette.gridMajor);
   }
   for (int axis = 0; axis < 3; ++axis) {
     numbers_[axis].setColors(palette.text, palette.background);

@@ -188,13 +188,13 @@ void MapActor::drawSurfaces() {
     edges->ComputeScalarsOff();
     edges->Update();
     surface.data->ShallowCopy(edges->GetOutput());
-    paint(surface.actor, one.color, kSurfaceOpacity);
+    setActorColor(surface.actor, one.color, kSurfaceOpacity);
     surface.actor->SetVisibility(surface.data->GetNumberOfCells() > 0);
   }
 }
 
 void MapActor::setPalette(const ScenePalette& palette) {
-  paint(box_, palette.gridMajor);
+  setActorColor(box_, palette.gridMajor);
 }
 
 void MapActor::prepareRendering(const ScreenScale& scale) {

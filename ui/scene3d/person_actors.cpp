@@ -97,12 +97,13 @@ void PersonActors::setColor(const SceneColor& color, const ScenePalette& palette
 }
 
 void PersonActors::repaint() {
-  paint(hull_, color_, chosen_ ? 0.3 : 0.16);
-  paint(edges_, mix(color_, palette_.truth, 0.1), chosen_ ? 0.55 : 0.25);
+  setActorColor(hull_, color_, chosen_ ? 0.3 : 0.16);
+  setActorColor(edges_, mix(color_, palette_.truth, 0.1), chosen_ ? 0.55 : 0.25);
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     // The innermost is the strongest: most of the person stands within it.
     const double outward = static_cast<double>(k) / static_cast<double>(curves_.size());
-    paint(curves_[k], mix(mix(color_, palette_.truth, 0.15), palette_.floor, 0.45 * outward));
+    setActorColor(curves_[k],
+                  mix(mix(color_, palette_.truth, 0.15), palette_.floor, 0.45 * outward));
   }
 }
 

@@ -89,7 +89,7 @@ vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data) 
   return actor;
 }
 
-void paint(vtkActor* actor, const SceneColor& color, double opacity) {
+void setActorColor(vtkActor* actor, const SceneColor& color, double opacity) {
   actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
   actor->GetProperty()->SetOpacity(opacity);
 }
@@ -196,9 +196,9 @@ void SceneLabels::appendTextAreas(const ScreenScale& scale,
     const double height = label.sizePx * scale.pixelRatio;
     const double width =
         kCharacter * height * static_cast<double>(std::string_view(label.actor->GetInput()).size());
-    const double side = label.right > 0.0 ? 0.5 : label.right < 0.0 ? -0.5 : 0.0;
+    const double side = label.rightOffset > 0.0 ? 0.5 : label.rightOffset < 0.0 ? -0.5 : 0.0;
     const Eigen::Vector2d center = scale.project(label.point) +
-                                   height * Eigen::Vector2d(label.right, label.up) +
+                                   height * Eigen::Vector2d(label.rightOffset, label.upOffset) +
                                    Eigen::Vector2d(side * width, 0.0);
     const Eigen::Vector2d half(0.5 * width, 0.5 * height);
     places.emplace_back(Eigen::Vector2d(center - half), Eigen::Vector2d(center + half));
@@ -211,7 +211,7 @@ void SceneLabels::prepareRendering(const ScreenScale& scale) {
     label.actor->SetVisibility(visible_ && (scale.isParallel || scale.depth(label.point) > 0.05));
     const double height = scale.lengthInMeters(label.point, label.sizePx);
     const Eigen::Vector3d place =
-        label.point + (scale.right * label.right + scale.up * label.up) * height;
+        label.point + (scale.right * label.rightOffset + scale.up * label.upOffset) * height;
     label.actor->GetPositionCoordinate()->SetValue(place.x(), place.y(), place.z());
     label.actor->GetTextProperty()->SetFontSize(
         std::max(1, static_cast<int>(std::lround(label.sizePx * scale.pixelRatio))));

@@ -57,7 +57,7 @@ vtkSmartPointer<vtkActor> makeFlatActor(vtkPolyData* data);
 /// blended in the order in which they are added.
 vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data);
 /// Sets an actor's color and opacity (0 to 1).
-void paint(vtkActor* actor, const SceneColor& color, double opacity = 1.0);
+void setActorColor(vtkActor* actor, const SceneColor& color, double opacity = 1.0);
 /// Returns a color as red, green and blue, 0 to 255.
 std::array<unsigned char, 3> colorBytes(const SceneColor& color);
 
@@ -100,8 +100,8 @@ private:
     vtkSmartPointer<vtkTextActor> actor;
     Eigen::Vector3d point;
     double sizePx;
-    double right;
-    double up;
+    double rightOffset; ///< in text heights, as `upOffset`
+    double upOffset;
   };
   void paintLabel(const Label& label) const;
 

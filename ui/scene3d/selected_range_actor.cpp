@@ -38,7 +38,7 @@ void SelectedRangeActor::show(const std::vector<std::vector<Eigen::Vector3d>>& s
 }
 
 void SelectedRangeActor::setPalette(const ScenePalette& palette) {
-  paint(actor_, palette.truth, 0.6);
+  setActorColor(actor_, palette.truth, 0.6);
 }
 
 void SelectedRangeActor::prepareRendering(const ScreenScale& scale) {

@@ -186,15 +186,15 @@ void TargetActors::setColors(const SceneColor& color, const ScenePalette& palett
   palette_ = palette;
   paintBody();
   cloud_.setColors(mix(palette.floor, color, 0.45), mix(color, palette.truth, dark ? 0.6 : 0.4));
-  paint(rings_, mix(color, palette.truth, 0.1), 0.55);
+  setActorColor(rings_, mix(color, palette.truth, 0.1), 0.55);
   shadow_.setColors(mix(color, palette.text, 0.5), dark);
   tail_.setColors(color, SceneColor::Zero());
   path_.setColors(palette.truth, SceneColor::Zero());
   for (WireActor* sight : {&seen_, &hidden_}) {
     sight->setColor(mix(color, palette.text, 0.25), kSightOpacity);
   }
-  paint(truthMark_, palette.truth);
-  paint(bestMark_, mix(color, palette.truth, 0.2));
+  setActorColor(truthMark_, palette.truth);
+  setActorColor(bestMark_, mix(color, palette.truth, 0.2));
   if (person_ != nullptr) {
     person_->setColor(color, palette);
   }

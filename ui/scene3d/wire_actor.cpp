@@ -30,7 +30,7 @@ void WireActor::show(const std::vector<std::vector<Eigen::Vector3d>>& lines) {
 }
 
 void WireActor::setColor(const SceneColor& color, double opacity) {
-  paint(actor_, color, opacity);
+  setActorColor(actor_, color, opacity);
 }
 
 void WireActor::prepareRendering(const ScreenScale& scale) {

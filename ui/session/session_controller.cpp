@@ -46,15 +46,15 @@ SessionController::SessionController(ProjectOpener opener, Document& document, S
           });
   connect(results_, &ResultRefresher::refreshed, this, [this] {
     if (const auto wanted = std::exchange(showWhenRefreshed_, std::nullopt)) {
-      show(*wanted);
+      showFrame(*wanted);
     }
     if (std::exchange(playWhenRefreshed_, false)) {
       play();
     }
   });
   connect(&selection_, &Selection::frameRequested, this,
-          [this](qint64 frame) { show(std::optional(frame)); });
-  connect(&selection_, &Selection::liveFrameRequested, this, [this] { show(std::nullopt); });
+          [this](qint64 frame) { showFrame(std::optional(frame)); });
+  connect(&selection_, &Selection::liveFrameRequested, this, [this] { showFrame(std::nullopt); });
   connectDocument();
 }
 
@@ -279,7 +279,7 @@ void SessionController::play() {
   bridge_->session().play();
 }
 
-void SessionController::show(std::optional<qint64> frame) {
+void SessionController::showFrame(std::optional<qint64> frame) {
   if (bridge_ == nullptr) {
     return;
   }

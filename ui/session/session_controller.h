@@ -78,7 +78,7 @@ public:
   void setPace(const Pace& pace);
   const Pace& pace() const { return pace_; }
   /// Shows a frame. If `frame` is empty, shows the frame that the run is at.
-  void show(std::optional<qint64> frame);
+  void showFrame(std::optional<qint64> frame);
   /// Restarts the run from the beginning, with a new seed or the same seed.
   void restart(bool newSeed);
   /// Applies the number of filter threads in the preferences to the run.

@@ -69,7 +69,7 @@ void CalibrationChoice::choose() {
   }
 }
 
-void CalibrationChoice::begin(bool takesProposals) {
+void CalibrationChoice::startNewProject(bool takesProposals) {
   takesProposals_ = takesProposals;
   useFile({});
 }

@@ -29,7 +29,7 @@ public:
 
   /// Starts a new project, for which no file is selected yet. `takesProposals` is true if
   /// proposeFile() may select a file.
-  void begin(bool takesProposals);
+  void startNewProject(bool takesProposals);
   /// Sets the file that the user has chosen; an empty name means that the user wants none. From
   /// then on, proposeFile() does nothing.
   void setFile(const QString& file);

@@ -167,7 +167,7 @@ void NewProjectPage::retranslateUi() {
   refresh();
 }
 
-void NewProjectPage::begin(const QStringList& files, bool findsCalibration) {
+void NewProjectPage::startNewProject(const QStringList& files, bool findsCalibration) {
   // Whichever of them the platform puts first.
   setTabOrder(calibration_->lastButtonInTabOrder(), name_);
   setTabOrder(name_, create_);
@@ -175,7 +175,7 @@ void NewProjectPage::begin(const QStringList& files, bool findsCalibration) {
   cancelWork();
   cameras_->clearTable();
   name_->clear();
-  calibration_->begin(findsCalibration);
+  calibration_->startNewProject(findsCalibration);
   refresh();
   addFiles(files);
   addVideos_->setFocus();

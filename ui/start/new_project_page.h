@@ -37,7 +37,7 @@ public:
 
   /// Starts a new project with these files (videos, image folders, a calibration). If
   /// `findsCalibration` is true, a calibration file found beside the recordings is proposed.
-  void begin(const QStringList& files, bool findsCalibration = true);
+  void startNewProject(const QStringList& files, bool findsCalibration = true);
   /// Adds files to the new project, once their kind has been determined. A file with a calibration
   /// suffix becomes the calibration.
   void addFiles(const QStringList& files);

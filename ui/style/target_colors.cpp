@@ -6,7 +6,7 @@
 
 namespace dewpoint::ui {
 
-DisplayGround displayGround(const QPalette& palette) {
+DisplayGround displayGroundOf(const QPalette& palette) {
   return isDarkPalette(palette) ? DisplayGround::Dark : DisplayGround::Light;
 }
 

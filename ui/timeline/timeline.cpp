@@ -124,7 +124,7 @@ void Timeline::place() {
   }
   gutter_ = std::min(kWidestGutter, widest + 20.0);
   const QRectF axis = rows().axis;
-  scale_.setPixels(axis.left(), axis.width());
+  scale_.setPixelRange(axis.left(), axis.width());
 }
 
 QPoint Timeline::positionOf(qint64 frame) const {
@@ -162,7 +162,7 @@ void Timeline::selectTo(qint64 frame) {
 
 void Timeline::zoomToRange() {
   if (selection_.selectedRange()) {
-    scale_.show(selection_.selectedRange()->first, selection_.selectedRange()->last);
+    scale_.showFrames(selection_.selectedRange()->first, selection_.selectedRange()->last);
     update();
   }
 }

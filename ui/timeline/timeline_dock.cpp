@@ -40,7 +40,7 @@ void openFrameField(const Workbench& bench, ViewDock* dock, Timeline* timeline, 
   if (bench.docks.maximizedDock() != nullptr && bench.docks.maximizedDock() != dock) {
     bench.docks.restoreMaximized();
   }
-  if (dock->isBehind()) {
+  if (dock->isBehindOtherDocks()) {
     dock->bringToFront();
   }
   field->open(timeline->latestFrame());

@@ -191,7 +191,7 @@ void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRow
                      Qt::AlignLeft | Qt::AlignVCenter,
                      metrics.elidedText(name, Qt::ElideRight, room));
   };
-  const std::vector<QColor> colors = targetColors(model.colorSources, displayGround(palette));
+  const std::vector<QColor> colors = targetColors(model.colorSources, displayGroundOf(palette));
   for (int k = 0; k < model.targetNames.size(); ++k) {
     const QRectF row = rows.ribbonArea(k);
     if (rows.ribbonHeight >= 0.8 * metrics.height()) { // else names would lie on one another

@@ -76,10 +76,10 @@ void DockManager::remove(ViewDock* dock) {
   names_->updateNamesSoon();
 }
 
-bool DockManager::isBehind(const QWidget* widget) {
+bool DockManager::isBehindOtherDocks(const QWidget* widget) {
   for (; widget != nullptr; widget = widget->parentWidget()) {
     const auto* dock = qobject_cast<const ViewDock*>(widget);
-    if (dock != nullptr && dock->isBehind()) {
+    if (dock != nullptr && dock->isBehindOtherDocks()) {
       return true;
     }
   }
@@ -144,7 +144,8 @@ void DockManager::arrange() {
 void DockManager::rearrange(int columns) {
   std::vector<ViewDock*> inFront = docks();
   std::vector<ViewDock*> hidden = inFront;
-  std::erase_if(inFront, [](const ViewDock* dock) { return dock->isHidden() || dock->isBehind(); });
+  std::erase_if(
+      inFront, [](const ViewDock* dock) { return dock->isHidden() || dock->isBehindOtherDocks(); });
   std::erase_if(hidden, [](const ViewDock* dock) { return !dock->isHidden(); });
   arrangement_.setCameraColumns(columns);
   arrange();

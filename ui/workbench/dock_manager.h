@@ -36,7 +36,7 @@ public:
   /// Returns all docks, in the order of the window's children.
   std::vector<ViewDock*> docks() const { return arrangement_.docks(); }
   /// Returns whether a widget is in a dock of which no part is visible.
-  static bool isBehind(const QWidget* widget);
+  static bool isBehindOtherDocks(const QWidget* widget);
 
   /// Applies the default arrangement, followed by the document's layout if it has one.
   void layOut();

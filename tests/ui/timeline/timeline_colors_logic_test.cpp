@@ -19,7 +19,7 @@ TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
   model.colorSources = {{.learned = ColorRange{108.0, 132.0, 0.4, 0.6, 0.4, 0.6}}, {}};
   TimelineScale scale;
   scale.setExtent(0, 49);
-  scale.setPixels(100.0, 300.0);
+  scale.setPixelRange(100.0, 300.0);
   const TimelineRows rows(kTimelineSize, 2, 0, 16.0, 100.0, false);
   for (const bool dark : {false, true}) {
     const QPalette palette = themePalette(dark);
@@ -28,7 +28,7 @@ TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
     QPainter painter(&picture);
     paintTimeline(painter, model, scale, rows, Selection(), -1, palette);
     painter.end();
-    const auto colors = targetColors(model.colorSources, displayGround(palette));
+    const auto colors = targetColors(model.colorSources, displayGroundOf(palette));
     for (int k = 0; k < 2; ++k) {
       const QPoint chip(3, qRound(rows.ribbonArea(k).center().y()));
       EXPECT_EQ(picture.pixelColor(chip).rgb(), colors[static_cast<std::size_t>(k)].rgb()) << k;
@@ -44,7 +44,7 @@ TEST(TimelineFooter, SaysOnlyWhatIsTrackedAgain) {
       .first = 0, .last = 49, .head = 33, .bytes = 62U << 20U, .maxBytes = 512U << 20U};
   TimelineScale scale;
   scale.setExtent(0, 49);
-  scale.setPixels(100.0, 300.0);
+  scale.setPixelRange(100.0, 300.0);
   const QPalette palette = themePalette(false);
   const auto hasText = [&] {
     const TimelineRows rows(kTimelineSize, 1, 0, 16.0, 100.0, model.rerun.has_value());

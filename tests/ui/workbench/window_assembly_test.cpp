@@ -70,7 +70,7 @@ std::map<QString, QRect> WindowAssemblyTest::places() const {
   std::map<QString, QRect> found;
   for (const ViewDock* one : window_->workbench().docks.docks()) {
     if (!one->isHidden()) {
-      found[one->objectName()] = one->isBehind() ? QRect() : one->geometry();
+      found[one->objectName()] = one->isBehindOtherDocks() ? QRect() : one->geometry();
     }
   }
   return found;

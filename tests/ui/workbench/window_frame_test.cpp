@@ -63,7 +63,7 @@ private:
 std::map<QString, QRect> WindowFrameTest::places() const {
   std::map<QString, QRect> found;
   for (const ViewDock* one : window_->workbench().docks.docks()) {
-    if (!one->isHidden() && !one->isBehind()) {
+    if (!one->isHidden() && !one->isBehindOtherDocks()) {
       found[one->objectName()] = one->geometry();
     }
   }
