@@ -306,7 +306,7 @@ void PlotRow::applyPalette(const QPalette& palette, const QFont& font) {
     axis->grid()->setAntialiased(false);
   }
   for (std::size_t k = 0; k < drawn_.size(); ++k) {
-    const QColor color = curveColor(declaration_->curves[k].color, text);
+    const QColor color = curveColor(declaration_->curves[k].colorIndex, text);
     drawn_[k].curve->setPen(QPen(color, kCurveWidth));
     if (drawn_[k].bandUpper != nullptr) {
       QColor faint = color;
