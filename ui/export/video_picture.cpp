@@ -54,7 +54,7 @@ QSize naturalVideoSize(const std::vector<VideoView>& views) {
   // As many columns as a wide screen suits.
   constexpr QSize kScreen(1920, 1080);
   const ImageGrid grid = gridOf(views, kScreen);
-  const auto columns = static_cast<std::size_t>(grid.columns);
+  const auto columns = static_cast<std::size_t>(grid.columnCount);
   double width = 0.0;
   double height = 0.0;
   for (std::size_t column = 0; column < columns; ++column) {
@@ -74,7 +74,7 @@ QSize naturalVideoSize(const std::vector<VideoView>& views) {
 
 std::vector<QRect> videoViewAreas(const VideoLayout& look) {
   const ImageGrid grid = gridOf(look.views, look.size);
-  const auto columns = static_cast<std::size_t>(grid.columns);
+  const auto columns = static_cast<std::size_t>(grid.columnCount);
   std::vector<QRect> areas(look.views.size());
   double left = 0.0;
   for (std::size_t column = 0; column < columns; ++column) {

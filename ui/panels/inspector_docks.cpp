@@ -58,7 +58,7 @@ TargetDock installTargets(const Workbench& bench) {
                                          .rank = 2});
   bench.connectView(panel);
   QObject::connect(panel, &TargetPanel::targetChosen, &bench.selection, &Selection::selectTarget);
-  QObject::connect(&bench.selection, &Selection::targetSelected, panel, &TargetPanel::choose);
+  QObject::connect(&bench.selection, &Selection::targetSelected, panel, &TargetPanel::chooseTarget);
   bench.onTriggered("actionRemoveTarget", panel, [panel] { panel->removeChosenTarget(); });
   bench.onTriggered("actionHideTarget", panel,
                     [panel] { panel->toggleTargetShown(panel->chosenTarget()); });

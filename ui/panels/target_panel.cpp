@@ -192,7 +192,7 @@ void TargetPanel::refresh() {
   const auto& targets = document_.project().targets;
   const int before = shown_;
   refreshing_ = true;
-  choose(std::min(std::max(0, before), static_cast<int>(targets.size()) - 1));
+  chooseTarget(std::min(std::max(0, before), static_cast<int>(targets.size()) - 1));
   refreshing_ = false;
   shown_ = chosenTarget();
   const bool boxes = document_.presentation().targetsAreBoxes;

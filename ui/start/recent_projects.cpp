@@ -22,7 +22,7 @@ std::vector<RecentProject> RecentProjects::allProjects() const {
 
 QStringList RecentProjects::openableFiles() const {
   QStringList files;
-  for (const RecentProject& project : all()) {
+  for (const RecentProject& project : allProjects()) {
     if (!project.isMissing) {
       files << project.file;
     }
