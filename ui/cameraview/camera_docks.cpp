@@ -199,18 +199,18 @@ void CameraDocks::updateTitles() {
   for (std::size_t k = 0; k < docks_.size(); ++k) {
     const int camera = static_cast<int>(k);
     DockTitle& title = docks_[k]->title();
-    const bool known = target != nullptr && k < target->reasons.size() &&
-                       isWorthSaying(target->estimate, target->reasons[k]);
+    const bool known = target != nullptr && k < target->cameraReports.size() &&
+                       isWorthSaying(target->estimate, target->cameraReports[k]);
     if (const CameraMotionReport* motion = cameraMotionOf(*snapshot, camera)) {
       title.setReason(cameraMotionText(motion));
     } else if (!known) {
       title.setReason({});
-    } else if (isBlind(target->reasons[k]) &&
+    } else if (isBlind(target->cameraReports[k]) &&
                trackingState(*snapshot, camera) == TrackingState::Held) {
       // The others hold it: here that word would be a riddle.
-      title.setOnlyReason(cameraBlindText(target->reasons[k]));
+      title.setOnlyReason(cameraBlindText(target->cameraReports[k]));
     } else {
-      title.setReason(cameraReasonTextInImage(target->reasons[k]));
+      title.setReason(cameraReasonTextInImage(target->cameraReports[k]));
     }
   }
 }
