@@ -124,15 +124,15 @@ void PreferencesTest::recentProjectsAreTheNewestThatAreThere() {
   QCOMPARE(preferences.recentProjects().size(), 10);
   RecentProjects offered;
   offered.checkFiles();
-  QCOMPARE(offered.files(), preferences.recentProjects());
+  QCOMPARE(offered.openableFiles(), preferences.recentProjects());
   QVERIFY(QFile::remove(newestFirst.at(4)));
   offered.checkFiles();
-  QVERIFY(QTest::qWaitFor([&] { return !offered.files().contains(newestFirst.at(4)); },
+  QVERIFY(QTest::qWaitFor([&] { return !offered.openableFiles().contains(newestFirst.at(4)); },
                           DEWPOINT_PATIENCE_MS));
-  QCOMPARE(offered.files().size(), 9);
+  QCOMPARE(offered.openableFiles().size(), 9);
   QVERIFY(QFile(newestFirst.at(4)).open(QIODevice::WriteOnly)); // it is back
   offered.checkFiles();
-  QVERIFY(QTest::qWaitFor([&] { return offered.files() == preferences.recentProjects(); },
+  QVERIFY(QTest::qWaitFor([&] { return offered.openableFiles() == preferences.recentProjects(); },
                           DEWPOINT_PATIENCE_MS));
   preferences.clearRecentProjects();
   QVERIFY(preferences.recentProjects().isEmpty());

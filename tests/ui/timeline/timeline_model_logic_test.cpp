@@ -47,7 +47,7 @@ TEST(TimelineModel, SkippedFramesBelongToTheRecordBeforeThem) {
   EXPECT_EQ(model.recordAt(30), nullptr);
   EXPECT_EQ(model.recordAt(40)->frame, 40);
   EXPECT_EQ(model.recordAt(41), nullptr); // not tracked yet
-  EXPECT_EQ(TimelineModel().at(0), nullptr);
+  EXPECT_EQ(TimelineModel().recordAt(0), nullptr);
 }
 
 TEST(TimelineModel, SaysWhichTargetWasCorrectedAndWhere) {
