@@ -151,7 +151,7 @@ int run(int argc, char** argv) {
   window.setTheme(theme);
   const bool unattended = !options.screenshot.empty() || !options.out.empty();
   if (!unattended) {
-    window.keepGeometry();
+    window.restoreAndKeepGeometry();
   }
   int width = 0;
   int height = 0;
@@ -183,7 +183,7 @@ int main(int argc, char** argv) {
   dewpoint::app::silenceLibraries();
   try {
     const int code = run(argc, argv);
-    if (!dewpoint::ui::waitForDetached(std::chrono::milliseconds(0))) {
+    if (!dewpoint::ui::waitForDetachedJobs(std::chrono::milliseconds(0))) {
       // A thread hangs in a dead camera or disk: the window is closed, and so is the program.
       std::fflush(nullptr);
       std::_Exit(code);

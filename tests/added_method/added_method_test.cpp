@@ -52,7 +52,7 @@ void AddedMethodTest::isReadFromAProjectFileAndTracked() {
            QStringLiteral("Targets that stand still"));
   QCOMPARE(find<QLabel>("methodSentence")->text(),
            QStringLiteral("Believes that every target stands still at a place of your choice."));
-  QCOMPARE(methodPageOf(QStringLiteral("parked")), QStringLiteral("method-dynamics.md"));
+  QCOMPARE(manualPageOfMethod(QStringLiteral("parked")), QStringLiteral("method-dynamics.md"));
   // Its parameters act at once, by the widgets made from their declarations.
   QVERIFY(window_->document().setParameter("parked_y", -2.0));
   QVERIFY(areParkedAt(0.75, -2.0));

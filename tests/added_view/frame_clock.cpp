@@ -10,9 +10,9 @@ namespace dewpoint::ui {
 
 void installFrameClock(const Workbench& bench) {
   auto* view = new FrameClock(&bench.window);
-  bench.docks.make({.name = QStringLiteral("frameClockDock"),
-                    .title = [] { return FrameClock::tr("Frame"); },
-                    .content = view});
+  bench.docks.makeDock({.name = QStringLiteral("frameClockDock"),
+                        .title = [] { return FrameClock::tr("Frame"); },
+                        .content = view});
   bench.connectView(view);
 }
 

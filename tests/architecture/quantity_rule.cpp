@@ -26,8 +26,8 @@ std::vector<std::string> quantitiesByHand(const std::string& path, std::string_v
   const std::string code =
       std::regex_replace(std::regex_replace(std::string(text), kComment, ""), kSeam, "");
   static const std::regex kUnit("%[0-9]+(°| ?(px|mm|cm|m|µs|ms|s)(?![A-Za-z0-9_/]))");
-  static const std::regex kFactor(
-      "(number|table|digits)Text\\([^,;]*\\b(1000\\.0|1e3|200\\.0|180\\.0|100\\.0|kDegree)\\b");
+  static const std::regex kFactor("(number|tableNumber|significantDigits)Text\\([^,;]*"
+                                  "\\b(1000\\.0|1e3|200\\.0|180\\.0|100\\.0|kDegree)\\b");
   static const std::regex kAnyFactor(
       "\\b(1000\\.0|1e3|180\\.0|100\\.0|1e2) \\*|"
       "\\* (1000\\.0|1e3|180\\.0|100\\.0|1e2)\\b|/ (base::)?kDegree\\b");

@@ -26,10 +26,10 @@ TEST(QuantityRule, ANumberIsNotBroughtToAnotherUnitAsItIsWritten) {
             (Found{"numberText(1000.0", "1000.0 *"}));
   EXPECT_EQ(quantitiesByHand(kFile, "numberText(1e3 * *camera.sigma, 2)"),
             (Found{"numberText(1e3", "1e3 *"}));
-  EXPECT_EQ(quantitiesByHand(kFile, "tableText(sigmaOf(sample) * 100.0, 1)"),
-            Found{"tableText(sigmaOf(sample) * 100.0"});
-  EXPECT_EQ(quantitiesByHand(kFile, "digitsText(angle * 180.0 / std::numbers::pi, 2)"),
-            Found{"digitsText(angle * 180.0"});
+  EXPECT_EQ(quantitiesByHand(kFile, "tableNumberText(sigmaOf(sample) * 100.0, 1)"),
+            Found{"tableNumberText(sigmaOf(sample) * 100.0"});
+  EXPECT_EQ(quantitiesByHand(kFile, "significantDigitsText(angle * 180.0 / std::numbers::pi, 2)"),
+            Found{"significantDigitsText(angle * 180.0"});
 
   EXPECT_EQ(quantitiesByHand(kFile, "numberText(value, 3); x = 100.0 * y;"), Found{});
 }

@@ -127,7 +127,7 @@ bool WindowFixture::jobsEnd() {
   constexpr int kRounds = 5; // of the event loop: what one job found may begin the next
   int idle = 0;
   return waitFor([&] {
-    idle = waitForDetached(std::chrono::milliseconds(0)) ? idle + 1 : 0;
+    idle = waitForDetachedJobs(std::chrono::milliseconds(0)) ? idle + 1 : 0;
     return idle >= kRounds;
   });
 }

@@ -41,7 +41,7 @@ OutputController::OutputController(const Workbench& bench)
       dialog = new OutputDialog(bench_.document, &bench_.window);
       dialog->setAttribute(Qt::WA_DeleteOnClose);
     }
-    Workbench::present(dialog);
+    Workbench::presentDialog(dialog);
   });
   bench_.requireRun({"actionOutputs"});
   connect(&bench_.session, &SessionController::snapshotChanged, this,
@@ -150,7 +150,7 @@ void OutputController::startSending(std::shared_ptr<broadcast::Broadcaster> broa
   if (wanted_) {
     broadcaster_ = std::move(broadcaster);
     broadcaster_->setPageTexts(pageTexts()); // the language may have changed meanwhile
-    broadcaster_->offer(bench_.session.shown());
+    broadcaster_->offer(bench_.session.shownSnapshot());
     timer_.start(kOutputUpdate);
     showStatus();
   }

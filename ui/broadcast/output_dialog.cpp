@@ -60,8 +60,8 @@ OutputDialog::OutputDialog(Document& document, QWidget* parent)
       tcp_(new QCheckBox(this)), tcpPort_(makePort("outputTcpPort", kTcpPort, this)),
       web_(new QCheckBox(this)), webPort_(makePort("outputWebPort", kWebPort, this)),
       page_(new QLabel(this)), osc_(new QLineEdit(this)), tuio_(new QLineEdit(this)),
-      csv_(new QLineEdit(this)), listen_(makeChoice("outputListen", this)),
-      axes_(makeChoice("outputAxes", this)), unit_(makeChoice("outputUnit", this)),
+      csv_(new QLineEdit(this)), listen_(makeChoiceField("outputListen", this)),
+      axes_(makeChoiceField("outputAxes", this)), unit_(makeChoiceField("outputUnit", this)),
       rate_(new QSpinBox(this)), token_(new QLineEdit(this)), problem_(new QLabel(this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
   setObjectName(QStringLiteral("outputDialog"));

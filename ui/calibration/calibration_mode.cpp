@@ -23,12 +23,12 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
     : QObject(&bench.window), bench_(bench),
       manual_(new ManualCalibration(bench.document, bench.selection, bench.cameras, this)),
       pages_(new CalibrationDock(&bench.window)) {
-  dock_ = bench_.docks.make({.name = QStringLiteral("calibrationDock"),
-                             .title = [] { return tr("Calibration"); }, // a tab: short
-                             .content = pages_,
-                             .rank = 5,
-                             .hiddenAtFirst = true,
-                             .openedByAction = true});
+  dock_ = bench_.docks.makeDock({.name = QStringLiteral("calibrationDock"),
+                                 .title = [] { return tr("Calibration"); }, // a tab: short
+                                 .content = pages_,
+                                 .rank = 5,
+                                 .hiddenAtFirst = true,
+                                 .openedByAction = true});
   dock_->setMinimumWidth(400); // room for the names of all tabs, and three numbers
   QAction* mode = bench_.action("actionCalibrateByHand");
   connect(mode, &QAction::triggered, this, [this, mode](bool checked) {
@@ -50,7 +50,8 @@ CalibrationMode::CalibrationMode(const Workbench& bench)
     show(mode->isChecked());
   });
   // A mode, no part of the layout.
-  connect(&bench_.docks, &DockManager::laidOut, this, [this, mode] { show(mode->isChecked()); });
+  connect(&bench_.docks, &DockManager::layoutChanged, this,
+          [this, mode] { show(mode->isChecked()); });
   // One thing at a time is meant by a click in an image. A color is also learned for the wand, with
   // the panel open: then the images belong to it until the color is known.
   bench_.onToggled("actionLearnColor", this, [this](bool learning) {
@@ -78,7 +79,7 @@ void CalibrationMode::open(const QString& page) {
 std::vector<ViewDock*> CalibrationMode::docksInFront() const {
   std::vector<ViewDock*> front;
   for (ViewDock* view : bench_.window.findChildren<ViewDock*>()) {
-    if (view != dock_ && !view->isHidden() && !view->isBehind()) {
+    if (view != dock_ && !view->isHidden() && !view->isBehindOtherDocks()) {
       front.push_back(view);
     }
   }
@@ -89,7 +90,8 @@ void CalibrationMode::show(bool isShown) {
   if (isShown && page_.isEmpty() && !isReturning_) {
     manual_->storeEarlierCameras(EarlierCameras::PanelOpened);
   }
-  const bool wasInFront = dock_->isHidden() || !dock_->isBehind(); // hidden: by its own button
+  const bool wasInFront =
+      dock_->isHidden() || !dock_->isBehindOtherDocks(); // hidden: by its own button
   const bool opens = isShown && dock_->isHidden();
   const auto front = opens ? docksInFront() : std::vector<ViewDock*>();
   dock_->setShownByUser(isShown);

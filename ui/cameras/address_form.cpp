@@ -34,7 +34,7 @@ constexpr std::array kExamples{
 } // namespace
 
 AddressForm::AddressForm(QWidget* parent)
-    : QWidget(parent), label_(new QLabel(this)), kind_(makeChoice("addressKind", this)),
+    : QWidget(parent), label_(new QLabel(this)), kind_(makeChoiceField("addressKind", this)),
       address_(new PathField(this)), try_(new QPushButton(this)), add_(new QPushButton(this)),
       replace_(new QPushButton(this)), image_(new QLabel(this)), result_(new QLabel(this)) {
   address_->setObjectName(QStringLiteral("addressText"));
@@ -148,7 +148,7 @@ void AddressForm::tryAddress() {
         return;
       }
       size_ = QSize((*tried)->size.width, (*tried)->size.height);
-      image_->setPixmap(QPixmap::fromImage(toImage((*tried)->image)));
+      image_->setPixmap(QPixmap::fromImage(toQImage((*tried)->image)));
       image_->show();
       result_->setText(tr("✓ %1").arg(imageFormatText(size_, (*tried)->framesPerSecond)));
     };

@@ -43,7 +43,7 @@ void installCameraSources(const Workbench& bench) {
       dialog = new CamerasDialog(bench, parts);
       dialog->setAttribute(Qt::WA_DeleteOnClose);
     }
-    Workbench::present(dialog);
+    Workbench::presentDialog(dialog);
   });
   bench.requireRun({"actionCameras"});
   bench.onTriggered("actionLockColors", locker, [locker] { locker->lock(-1); });

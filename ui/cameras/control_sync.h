@@ -46,7 +46,7 @@ private:
   DeviceWatch& watch_;
   ValuesByPath applied_; ///< values that the devices have, as far as the project sets them
   ValuesByPath before_;  ///< values before the project set them
-  LatestJob job_{LatestJob::Superseded::Kept};
+  LatestJob job_{LatestJob::SupersededJob::Kept};
 };
 
 } // namespace dewpoint::ui

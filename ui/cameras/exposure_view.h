@@ -47,7 +47,7 @@ private:
   ExposureBars* bars_;
   QLabel* shares_;
   QLabel* sentences_;
-  LatestJob job_{LatestJob::Superseded::Kept};
+  LatestJob job_{LatestJob::SupersededJob::Kept};
 };
 
 } // namespace dewpoint::ui

@@ -41,9 +41,9 @@ void fillChoice(QComboBox& box, ChoicesWithData choices, const QVariant& selecte
 } // namespace
 
 FormatChoice::FormatChoice(QWidget* parent)
-    : QWidget(parent), pixelLabel_(new QLabel(this)), pixel_(makeChoice("deviceFormat", this)),
-      sizeLabel_(new QLabel(this)), size_(makeChoice("deviceSize", this)),
-      rateLabel_(new QLabel(this)), rate_(makeChoice("deviceRate", this)) {
+    : QWidget(parent), pixelLabel_(new QLabel(this)), pixel_(makeChoiceField("deviceFormat", this)),
+      sizeLabel_(new QLabel(this)), size_(makeChoiceField("deviceSize", this)),
+      rateLabel_(new QLabel(this)), rate_(makeChoiceField("deviceRate", this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(kSpacing);

@@ -74,7 +74,7 @@ void PreviewStreams::open(const QString& location) {
     while (!stop.stop_requested()) {
       const auto watched = previewLive(camera, kBetweenImages, [&](const LivePreview& preview) {
         if (!preview.image.empty()) {
-          deliver({toImage(preview.image),
+          deliver({toQImage(preview.image),
                    QSize(preview.size.width, preview.size.height),
                    preview.framesPerSecond,
                    {}});

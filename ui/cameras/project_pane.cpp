@@ -220,17 +220,17 @@ std::optional<std::size_t> ProjectPane::device() const {
 }
 
 void ProjectPane::showImages() {
-  const TrackSnapshotPtr snapshot = bench_.session.withFilledFrames(bench_.session.shown());
+  const TrackSnapshotPtr snapshot = bench_.session.withFilledFrames(bench_.session.shownSnapshot());
   std::vector<QIcon> icons;
   const auto count = bench_.document.project().cameras.size();
   for (std::size_t k = 0; k < count; ++k) {
     const bool has = snapshot && snapshot->frames && k < snapshot->frames->frames.size() &&
                      snapshot->frames->frames[k] != nullptr;
-    icons.push_back(cameraIcon(has ? toImage(snapshot->frames->frames[k]->image) : QImage(),
+    icons.push_back(cameraIcon(has ? toQImage(snapshot->frames->frames[k]->image) : QImage(),
                                palette(), devicePixelRatioF()));
   }
   icons_->setIcons(std::move(icons));
-  exposure_->setSnapshot(bench_.session.shown());
+  exposure_->setSnapshot(bench_.session.shownSnapshot());
 }
 
 void ProjectPane::refresh() {

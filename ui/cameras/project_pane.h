@@ -79,7 +79,7 @@ private:
   QPushButton* lockAll_;
   std::string path_;                            ///< of the device whose controls are shown
   std::vector<capture::DeviceControl> present_; ///< its controls as they were read last
-  LatestJob job_{LatestJob::Superseded::Kept};
+  LatestJob job_{LatestJob::SupersededJob::Kept};
 };
 
 } // namespace dewpoint::ui

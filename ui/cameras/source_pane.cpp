@@ -210,7 +210,7 @@ void SourcePane::refreshRow(int row) {
 }
 
 void SourcePane::showImages() {
-  const TrackSnapshotPtr snapshot = bench_.session.withFilledFrames(bench_.session.shown());
+  const TrackSnapshotPtr snapshot = bench_.session.withFilledFrames(bench_.session.shownSnapshot());
   for (int row = 0; row < list_->count(); ++row) {
     const auto user = userOf(row);
     const auto camera = static_cast<std::size_t>(user.value_or(0));
@@ -219,7 +219,7 @@ void SourcePane::showImages() {
                      snapshot->frames->frames[camera] != nullptr;
     if (user) {
       list_->item(row)->setIcon(
-          cameraIcon(has ? toImage(snapshot->frames->frames[camera]->image) : QImage(), palette(),
+          cameraIcon(has ? toQImage(snapshot->frames->frames[camera]->image) : QImage(), palette(),
                      devicePixelRatioF()));
     }
   }

@@ -143,7 +143,7 @@ void CameraDocks::makeDocks() {
   for (int camera = 0; camera < static_cast<int>(cameras.size()); ++camera) {
     auto* view = new CameraView(camera, &bench_.window);
     const auto index = static_cast<std::size_t>(camera);
-    ViewDock* dock = bench_.docks.make(
+    ViewDock* dock = bench_.docks.makeDock(
         {.name = QStringLiteral("cameraDock%1").arg(camera),
          .title = [given = cameras[index].camera.name, index] { return cameraName(given, index); },
          .content = view,
@@ -192,7 +192,7 @@ bool isWorthSaying(const TrackEstimate& estimate, const CameraReport& reason) {
 } // namespace
 
 void CameraDocks::updateTitles() {
-  const TrackSnapshotPtr& snapshot = bench_.session.shown();
+  const TrackSnapshotPtr& snapshot = bench_.session.shownSnapshot();
   if (!snapshot) {
     return;
   }
@@ -209,9 +209,9 @@ void CameraDocks::updateTitles() {
     } else if (isBlind(target->cameraReports[k]) &&
                trackingState(*snapshot, camera) == TrackingState::Held) {
       // The others hold it: here that word would be a riddle.
-      title.setReasonAlone(cameraBlindText(target->cameraReports[k]));
+      title.setOnlyReason(cameraBlindText(target->cameraReports[k]));
     } else {
-      title.setReason(cameraReasonHereText(target->cameraReports[k]));
+      title.setReason(cameraReasonTextInImage(target->cameraReports[k]));
     }
   }
 }

@@ -54,7 +54,7 @@ QImage mapImage(const std::vector<LikelihoodMap>& maps, int camera) {
     return {};
   }
   const cv::Mat drawn = likelihoodImage(maps[index]);
-  // ARGB32 lies in memory as blue, green, red, alpha on the machines we support (toImage()).
+  // ARGB32 lies in memory as blue, green, red, alpha on the machines we support (toQImage()).
   return QImage(drawn.data, drawn.cols, drawn.rows, static_cast<qsizetype>(drawn.step),
                 QImage::Format_ARGB32)
       .copy();
@@ -73,7 +73,7 @@ CameraImage drawCameraImage(const CameraImageSource& source) {
   CameraImage picture{source, {}, {}, {}};
   const cv::Mat& image = source.frame->image;
   if (image.type() == CV_8UC3) {
-    picture.image = toImage(drawn(source));
+    picture.image = toQImage(drawn(source));
   }
   if (source.mapSnapshot) {
     for (const TargetSnapshot& target : source.mapSnapshot->targets) {

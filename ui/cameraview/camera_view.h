@@ -124,7 +124,7 @@ private:
   TrackSnapshotPtr shown_;            ///< snapshot that belongs to `picture_`
   std::int64_t reportedFrame_ = -1;   ///< last frame in reportPainted()
   CameraImageSource requestedSource_; ///< input that `job_` is processing or will process
-  LatestJob job_{LatestJob::Superseded::Kept};
+  LatestJob job_{LatestJob::SupersededJob::Kept};
 };
 
 } // namespace dewpoint::ui

@@ -105,8 +105,8 @@ void paintCloudInset(QPainter& painter, const CloudInset& subject) {
   frame.addRoundedRect(square, kInsetRounding, kInsetRounding);
   painter.save();
   painter.setClipPath(frame, Qt::IntersectClip);
-  QImage picture = toImage(magnified(subject.image, ellipse->center,
-                                     static_cast<int>(std::lround(*side * ratio)), *factor));
+  QImage picture = toQImage(magnified(subject.image, ellipse->center,
+                                      static_cast<int>(std::lround(*side * ratio)), *factor));
   picture.setDevicePixelRatio(ratio);
   painter.drawImage(square, picture);
   const ImagePlacement enlarged{square.center() - (center + QPointF(0.5, 0.5)) * scale, scale};

@@ -44,8 +44,8 @@ void paintLoupe(QPainter& painter, const QRectF& place, const cv::Mat& image, co
                 const QPointF& meant) {
   const double ratio = painter.device()->devicePixelRatioF();
   const int factor = std::max(1, static_cast<int>(std::lround(kLoupeFactor * ratio)));
-  QImage picture = toImage(magnified(image, {pixel.x(), pixel.y()},
-                                     static_cast<int>(std::lround(place.width() * ratio)), factor));
+  QImage picture = toQImage(magnified(
+      image, {pixel.x(), pixel.y()}, static_cast<int>(std::lround(place.width() * ratio)), factor));
   picture.setDevicePixelRatio(ratio);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -63,9 +63,9 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
       paintOverlay(painter, overlay, placement, color, ParticleRamp::tinted(color));
       if (overlay.estimate) {
         const QPointF middle(overlay.estimate->x() + 0.5, overlay.estimate->y() + 0.5);
-        paintBadge(painter, person.estimate->identity,
-                   placement.corner + middle * placement.scale - QPointF(0.0, 14.0), room,
-                   isChosen);
+        paintIdentityBadge(painter, person.estimate->identity,
+                           placement.corner + middle * placement.scale - QPointF(0.0, 14.0), room,
+                           isChosen);
       }
       continue;
     }
@@ -75,7 +75,8 @@ void paintPeople(QPainter& painter, const TrackSnapshot& snapshot, int camera,
     }
     paintHull(painter, outline, color, target.status == TargetStatus::Held, isChosen);
     const auto top = std::ranges::min_element(outline, {}, &QPointF::y);
-    paintBadge(painter, person.estimate->identity, *top - QPointF(0.0, 3.0), room, isChosen);
+    paintIdentityBadge(painter, person.estimate->identity, *top - QPointF(0.0, 3.0), room,
+                       isChosen);
   }
   painter.restore();
 }
@@ -94,7 +95,7 @@ void paintPeopleProblem(QPainter& painter, const TrackSnapshot& snapshot, int ca
   if (text.isEmpty()) {
     return;
   }
-  const auto share = backgroundLearned(snapshot, camera);
+  const auto share = learnedBackgroundShare(snapshot, camera);
   const QFontMetricsF metrics(painter.font());
   const double most = room.width() - 16.0;
   if (share && metrics.horizontalAdvance(text) + 24.0 > most) {

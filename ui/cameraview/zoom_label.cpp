@@ -10,7 +10,8 @@
 namespace dewpoint::ui {
 
 QRectF paintZoomLabel(QPainter& painter, const QRectF& area, double scale) {
-  const QString text = QCoreApplication::translate("CameraView", "%1×").arg(digitsText(scale, 2));
+  const QString text =
+      QCoreApplication::translate("CameraView", "%1×").arg(significantDigitsText(scale, 2));
   const QFontMetricsF metrics(painter.font());
   const QSizeF pill(metrics.horizontalAdvance(text) + 14.0, metrics.height() + 4.0);
   const QRectF place(area.bottomRight() - QPointF(pill.width() + 8.0, pill.height() + 8.0), pill);

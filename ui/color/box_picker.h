@@ -35,7 +35,7 @@ private:
 
   Document& document_;
   int target_ = 0;
-  LatestJob job_{LatestJob::Superseded::Dropped};
+  LatestJob job_{LatestJob::SupersededJob::Dropped};
 };
 
 } // namespace dewpoint::ui

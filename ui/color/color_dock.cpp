@@ -34,10 +34,10 @@ ColorDock::ColorDock(const Workbench& bench, const CameraDocks& cameras, const T
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidget(panel_);
-  dock_ = bench_.docks.make({.name = QStringLiteral("colorDock"),
-                             .title = [] { return tr("Color"); },
-                             .content = scroll,
-                             .rank = 3});
+  dock_ = bench_.docks.makeDock({.name = QStringLiteral("colorDock"),
+                                 .title = [] { return tr("Color"); },
+                                 .content = scroll,
+                                 .rank = 3});
   bench_.connectImageView(panel_);
   connect(dock_, &QDockWidget::visibilityChanged, panel_, &ColorPanel::setPanelVisible);
   connect(panel_, &ColorPanel::failed, &bench_.messages, &MessageBar::showError);
@@ -95,7 +95,7 @@ void ColorDock::learn(bool starts) {
     return;
   }
   if (starts && panel_->clickAddsTarget()) {
-    panel_->setTarget(targets_->chosen());
+    panel_->setTarget(targets_->chosenTarget());
   }
   panel_->setPicking(starts);
   if (starts) {
@@ -134,7 +134,7 @@ void ColorDock::updateLearnActionText() {
 }
 
 void ColorDock::colorLearned(int target, bool isNew) {
-  targets_->choose(target);
+  targets_->chooseTarget(target);
   if (panel_->targetsAreBoxes()) {
     targetDock_->raise();
     bench_.session.startAfterBoxDrawn(isNew);

@@ -15,7 +15,7 @@ namespace dewpoint::ui {
 
 ColorLearner::ColorLearner(Document& document, QObject* parent)
     : QObject(parent), document_(document) {
-  connect(&learning_, &LatestJob::idle, this, [this] { Q_EMIT busyChanged(false); });
+  connect(&learning_, &LatestJob::becameIdle, this, [this] { Q_EMIT busyChanged(false); });
 }
 
 std::vector<cv::Mat> ColorLearner::backgroundImages() const {

@@ -62,7 +62,7 @@ private:
   Document& document_;
   TrackSnapshotPtr snapshot_;
   int target_ = 0;
-  LatestJob learning_{LatestJob::Superseded::Dropped};
+  LatestJob learning_{LatestJob::SupersededJob::Dropped};
 };
 
 } // namespace dewpoint::ui

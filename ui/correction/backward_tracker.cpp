@@ -29,7 +29,7 @@ constexpr qint64 kBetweenTextsMs = 500;
 BackwardTracker::BackwardTracker(const Workbench& bench, QObject* parent)
     : QObject(parent), bench_(bench) {
   connect(&job_, &LatestJob::progressChanged, this, &BackwardTracker::showProgress);
-  connect(&job_, &LatestJob::idle, this, &BackwardTracker::clearProgress);
+  connect(&job_, &LatestJob::becameIdle, this, &BackwardTracker::clearProgress);
   connect(&bench_.session, &SessionController::runEnded, this, &BackwardTracker::cancel);
 }
 
@@ -40,7 +40,7 @@ void BackwardTracker::cancel() {
 
 void BackwardTracker::start(const PositionCorrection& correction,
                             std::vector<TrajectorySample> believed, const std::string& mergeKey) {
-  const TrackSnapshotPtr& shown = bench_.session.shown();
+  const TrackSnapshotPtr& shown = bench_.session.shownSnapshot();
   if (!shown || !shown->frameCount) {
     return; // live: what is past is not there to be read again
   }

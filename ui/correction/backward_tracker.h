@@ -46,7 +46,7 @@ private:
   void clearProgress();
 
   Workbench bench_;
-  LatestJob job_{LatestJob::Superseded::Dropped};
+  LatestJob job_{LatestJob::SupersededJob::Dropped};
   std::int64_t frame_ = 0; ///< frame of the correction where tracking started
   QElapsedTimer sinceStart_;
   QElapsedTimer sinceShown_;

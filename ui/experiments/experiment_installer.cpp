@@ -16,7 +16,7 @@ void installExperiments(const Workbench& bench) {
       dialog = new ExperimentDialog(&bench.window);
       QObject::connect(dialog, &ExperimentDialog::failed, &bench.messages, &MessageBar::showError);
     }
-    Workbench::present(dialog);
+    Workbench::presentDialog(dialog);
   });
 }
 

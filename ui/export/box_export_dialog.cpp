@@ -75,7 +75,7 @@ BoxExportDialog::BoxExportDialog(std::function<BoxTrack()> boxes, QWidget* paren
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   connect(folder_, &QLineEdit::textChanged, this, [this] { askToReplace(false); });
   connect(notes_, &QCheckBox::toggled, this, [this](bool checked) {
-    Preferences().setExportNotes(checked);
+    Preferences().setExportsNotes(checked);
     askToReplace(false);
     showFirstLines();
   });
@@ -123,7 +123,7 @@ void BoxExportDialog::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   askToReplace(false);
   const QSignalBlocker quiet(notes_);
-  notes_->setChecked(Preferences().exportNotes());
+  notes_->setChecked(Preferences().exportsNotes());
   showFirstLines();
 }
 

@@ -47,7 +47,7 @@ ExportDialog::ExportDialog(std::function<Trajectory()> trajectory, QWidget* pare
 void ExportDialog::makeFields() {
   form_ = new ExportForm(this);
   preview_ = new PreviewPane(
-      *jobs_, [this] { jobs_->preview(trajectory_, form_->options(), file()); }, this);
+      *jobs_, [this] { jobs_->startPreview(trajectory_, form_->options(), file()); }, this);
   outcome_ = new ExportOutcome(this);
   question_ = named(new QLabel(this), "exportQuestion");
   question_->setWordWrap(true);
@@ -101,8 +101,8 @@ void ExportDialog::retranslateUi() {
 }
 
 void ExportDialog::connectFields() {
-  connect(preview_, &PreviewPane::takesLong, cancel_, &QWidget::show);
-  connect(preview_, &PreviewPane::ended, this, [this] { cancel_->setVisible(running_); });
+  connect(preview_, &PreviewPane::previewTakingLong, cancel_, &QWidget::show);
+  connect(preview_, &PreviewPane::previewEnded, this, [this] { cancel_->setVisible(running_); });
   connect(form_, &ExportForm::formatChanged, this, &ExportDialog::formatChanged);
   connect(form_, &ExportForm::changed, this, &ExportDialog::changed);
   connect(previewTimer_, &QTimer::timeout, this, &ExportDialog::updatePreview);
@@ -149,7 +149,7 @@ void ExportDialog::updatePreview() {
   if (now.samples.size() != trajectory_->samples.size()) {
     trajectory_ = std::make_shared<const Trajectory>(std::move(now));
     form_->setTrajectory(*trajectory_);
-    preview_->request();
+    preview_->requestPreview();
   }
 }
 
@@ -170,21 +170,21 @@ void ExportDialog::hideEvent(QHideEvent* event) {
   previewTimer_->stop();
   withdrawQuestion();
   outcome_->clear();
-  preview_->abandon(); // nobody looks at it; an export goes on
+  preview_->cancelPreview(); // nobody looks at it; an export goes on
 }
 
 void ExportDialog::stop() {
   if (running_) {
     jobs_->cancel();
   } else {
-    preview_->stop();
+    preview_->stopOnUserRequest();
   }
 }
 
 void ExportDialog::changed() {
   withdrawQuestion();
   if (trajectory_ != nullptr) {
-    preview_->request();
+    preview_->requestPreview();
   }
 }
 
@@ -219,7 +219,7 @@ void ExportDialog::chooseFile() {
   if (!chosen.isEmpty()) {
     file_->setText(chosen);
     // The question was asked there, if there was one to ask; until that is known it is open.
-    jobs_->checkExists(chosen.toStdString(), [this, asked = questions_](bool exists) {
+    jobs_->checkFileExists(chosen.toStdString(), [this, asked = questions_](bool exists) {
       mayReplace_ = mayReplace_ || (exists && asked == questions_);
     });
   }
@@ -260,7 +260,7 @@ void ExportDialog::start() {
   startedAt_ = questions_;
   trajectory_ = std::make_shared<const Trajectory>(trajectorySource_()); // with what came since
   form_->setTrajectory(*trajectory_);
-  preview_->dropRequest();
+  preview_->cancelPendingRequest();
   outcome_->clear();
   setRunning(true);
   jobs_->run(trajectory_, chosen, file());
@@ -298,7 +298,7 @@ void ExportDialog::showFinished(const ExportSummary& summary) {
       reportFailed(tr("%1 exists already; nothing was written.").arg(name));
     }
     if (isVisible()) {
-      preview_->request(); // the preview was stopped for it
+      preview_->requestPreview(); // the preview was stopped for it
     }
     return;
   }

@@ -50,7 +50,7 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
   axes_ = named(new QComboBox(this), "exportAxes");
   unit_ = named(new QComboBox(this), "exportUnit");
   notes_ = named(new QCheckBox(this), "exportHeader");
-  notes_->setChecked(Preferences().exportNotes());
+  notes_->setChecked(Preferences().exportsNotes());
   from_->setValue(from_->minimum());
   to_->setValue(to_->minimum());
   proposedRange_ = {from_->value(), to_->value()};
@@ -92,7 +92,7 @@ ExportForm::ExportForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
     connect(spin, &QDoubleSpinBox::valueChanged, this, change);
   }
   connect(notes_, &QCheckBox::toggled, this, [this, change](bool checked) {
-    Preferences().setExportNotes(checked);
+    Preferences().setExportsNotes(checked);
     change();
   });
   connect(targets_, &QListWidget::itemChanged, this, change);
@@ -143,7 +143,7 @@ QString ExportForm::notesHint() {
 
 void ExportForm::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  notes_->setChecked(Preferences().exportNotes()); // another dialog may have changed it
+  notes_->setChecked(Preferences().exportsNotes()); // another dialog may have changed it
 }
 
 const ExportFormat& ExportForm::format() const {

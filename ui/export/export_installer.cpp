@@ -62,7 +62,7 @@ void exportBoxes(const Workbench& bench) {
     reset();
   }
   dialog->proposeFolder(destination->folder());
-  Workbench::present(dialog);
+  Workbench::presentDialog(dialog);
 }
 
 void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
@@ -81,10 +81,11 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
     QObject::connect(dialog, &ExportDialog::fileWritten, destination,
                      &ExportDestination::rememberFolder);
     resetChoices();
-    const auto sayOld = [dialog, results = &bench.session.results()] {
+    const auto sayOld = [dialog, results = &bench.session.resultRefresher()] {
       dialog->setHasOldResults(!results->oldResults().frames.empty());
     };
-    QObject::connect(&bench.session.results(), &ResultRefresher::oldResultsChanged, dialog, sayOld);
+    QObject::connect(&bench.session.resultRefresher(), &ResultRefresher::oldResultsChanged, dialog,
+                     sayOld);
     sayOld();
   }
   dialog->proposeFile(trajectoryFile(*destination));
@@ -93,7 +94,7 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
                                ? std::optional(std::pair(time.secondsOf(selectedRange->first),
                                                          time.secondsOf(selectedRange->last)))
                                : std::nullopt);
-  Workbench::present(dialog);
+  Workbench::presentDialog(dialog);
 }
 
 } // namespace

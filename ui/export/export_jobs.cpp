@@ -19,13 +19,13 @@ int percentOf(double part) {
 ExportJobs::ExportJobs(QObject* parent)
     : QObject(parent), cancelled_(std::make_shared<std::atomic<bool>>(false)) {
   connect(&preview_, &LatestJob::progressChanged, this,
-          [this](double part) { Q_EMIT previewing(percentOf(part)); });
+          [this](double part) { Q_EMIT previewProgressChanged(percentOf(part)); });
   connect(&export_, &BackgroundJob::progressChanged, this,
           [this](double part) { Q_EMIT progressChanged(percentOf(part)); });
 }
 
-void ExportJobs::preview(TrajectoryPtr trajectory, const ExportOptions& options,
-                         const std::filesystem::path& file) {
+void ExportJobs::startPreview(TrajectoryPtr trajectory, const ExportOptions& options,
+                              const std::filesystem::path& file) {
   preview_.start([this, trajectory = std::move(trajectory), options,
                   file](const BackgroundJob::Progress& progress) -> std::function<void()> {
     constexpr std::size_t kLines = 100; // notes, and more rows than can be seen below them
@@ -37,8 +37,8 @@ void ExportJobs::preview(TrajectoryPtr trajectory, const ExportOptions& options,
   });
 }
 
-void ExportJobs::checkExists(const std::filesystem::path& file,
-                             std::function<void(bool exists)> report) {
+void ExportJobs::checkFileExists(const std::filesystem::path& file,
+                                 std::function<void(bool exists)> report) {
   finding_.start([file, report = std::move(report)](const BackgroundJob::Progress&) {
     std::error_code ignored;
     const bool exists = std::filesystem::exists(file, ignored);

@@ -23,30 +23,30 @@ public:
   explicit ExportJobs(QObject* parent = nullptr);
 
   using TrajectoryPtr = std::shared_ptr<const Trajectory>;
-  void preview(TrajectoryPtr trajectory, const ExportOptions& options,
-               const std::filesystem::path& file);
+  void startPreview(TrajectoryPtr trajectory, const ExportOptions& options,
+                    const std::filesystem::path& file);
   void run(TrajectoryPtr trajectory, const ExportOptions& options,
            const std::filesystem::path& file);
   /// Runs another long task, such as drawing a figure; emits `finished()` or `failed()` afterwards.
   void run(std::function<Status()> task, const std::filesystem::path& file);
   /// Calls `report` with whether a file exists. Only the newest request is answered.
-  void checkExists(const std::filesystem::path& file, std::function<void(bool exists)> report);
+  void checkFileExists(const std::filesystem::path& file, std::function<void(bool exists)> report);
   void cancel() { *cancelled_ = true; }
   /// Cancels a preview that is waiting or in progress.
   void stopPreview() { preview_.cancel(); }
 
 Q_SIGNALS:
   /// Emitted with the progress (percent) of a preview that takes long.
-  void previewing(int percent);
-  void previewReady(const dewpoint::trajectory::ExportPreview& preview);
+  void previewProgressChanged(int percent);
+  void previewReady(const dewpoint::trajectory::ExportPreview& startPreview);
   void previewFailed(const QString& sentence);
   void progressChanged(int percent);
   void finished(const dewpoint::trajectory::ExportSummary& summary);
   void failed(const QString& sentence);
 
 private:
-  LatestJob preview_{LatestJob::Superseded::Dropped};
-  LatestJob finding_{LatestJob::Superseded::Dropped};
+  LatestJob preview_{LatestJob::SupersededJob::Dropped};
+  LatestJob finding_{LatestJob::SupersededJob::Dropped};
   BackgroundJob export_;
   /// Separate from the job's cancel flag, so that the result of a canceled export is also reported.
   std::shared_ptr<std::atomic<bool>> cancelled_;

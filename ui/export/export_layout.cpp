@@ -18,18 +18,18 @@ constexpr int kBetweenRows = 16;
 void arrangeExportDialog(QDialog& dialog, QLayout* content, const ExportDialogParts& parts) {
   auto* place = new QHBoxLayout;
   place->setSpacing(kBetweenFields);
-  place->addWidget(parts.file, 1);
-  place->addWidget(parts.browse);
+  place->addWidget(parts.fileField, 1);
+  place->addWidget(parts.browseButton);
   auto* box = new QDialogButtonBox(&dialog); // no accept role: Enter would press it
-  for (QPushButton* action : parts.actions) {
+  for (QPushButton* action : parts.actionButtons) {
     box->addButton(action, QDialogButtonBox::ActionRole);
   }
-  box->addButton(parts.close, QDialogButtonBox::RejectRole);
+  box->addButton(parts.closeButton, QDialogButtonBox::RejectRole);
   QObject::connect(box, &QDialogButtonBox::rejected, &dialog, &QDialog::close);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(kBetweenFields);
-  buttons->addWidget(parts.progress, 1);
-  buttons->addWidget(parts.cancel);
+  buttons->addWidget(parts.progressBar, 1);
+  buttons->addWidget(parts.cancelButton);
   buttons->addStretch(1);
   buttons->addWidget(box);
   auto* layout = new QVBoxLayout(&dialog);

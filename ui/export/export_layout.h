@@ -14,14 +14,14 @@ namespace dewpoint::ui {
 
 /// Widgets that all export dialogs have below their own content.
 struct ExportDialogParts {
-  QWidget* file;     ///< field for the file to write
-  QWidget* browse;   ///< button that opens a file dialog for this file
-  QWidget* question; ///< question whether an existing file may be replaced
-  QWidget* outcome;  ///< result of the last export
-  QWidget* progress;
-  QWidget* cancel;
-  std::vector<QPushButton*> actions; ///< buttons that start an export or another task
-  QPushButton* close;
+  QWidget* fileField;    ///< field for the file to write
+  QWidget* browseButton; ///< button that opens a file dialog for this file
+  QWidget* question;     ///< question whether an existing file may be replaced
+  QWidget* outcome;      ///< result of the last export
+  QWidget* progressBar;
+  QWidget* cancelButton;
+  std::vector<QPushButton*> actionButtons; ///< buttons that start an export or another task
+  QPushButton* closeButton;
 };
 
 /// Arranges the widgets of an export dialog: `content`, the file, messages, and a row of buttons.

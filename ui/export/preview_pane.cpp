@@ -53,12 +53,12 @@ PreviewPane::PreviewPane(ExportJobs& jobs, std::function<void()> order, QWidget*
     longTimer_->start();
     order();
   });
-  connect(longTimer_, &QTimer::timeout, this, &PreviewPane::takesLong);
+  connect(longTimer_, &QTimer::timeout, this, &PreviewPane::previewTakingLong);
   connectJobs();
 }
 
 void PreviewPane::connectJobs() {
-  connect(&jobs_, &ExportJobs::previewing, this, [this](int percent) {
+  connect(&jobs_, &ExportJobs::previewProgressChanged, this, [this](int percent) {
     if (isUnderWay_) {
       size_->setText(tr("Working on the preview: %1 %").arg(percent));
     }
@@ -84,11 +84,11 @@ void PreviewPane::setHasOldResults(bool has) {
   old_->setVisible(has);
 }
 
-void PreviewPane::request() {
+void PreviewPane::requestPreview() {
   startTimer_->start();
 }
 
-void PreviewPane::dropRequest() {
+void PreviewPane::cancelPendingRequest() {
   startTimer_->stop();
 }
 
@@ -99,16 +99,16 @@ bool PreviewPane::isBusy() const {
 void PreviewPane::end() {
   isUnderWay_ = false;
   longTimer_->stop();
-  Q_EMIT ended();
+  Q_EMIT previewEnded();
 }
 
-void PreviewPane::abandon() {
+void PreviewPane::cancelPreview() {
   startTimer_->stop();
   jobs_.stopPreview();
   end();
 }
 
-void PreviewPane::stop() {
+void PreviewPane::stopOnUserRequest() {
   jobs_.stopPreview();
   end();
   units_->clear();

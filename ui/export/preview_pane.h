@@ -23,27 +23,27 @@ public:
   PreviewPane(ExportJobs& jobs, std::function<void()> order, QWidget* parent = nullptr);
 
   /// Requests a preview. Several requests in quick succession produce one preview.
-  void request();
+  void requestPreview();
   /// Returns whether a preview is requested or in progress.
   bool isBusy() const;
   /// Cancels the preview. Call this when the pane is no longer visible.
-  void abandon();
+  void cancelPreview();
   /// Cancels the preview on the user's request and shows a note in its place.
-  void stop();
+  void stopOnUserRequest();
   /// Cancels the current preview when an export begins, and requests it again when the export is
   /// over.
   void setExporting(bool exporting);
   /// Drops a pending request for a preview. A preview in progress continues.
-  void dropRequest();
+  void cancelPendingRequest();
   /// Sets whether part of the run has results from earlier settings. If so, the pane shows a note.
   void setHasOldResults(bool has);
   void retranslateUi();
 
 Q_SIGNALS:
   /// Emitted when a preview takes long, so that the user can be offered a way to stop it.
-  void takesLong();
+  void previewTakingLong();
   /// Emitted when no preview is in progress anymore.
-  void ended();
+  void previewEnded();
 
 private:
   void connectJobs();

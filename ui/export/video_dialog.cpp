@@ -32,7 +32,7 @@ constexpr double kTimeTolerance = 0.00051;
 
 } // namespace
 
-VideoDialog::VideoDialog(std::function<VideoOffer()> offer, QWidget* parent)
+VideoDialog::VideoDialog(std::function<VideoSources()> offer, QWidget* parent)
     : QDialog(parent), offer_(std::move(offer)), exporter_(new VideoExporter(this)),
       previewTimer_(new QTimer(this)) {
   setObjectName(QStringLiteral("videoDialog"));
@@ -130,7 +130,7 @@ void VideoDialog::connectFields() {
           [this] { report(tr("The export was canceled."), {}, false); });
   connect(exporter_, &VideoExporter::failed, this,
           [this](const QString& sentence) { report(sentence, {}, true); });
-  connect(exporter_, &VideoExporter::existing, this, [this](const QString& file) {
+  connect(exporter_, &VideoExporter::fileExists, this, [this](const QString& file) {
     if (isVisible()) {
       setRunning(false);
       askToReplace(file);
@@ -200,7 +200,7 @@ void VideoDialog::stop(const QString& reason) {
 }
 
 void VideoDialog::updateSuffix() {
-  const QString suffix = form_->suffix();
+  const QString suffix = form_->fileSuffix();
   if (!suffix.isEmpty()) {
     QStringList known;
     for (const VideoEncoding& encoding : videoEncodings()) {
@@ -211,20 +211,20 @@ void VideoDialog::updateSuffix() {
   changed();
 }
 
-Result<VideoRequest> VideoDialog::request(const VideoOffer& offer) const {
+Result<VideoRequest> VideoDialog::request(const VideoSources& offer) const {
   VideoLayout look = form_->videoLayout();
   if (look.views.empty()) {
     return failure(ErrorCode::BadValue, "", tr("Views").toStdString(),
                    tr("no view is checked").toStdString());
   }
   look.recording = offer.recording;
-  const auto from = form_->from();
-  const auto to = form_->to();
+  const auto from = form_->startSeconds();
+  const auto to = form_->endSeconds();
   std::vector<FrameTime> frames = offer.frames ? offer.frames() : std::vector<FrameTime>();
   std::erase_if(frames, [&](const FrameTime& one) {
     const bool isBefore = from && one.seconds < *from - kTimeTolerance;
     const bool isAfter = to ? one.seconds > *to + kTimeTolerance
-                            : offer.lastTracked >= 0 && one.frame > offer.lastTracked;
+                            : offer.lastTrackedFrame >= 0 && one.frame > offer.lastTrackedFrame;
     return isBefore || isAfter;
   });
   const VideoTiming timing = form_->timing(offer.framesPerSecond);
@@ -250,7 +250,7 @@ void VideoDialog::changed() {
 }
 
 void VideoDialog::drawPreview() {
-  const VideoOffer offer = offer_();
+  const VideoSources offer = offer_();
   if (offer.session == nullptr || exporter_->isRunning() || !isVisible()) {
     return;
   }
@@ -263,7 +263,7 @@ void VideoDialog::drawPreview() {
   }
   preview_->setFrames(wanted->frames);
   VideoDrawer& drawer = exporter_->drawer();
-  drawer.begin(offer.session, wanted->layout, offer.scene);
+  drawer.beginVideo(offer.session, wanted->layout, offer.birdsEyeView);
   const QSize pixels = preview_->imageSize();
   const auto consume = [this, request = *wanted,
                         pixels](Result<QImage> image) -> std::function<void()> {
@@ -323,7 +323,7 @@ void VideoDialog::withdrawQuestion() {
 }
 
 void VideoDialog::start() {
-  const VideoOffer offer = offer_();
+  const VideoSources offer = offer_();
   auto wanted = request(offer);
   withdrawQuestion();
   outcome_->clear();
@@ -335,7 +335,7 @@ void VideoDialog::start() {
     return;
   }
   previewTimer_->stop();
-  exporter_->start(std::move(*wanted), offer.session, offer.scene);
+  exporter_->start(std::move(*wanted), offer.session, offer.birdsEyeView);
   setRunning(true);
 }
 
@@ -347,7 +347,7 @@ void VideoDialog::report(const QString& sentence, const QString& file, bool isFa
   if (isFailure) {
     Q_EMIT failed(sentence);
   } else {
-    Q_EMIT done(sentence);
+    Q_EMIT exportEnded(sentence);
   }
 }
 

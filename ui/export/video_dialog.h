@@ -27,15 +27,15 @@ class VideoForm;
 class VideoPreview;
 
 /// Data of the window that can currently be exported as a video.
-struct VideoOffer {
+struct VideoSources {
   Session* session = nullptr;   ///< null if no run is open
   std::vector<VideoView> views; ///< the views, as the window shows them
-  const BirdsEyeView* scene = nullptr;
+  const BirdsEyeView* birdsEyeView = nullptr;
   QString recording; ///< name of the recording or take
   /// Returns all frames that can be shown, in increasing order; may be empty.
   std::function<std::vector<FrameTime>()> frames;
-  std::int64_t lastTracked = -1; ///< -1: none
-  double framesPerSecond = 30.0; ///< frame rate of the recording
+  std::int64_t lastTrackedFrame = -1; ///< -1: none
+  double framesPerSecond = 30.0;      ///< frame rate of the recording
 };
 
 /// Exports a run as a video, with a preview of its images. Not modal; an export continues
@@ -44,7 +44,7 @@ class VideoDialog : public QDialog {
   Q_OBJECT
 public:
   /// Creates the dialog. `offer` is called whenever the dialog needs to know what can be exported.
-  explicit VideoDialog(std::function<VideoOffer()> offer, QWidget* parent = nullptr);
+  explicit VideoDialog(std::function<VideoSources()> offer, QWidget* parent = nullptr);
 
   /// Proposes to export only this time range (seconds); if empty, the whole run.
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
@@ -61,7 +61,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted with a sentence about the result when an export has ended.
-  void done(const QString& sentence);
+  void exportEnded(const QString& sentence);
   void failed(const QString& sentence);
   /// Emitted when an export has written this file.
   void fileWritten(const QString& file);
@@ -78,7 +78,7 @@ private:
   /// Finds out what this computer can write, once.
   void probeEncodings();
   /// Returns the video that the fields define.
-  Result<VideoRequest> request(const VideoOffer& offer) const;
+  Result<VideoRequest> request(const VideoSources& offer) const;
   void changed();
   void updateSuffix();
   void drawPreview();
@@ -89,7 +89,7 @@ private:
   void withdrawQuestion();
   void report(const QString& sentence, const QString& file, bool isFailure);
 
-  std::function<VideoOffer()> offer_;
+  std::function<VideoSources()> offer_;
   VideoExporter* exporter_;
   BackgroundJob probe_;
   QTimer* previewTimer_;

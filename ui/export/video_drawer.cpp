@@ -28,8 +28,8 @@ Result<TrackSnapshotPtr> countedFromOne(Error error, std::int64_t frame) {
 
 VideoDrawer::VideoDrawer(QObject* parent) : QObject(parent) {}
 
-void VideoDrawer::begin(Session* session, std::shared_ptr<const VideoLayout> look,
-                        const BirdsEyeView* scene) {
+void VideoDrawer::beginVideo(Session* session, std::shared_ptr<const VideoLayout> look,
+                             const BirdsEyeView* scene) {
   stop();
   session_ = session;
   look_ = std::move(look);
@@ -41,7 +41,7 @@ void VideoDrawer::begin(Session* session, std::shared_ptr<const VideoLayout> loo
   }
   sceneArea_ = static_cast<int>(found - views.begin());
   scene_.copyLook(*scene, found->options.volume,
-                  videoAreas(*look_)[static_cast<std::size_t>(sceneArea_)].size());
+                  videoViewAreas(*look_)[static_cast<std::size_t>(sceneArea_)].size());
 }
 
 void VideoDrawer::stop() {
@@ -71,7 +71,7 @@ void VideoDrawer::take(Result<TrackSnapshotPtr> snapshot, const Consume& consume
   int pause = 0; // so that the window has as much time as the scene took
   if (snapshot && sceneArea_ >= 0) {
     scene = scene_.draw(*snapshot);
-    pause = static_cast<int>(std::ceil(scene_.lastMs()));
+    pause = static_cast<int>(std::ceil(scene_.lastDrawingMs()));
   }
   jobs_.add([look = look_, snapshot = std::move(snapshot), scene, consume] {
     return consume(snapshot ? Result<QImage>(videoPicture(*look, *snapshot, scene))

@@ -30,7 +30,8 @@ public:
 
   /// Sets the session and the composition of the next images. `scene` is the bird's-eye view whose
   /// appearance is copied; null if the composition contains no bird's-eye view.
-  void begin(Session* session, std::shared_ptr<const VideoLayout> look, const BirdsEyeView* scene);
+  void beginVideo(Session* session, std::shared_ptr<const VideoLayout> look,
+                  const BirdsEyeView* scene);
   /// Drops requests that have not been answered. The session may end after this call.
   void stop();
 

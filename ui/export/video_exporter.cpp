@@ -14,7 +14,7 @@ namespace {
 constexpr int kMaxWaitingFrameSets = 3;
 
 cv::Mat colorsOfPicture(QImage& image) {
-  // RGB32 lies in memory as blue, green, red, unused on the machines we support (toImage()).
+  // RGB32 lies in memory as blue, green, red, unused on the machines we support (toQImage()).
   return cv::Mat(image.height(), image.width(), CV_8UC4, image.bits(),
                  static_cast<std::size_t>(image.bytesPerLine()));
 }
@@ -44,7 +44,7 @@ void VideoExporter::start(VideoRequest request, Session* session, const BirdsEye
   next_ = written_ = 0;
   waiting_ = 0;
   closing_ = false;
-  drawer_->begin(session, state_->request.layout, scene);
+  drawer_->beginVideo(session, state_->request.layout, scene);
   open();
 }
 
@@ -57,7 +57,7 @@ void VideoExporter::open() {
         if (state_ == state) {
           state_.reset();
           drawer_->stop();
-          Q_EMIT existing(QString::fromStdString(state->request.file.string()));
+          Q_EMIT fileExists(QString::fromStdString(state->request.file.string()));
         }
       };
     }

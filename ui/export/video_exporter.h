@@ -48,7 +48,7 @@ Q_SIGNALS:
   void finished(const QString& file);
   void canceled();
   /// Emitted if the file exists and VideoRequest::overwrite is false. Nothing was written.
-  void existing(const QString& file);
+  void fileExists(const QString& file);
   void failed(const QString& sentence);
 
 private:

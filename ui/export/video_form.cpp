@@ -178,11 +178,11 @@ VideoTiming VideoForm::timing(double recorded) const {
   return timing;
 }
 
-std::optional<double> VideoForm::from() const {
+std::optional<double> VideoForm::startSeconds() const {
   return from_->value() >= 0.0 ? std::optional(from_->value()) : std::nullopt;
 }
 
-std::optional<double> VideoForm::to() const {
+std::optional<double> VideoForm::endSeconds() const {
   return to_->value() >= 0.0 ? std::optional(to_->value()) : std::nullopt;
 }
 
@@ -193,7 +193,7 @@ std::optional<VideoEncoding> VideoForm::encoding() const {
              : std::nullopt;
 }
 
-QString VideoForm::suffix() const {
+QString VideoForm::fileSuffix() const {
   const auto chosen = encoding();
   return chosen ? QString::fromUtf8(chosen->suffix.data(),
                                     static_cast<qsizetype>(chosen->suffix.size()))

@@ -37,12 +37,12 @@ public:
   VideoTiming timing(double recorded) const;
   /// Return the first and the last time to export (seconds); empty for the beginning and the end of
   /// the run.
-  std::optional<double> from() const;
-  std::optional<double> to() const;
+  std::optional<double> startSeconds() const;
+  std::optional<double> endSeconds() const;
   /// Returns the selected encoding; empty if there is none.
   std::optional<VideoEncoding> encoding() const;
   /// Returns the suffix of the selected encoding, including the dot; empty if there is none.
-  QString suffix() const;
+  QString fileSuffix() const;
 
   /// Proposes to export only this time range (seconds). If `seconds` is empty, the proposal is
   /// withdrawn, unless the user has edited the range.

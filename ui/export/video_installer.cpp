@@ -57,7 +57,7 @@ std::vector<VideoView> cameraViewsOf(const Workbench& bench) {
   return views;
 }
 
-void addSceneTo(VideoOffer& offer, const Workbench& bench) {
+void addSceneTo(VideoSources& offer, const Workbench& bench) {
   const auto* scene = bench.window.findChild<BirdsEyeView*>();
   if (scene == nullptr || !scene->hasImage() ||
       !bench.document.methodPresentation().hasBirdsEyeView) {
@@ -74,11 +74,11 @@ void addSceneTo(VideoOffer& offer, const Workbench& bench) {
     view.height = std::ranges::max(offer.views, {}, &VideoView::height).height;
   }
   offer.views.push_back(std::move(view));
-  offer.scene = scene;
+  offer.birdsEyeView = scene;
 }
 
-VideoOffer offerOf(const Workbench& bench, const TimelineModel& time) {
-  VideoOffer offer;
+VideoSources offerOf(const Workbench& bench, const TimelineModel& time) {
+  VideoSources offer;
   offer.session = bench.session.session();
   if (offer.session == nullptr) {
     return offer;
@@ -93,7 +93,7 @@ VideoOffer offerOf(const Workbench& bench, const TimelineModel& time) {
     }
     return frames;
   };
-  offer.lastTracked = time.history.newestTrackedFrame;
+  offer.lastTrackedFrame = time.history.newestTrackedFrame;
   offer.framesPerSecond = time.framesPerSecond;
   return offer;
 }
@@ -105,11 +105,12 @@ QString videoFile(const ExportDestination& destination) {
 VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) {
   auto* dialog = new VideoDialog([bench, &time] { return offerOf(bench, time); }, &bench.window);
   MessageBar* messages = &bench.messages;
-  QObject::connect(dialog, &VideoDialog::done, messages, [dialog, messages](const QString& text) {
-    if (!dialog->isVisible()) {
-      messages->showNotice(text);
-    }
-  });
+  QObject::connect(dialog, &VideoDialog::exportEnded, messages,
+                   [dialog, messages](const QString& text) {
+                     if (!dialog->isVisible()) {
+                       messages->showNotice(text);
+                     }
+                   });
   QObject::connect(dialog, &VideoDialog::failed, messages, [dialog, messages](const QString& text) {
     if (!dialog->isVisible()) {
       messages->showError(text);
@@ -120,8 +121,7 @@ VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) 
     dialog->resetChoices(videoFile(*destination));
   };
   QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
-  QObject::connect(dialog, &VideoDialog::fileWritten, destination,
-                   &ExportDestination::rememberFolder);
+  QObject::connect(dialog, &VideoDialog::fileWritten, destination, &ExportDestination::rememberFolder);
   resetChoices();
   QObject::connect(&bench.session, &SessionController::runEnded, dialog, [dialog] {
     dialog->stop(VideoDialog::tr("The export was stopped because the run has ended."));
@@ -153,7 +153,7 @@ void installVideoExport(const Workbench& bench, const Timeline& timeline) {
     dialog->setSelectedRange(
         range ? std::optional(std::pair(time.secondsOf(range->first), time.secondsOf(range->last)))
               : std::nullopt);
-    Workbench::present(dialog);
+    Workbench::presentDialog(dialog);
   });
   bench.requireRun({"actionExportVideo"});
 }

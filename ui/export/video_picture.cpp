@@ -54,7 +54,7 @@ QSize naturalVideoSize(const std::vector<VideoView>& views) {
   // As many columns as a wide screen suits.
   constexpr QSize kScreen(1920, 1080);
   const ImageGrid grid = gridOf(views, kScreen);
-  const auto columns = static_cast<std::size_t>(grid.columns);
+  const auto columns = static_cast<std::size_t>(grid.columnCount);
   double width = 0.0;
   double height = 0.0;
   for (std::size_t column = 0; column < columns; ++column) {
@@ -72,9 +72,9 @@ QSize naturalVideoSize(const std::vector<VideoView>& views) {
   return {toEven(width * shrink), toEven(height * shrink)};
 }
 
-std::vector<QRect> videoAreas(const VideoLayout& look) {
+std::vector<QRect> videoViewAreas(const VideoLayout& look) {
   const ImageGrid grid = gridOf(look.views, look.size);
-  const auto columns = static_cast<std::size_t>(grid.columns);
+  const auto columns = static_cast<std::size_t>(grid.columnCount);
   std::vector<QRect> areas(look.views.size());
   double left = 0.0;
   for (std::size_t column = 0; column < columns; ++column) {
@@ -91,7 +91,7 @@ std::vector<QRect> videoAreas(const VideoLayout& look) {
   return areas;
 }
 
-QString videoStamp(const VideoLayout& look, const TrackSnapshotPtr& snapshot) {
+QString videoStampText(const VideoLayout& look, const TrackSnapshotPtr& snapshot) {
   const QString frame = // people count from 1
       QCoreApplication::translate("VideoDialog", "Frame %1").arg(snapshot->frame + 1);
   const QString time =
@@ -107,7 +107,7 @@ QImage videoPicture(const VideoLayout& look, const TrackSnapshotPtr& snapshot,
   picture.fill(imageBackgroundColor(look.palette));
   QPainter painter(&picture);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-  const std::vector<QRect> areas = videoAreas(look);
+  const std::vector<QRect> areas = videoViewAreas(look);
   for (std::size_t k = 0; k < look.views.size(); ++k) {
     const VideoView& view = look.views[k];
     if (view.camera) {
@@ -121,7 +121,7 @@ QImage videoPicture(const VideoLayout& look, const TrackSnapshotPtr& snapshot,
     }
   }
   if (look.stampShown) {
-    paintLabel(painter, picture.rect(), Qt::AlignBottom, videoStamp(look, snapshot));
+    paintLabel(painter, picture.rect(), Qt::AlignBottom, videoStampText(look, snapshot));
   }
   return picture;
 }

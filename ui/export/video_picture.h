@@ -38,11 +38,11 @@ struct VideoLayout {
 QSize naturalVideoSize(const std::vector<VideoView>& views);
 
 /// Returns the area of each view in the image: a grid in which the views cover as much as possible.
-std::vector<QRect> videoAreas(const VideoLayout& look);
+std::vector<QRect> videoViewAreas(const VideoLayout& look);
 
 /// Returns the text at the lower edge of a video image, for example "take-003 · Frame 133 · 4.400
 /// s". Frames are counted from 1, as everywhere in the window.
-QString videoStamp(const VideoLayout& look, const TrackSnapshotPtr& snapshot);
+QString videoStampText(const VideoLayout& look, const TrackSnapshotPtr& snapshot);
 
 /// Returns one image of a video. `scene` is the image of the bird's-eye view, which is enlarged if
 /// it is smaller than its area; null if the video has no bird's-eye view. May be called from any

@@ -24,8 +24,8 @@ double areaInPixels(const QSize& size) {
 
 } // namespace
 
-QSize affordableSize(const QSize& wanted, double smallPixels, double smallMs, double largePixels,
-                     double largeMs, double maxMs) {
+QSize largestSizeInTime(const QSize& wanted, double smallPixels, double smallMs, double largePixels,
+                        double largeMs, double maxMs) {
   const double perPixel = std::max(0.0, (largeMs - smallMs) / (largePixels - smallPixels));
   const double fixed = std::max(0.0, smallMs - perPixel * smallPixels);
   const double whole = fixed + perPixel * areaInPixels(wanted);
@@ -73,8 +73,8 @@ void VideoScene::measure() {
   render(kSmallProbe);
   const double small = lastMs_;
   render(kLargeProbe);
-  drawn_ = affordableSize(wanted_, areaInPixels(kSmallProbe), small, areaInPixels(kLargeProbe),
-                          lastMs_, kMaxMs);
+  drawn_ = largestSizeInTime(wanted_, areaInPixels(kSmallProbe), small, areaInPixels(kLargeProbe),
+                             lastMs_, kMaxDrawingMs);
 }
 
 QImage VideoScene::draw(const TrackSnapshotPtr& snapshot) {

@@ -20,10 +20,10 @@ class BirdsEyeView;
 
 /// Bird's-eye view for an exported video, separate from the bird's-eye view of the window, which
 /// may show another frame meanwhile. It is drawn in the GUI thread. On a slow computer, a smaller
-/// image is drawn, so that drawing takes at most about kMaxMs milliseconds.
+/// image is drawn, so that drawing takes at most about kMaxDrawingMs milliseconds.
 class VideoScene {
 public:
-  static constexpr double kMaxMs = 40.0;
+  static constexpr double kMaxDrawingMs = 40.0;
 
   VideoScene();
   ~VideoScene();
@@ -38,7 +38,7 @@ public:
   const QSize& drawnSize() const { return drawn_; }
   bool isReduced() const { return drawn_ != wanted_; }
   /// Returns how long drawing the last image took, in milliseconds.
-  double lastMs() const { return lastMs_; }
+  double lastDrawingMs() const { return lastMs_; }
 
 private:
   QImage render(const QSize& size);
@@ -55,7 +55,7 @@ private:
 /// milliseconds to draw, but at least a quarter of the width and height of `wanted`. The time is
 /// estimated from two measurements: an image of `smallPixels` pixels took `smallMs`, and an image
 /// of `largePixels` pixels took `largeMs`.
-QSize affordableSize(const QSize& wanted, double smallPixels, double smallMs, double largePixels,
-                     double largeMs, double maxMs);
+QSize largestSizeInTime(const QSize& wanted, double smallPixels, double smallMs, double largePixels,
+                        double largeMs, double maxMs);
 
 } // namespace dewpoint::ui

@@ -114,7 +114,7 @@ void CrashReports::search() {
       if (!report_.isEmpty()) {
         offer();
       }
-      Q_EMIT searched(!report_.isEmpty());
+      Q_EMIT searchEnded(!report_.isEmpty());
     };
   });
 }
@@ -122,7 +122,7 @@ void CrashReports::search() {
 void CrashReports::offer() {
   bench_.messages.showLastingQuestion(
       tr("Dewpoint closed unexpectedly last time and left a report of what happened."),
-      {{tr("Show report"), [this] { reportCrash(bench_, report_); }}});
+      {{tr("Show report"), [this] { openCrashReportDialog(bench_, report_); }}});
 }
 
 } // namespace dewpoint::ui

@@ -31,7 +31,7 @@ public:
 Q_SIGNALS:
   /// Emitted when the folder was searched for reports. If `found` is true, a report has been
   /// offered.
-  void searched(bool found);
+  void searchEnded(bool found);
 
 private:
   void noteActions();

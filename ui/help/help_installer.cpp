@@ -34,7 +34,7 @@ template <class Dialog, class Make> Dialog* presentOne(const Workbench& bench, c
     dialog = make();
     dialog->setAttribute(Qt::WA_DeleteOnClose);
   }
-  Workbench::present(dialog);
+  Workbench::presentDialog(dialog);
   return dialog;
 }
 
@@ -46,7 +46,7 @@ void showManual(const Workbench& bench, const QString& page) {
 }
 
 QStringList lastMessages(const Workbench& bench) {
-  const QStringList& all = bench.messages.recent();
+  const QStringList& all = bench.messages.recentMessages();
   return all.mid(std::max<qsizetype>(0, all.size() - kReportedMessages));
 }
 
@@ -61,14 +61,14 @@ QString projectText(const Workbench& bench) {
 
 } // namespace
 
-void reportCrash(const Workbench& bench, const QString& crash) {
+void openCrashReportDialog(const Workbench& bench, const QString& crash) {
   auto* report = new ProblemReport({lastMessages(bench), projectText(bench), crash},
                                    bench.session.opener(), &bench.window);
   report->setAttribute(Qt::WA_DeleteOnClose);
-  Workbench::present(report);
+  Workbench::presentDialog(report);
 }
 
-QString manualPageInUse(const Workbench& bench) {
+QString manualPageForFocusedView(const Workbench& bench) {
   const QString method = QString::fromStdString(bench.document.project().method);
   for (const QWidget* part = QApplication::focusWidget(); part != nullptr;
        part = part->parentWidget()) {
@@ -81,9 +81,10 @@ QString manualPageInUse(const Workbench& bench) {
 
 void installHelp(const Workbench& bench) {
   QObject* window = &bench.window;
-  bench.onTriggered("actionManual", window, [bench] { showManual(bench, manualPageInUse(bench)); });
+  bench.onTriggered("actionManual", window,
+                    [bench] { showManual(bench, manualPageForFocusedView(bench)); });
   bench.onTriggered("actionMethods", window, [bench] {
-    showManual(bench, methodPageOf(QString::fromStdString(bench.document.project().method)));
+    showManual(bench, manualPageOfMethod(QString::fromStdString(bench.document.project().method)));
   });
   bench.onTriggered("actionQuickStart", window, [bench] {
     presentOne<QuickStart>(bench, [&] {

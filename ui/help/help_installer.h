@@ -13,10 +13,10 @@ struct Workbench;
 void installHelp(const Workbench& bench);
 
 /// Opens the dialog *Report a problem* with the crash report `crash`.
-void reportCrash(const Workbench& bench, const QString& crash);
+void openCrashReportDialog(const Workbench& bench, const QString& crash);
 
 /// Returns the manual page about the part of the window in use: the view with the keyboard focus,
 /// or else the open page, or else the whole window.
-QString manualPageInUse(const Workbench& bench);
+QString manualPageForFocusedView(const Workbench& bench);
 
 } // namespace dewpoint::ui

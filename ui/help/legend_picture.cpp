@@ -168,7 +168,7 @@ void LegendPicture::paintEvent(QPaintEvent* /*event*/) {
   painter.setClipPath(edge);
   const QPointF ball(width() / 2.0, height() / 2.0);
   paintScene(painter, QRectF(rect()), ball);
-  const QColor color = toColor(legibleColor(
+  const QColor color = toQColor(legibleColor(
       DisplayColor(kBall.redF(), kBall.greenF(), kBall.blueF()), DisplayBackground::Image));
   if (sign_ == LegendSign::Mask) {
     QColor tint = color;

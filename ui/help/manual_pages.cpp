@@ -74,13 +74,13 @@ QStringList manualPages() {
   return pages;
 }
 
-QString methodPageOf(const QString& method) {
+QString manualPageOfMethod(const QString& method) {
   return manualPage(methodPage(method.toStdString()));
 }
 
 QString manualPageOf(const QString& dock, const QString& method) {
   if (dock == QStringLiteral("parameterDock")) {
-    return methodPageOf(method);
+    return manualPageOfMethod(method);
   }
   for (const auto& [name, page] : kPageOfDock) {
     if (dock.startsWith(QLatin1String(name))) {

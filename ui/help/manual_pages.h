@@ -16,7 +16,7 @@ QStringList manualPages();
 QString manualPageOf(const QString& dock, const QString& method);
 /// Returns the manual page about a method, or the page about the default method if the method has
 /// none.
-QString methodPageOf(const QString& method);
+QString manualPageOfMethod(const QString& method);
 
 /// Returns the folders in which to search for the manual pages, in this order: beside an installed
 /// program, in the source folder from which the program was compiled, and in the source folder that

@@ -24,10 +24,10 @@ MessageHistory::MessageHistory(const MessageBar& messages, QWidget* parent)
   text_->setObjectName(QStringLiteral("messageHistoryText"));
   text_->setReadOnly(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  text_->setPlainText(messages.recent().join(QLatin1Char('\n')));
+  text_->setPlainText(messages.recentMessages().join(QLatin1Char('\n')));
   text_->moveCursor(QTextCursor::End);
   copy_->setObjectName(QStringLiteral("messageHistoryCopy"));
-  copy_->setEnabled(!messages.recent().isEmpty());
+  copy_->setEnabled(!messages.recentMessages().isEmpty());
   auto* buttons = new QDialogButtonBox(this);
   buttons->addButton(copy_, QDialogButtonBox::ActionRole);
   buttons->addButton(close_, QDialogButtonBox::RejectRole);
@@ -36,7 +36,7 @@ MessageHistory::MessageHistory(const MessageBar& messages, QWidget* parent)
   connect(copy_, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(text()); });
   connect(&messages, &MessageBar::messageShown, this, [this, shown = &messages] {
-    text_->appendPlainText(shown->recent().last()); // what is selected stays selected
+    text_->appendPlainText(shown->recentMessages().last()); // what is selected stays selected
     copy_->setEnabled(true);
   });
   auto* column = new QVBoxLayout(this);

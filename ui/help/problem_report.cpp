@@ -62,8 +62,8 @@ QString reportText(const ProblemFacts& facts) {
       QString(),
       QStringLiteral("Last messages:")};
   lines += facts.messages.isEmpty() ? QStringList{QStringLiteral("(none)")} : facts.messages;
-  if (!facts.crash.isEmpty()) {
-    lines += {QString(), QStringLiteral("Report of the crash:"), facts.crash.trimmed()};
+  if (!facts.crashReport.isEmpty()) {
+    lines += {QString(), QStringLiteral("Report of the crash:"), facts.crashReport.trimmed()};
   }
   return lines.join(QLatin1Char('\n'));
 }
@@ -91,7 +91,7 @@ ProblemReport::ProblemReport(const ProblemFacts& facts, ProjectOpener opener, QW
       showTest(QStringLiteral("(canceled)"));
     }
     showRunning(false);
-    Q_EMIT tested();
+    Q_EMIT selfTestEnded();
   });
   showTest(QStringLiteral("(not run)"));
   onRetranslate(this, [this] { retranslateUi(); });
@@ -124,8 +124,8 @@ void ProblemReport::arrange() {
 }
 
 void ProblemReport::startTest() {
-  std::vector<SelfTestLine> graphics = graphicsSelfTest(); // belongs to this thread
-  job_->start([this, lines = std::move(graphics), parts = selfTestParts(opener_)](
+  std::vector<SelfTestLine> graphics = runGraphicsSelfTest(); // belongs to this thread
+  job_->start([this, lines = std::move(graphics), parts = makeSelfTestInputs(opener_)](
                   const BackgroundJob::Progress& progress) mutable -> std::function<void()> {
     constexpr double kUnknown = -1.0;
     parts.shouldContinue = [&progress] { return progress(kUnknown); };

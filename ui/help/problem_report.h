@@ -20,7 +20,7 @@ class BackgroundJob;
 struct ProblemFacts {
   QStringList messages; ///< the last messages shown
   QString project;      ///< short description of the open project
-  QString crash;        ///< crash report; empty if there was no crash
+  QString crashReport;  ///< crash report; empty if there was no crash
 };
 
 /// Dialog with information that helps to find a fault, as text to copy: versions, system, OpenGL,
@@ -36,7 +36,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when a self-test has ended or was canceled.
-  void tested();
+  void selfTestEnded();
 
 private:
   void arrange();

@@ -96,7 +96,7 @@ ProjectCheckDialog::ProjectCheckDialog(std::function<Project()> project, Project
     isCanceled_ = canceled;
     showRunning(false);
     fillList();
-    Q_EMIT checked();
+    Q_EMIT checkEnded();
   });
   onRetranslate(this, [this] { retranslateUi(); });
   resize(kCheckSize);

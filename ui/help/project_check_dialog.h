@@ -34,7 +34,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when a check has ended and its findings are shown.
-  void checked();
+  void checkEnded();
 
 protected:
   void changeEvent(QEvent* event) override; ///< colors follow the theme

@@ -65,14 +65,14 @@ SelfTestLine languagesLine() {
 
 } // namespace
 
-std::vector<SelfTestLine> graphicsSelfTest() {
+std::vector<SelfTestLine> runGraphicsSelfTest() {
   const QString toolkit = QStringLiteral("Qt %1 (%2), VTK %3")
                               .arg(QString::fromLatin1(qVersion()), QGuiApplication::platformName(),
                                    QStringLiteral(DEWPOINT_VTK_VERSION));
   return {{FindingLevel::Ok, "window", toolkit.toStdString()}, openGlLine(), languagesLine()};
 }
 
-SelfTestInputs selfTestParts(const ProjectOpener& opener) {
+SelfTestInputs makeSelfTestInputs(const ProjectOpener& opener) {
   SelfTestInputs parts;
   parts.openScene = [opener] { return opener(SessionRequest("demo")); };
   parts.cameras = connectedCameras();
@@ -92,8 +92,8 @@ QString selfTestReport(const std::vector<SelfTestLine>& lines) {
 }
 
 int printSelfTest(const ProjectOpener& opener) {
-  std::vector<SelfTestLine> lines = graphicsSelfTest();
-  std::ranges::move(runSelfTest(selfTestParts(opener)), std::back_inserter(lines));
+  std::vector<SelfTestLine> lines = runGraphicsSelfTest();
+  std::ranges::move(runSelfTest(makeSelfTestInputs(opener)), std::back_inserter(lines));
   std::printf("%s\n", qUtf8Printable(selfTestReport(lines)));
   return worstLevelOf(lines) == FindingLevel::Problem ? 1 : 0;
 }

@@ -12,10 +12,10 @@ namespace dewpoint::ui {
 
 /// Tests what only the window needs, and returns one line per test: the versions of Qt and VTK,
 /// graphics, and languages. Takes about a second. Call this function in the GUI thread.
-std::vector<SelfTestLine> graphicsSelfTest();
+std::vector<SelfTestLine> runGraphicsSelfTest();
 
 /// Returns the inputs of `runSelfTest()` for this computer. `opener` opens the demo.
-SelfTestInputs selfTestParts(const ProjectOpener& opener);
+SelfTestInputs makeSelfTestInputs(const ProjectOpener& opener);
 
 /// Returns the lines as text, one per line.
 QString selfTestReport(const std::vector<SelfTestLine>& lines);

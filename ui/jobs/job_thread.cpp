@@ -32,7 +32,7 @@ Count& count() {
 
 void runDetached(std::function<void()> work) {
   static std::once_flag once;
-  std::call_once(once, [] { qAddPostRoutine([] { (void)waitForDetached(kPatienceAtEnd); }); });
+  std::call_once(once, [] { qAddPostRoutine([] { (void)waitForDetachedJobs(kPatienceAtEnd); }); });
   Count& all = count();
   {
     const std::scoped_lock lock(all.mutex);
@@ -47,7 +47,7 @@ void runDetached(std::function<void()> work) {
   }).detach();
 }
 
-bool waitForDetached(std::chrono::milliseconds patience) {
+bool waitForDetachedJobs(std::chrono::milliseconds patience) {
   Count& all = count();
   std::unique_lock lock(all.mutex);
   return all.changed.wait_for(lock, patience, [&] { return all.running == 0; });

@@ -20,7 +20,7 @@ void runDetached(std::function<void()> work);
 /// Deleter that deletes an object in a thread started by `runDetached()`. For objects whose
 /// destructor waits for a thread or a device: releasing the last reference never blocks the calling
 /// thread.
-struct DetachedDelete {
+struct DetachedDeleter {
   template <class Object> void operator()(Object* object) const {
     runDetached([object] { delete object; });
   }
@@ -29,7 +29,7 @@ struct DetachedDelete {
 /// Waits until all threads of `runDetached()` have ended, but at most for `patience`. Returns false
 /// if some are still running. Call it at the end of the program, when no window is open. A job that
 /// still hangs, for example in a dead stream, is abandoned.
-bool waitForDetached(std::chrono::milliseconds patience);
+bool waitForDetachedJobs(std::chrono::milliseconds patience);
 
 /// Delivers functions from other threads to the GUI thread. A mutex guards the queue of functions;
 /// the wake-up event carries no data.

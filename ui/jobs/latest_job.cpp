@@ -9,7 +9,7 @@ namespace {
 constexpr int kCancelTimeoutMs = 3000; ///< for canceled work to end while a newer one waits
 } // namespace
 
-LatestJob::LatestJob(Superseded overtaken, QObject* parent)
+LatestJob::LatestJob(SupersededJob overtaken, QObject* parent)
     : QObject(parent), superseded_(overtaken) {
   cancelTimeout_.setSingleShot(true);
   cancelTimeout_.setInterval(kCancelTimeoutMs);
@@ -22,7 +22,7 @@ void LatestJob::start(BackgroundJob::Work work) {
   waiting_ = std::move(work);
   if (!job_.isRunning()) {
     startNext();
-  } else if (superseded_ == Superseded::Dropped) {
+  } else if (superseded_ == SupersededJob::Dropped) {
     job_.cancel();
     if (!cancelTimeout_.isActive()) {
       cancelTimeout_.start();
@@ -44,7 +44,7 @@ void LatestJob::startNext() {
   if (waiting_) {
     job_.start(*std::exchange(waiting_, std::nullopt));
   } else {
-    Q_EMIT idle();
+    Q_EMIT becameIdle();
   }
 }
 

@@ -16,11 +16,11 @@ class LatestJob : public QObject {
   Q_OBJECT
 public:
   /// What happens to running work when a newer request arrives.
-  enum class Superseded {
+  enum class SupersededJob {
     Dropped, ///< canceled; abandoned if it does not end within a few seconds
     Kept,    ///< completed, and its result is delivered; for views that follow a drag
   };
-  explicit LatestJob(Superseded overtaken, QObject* parent = nullptr);
+  explicit LatestJob(SupersededJob overtaken, QObject* parent = nullptr);
 
   void start(BackgroundJob::Work work);
   /// Cancels the running work and the waiting request.
@@ -30,12 +30,12 @@ public:
 Q_SIGNALS:
   void progressChanged(double part);
   /// Emitted when no work is running or waiting.
-  void idle();
+  void becameIdle();
 
 private:
   void startNext();
 
-  Superseded superseded_;
+  SupersededJob superseded_;
   BackgroundJob job_;
   std::optional<BackgroundJob::Work> waiting_;
   QTimer cancelTimeout_;

@@ -38,7 +38,7 @@ void ChangesGuard::askSaveAs() {
   const auto proposed = project.file.empty() ? proposedProjectFile(project) : project.file;
   const QString file = askForFileToSave(&bench_.window, tr("Save the project"),
                                         QString::fromStdString(proposed.string()),
-                                        withAllSuffixes(tr("Dewpoint projects (*.toml)")));
+                                        withAllProjectSuffixes(tr("Dewpoint projects (*.toml)")));
   if (!file.isEmpty()) {
     saveTo(file.toStdString());
   }

@@ -21,11 +21,11 @@ HistoryDock::HistoryDock(const Workbench& bench) : QObject(&bench.window), bench
     view->setEmptyLabel(tr("Initial state"));
     view->setAccessibleName(tr("History of changes"));
   });
-  bench_.docks.make({.name = QStringLiteral("historyDock"),
-                     .title = [] { return tr("History"); },
-                     .content = view,
-                     .area = DockArea::History,
-                     .hiddenAtFirst = true});
+  bench_.docks.makeDock({.name = QStringLiteral("historyDock"),
+                         .title = [] { return tr("History"); },
+                         .content = view,
+                         .area = DockArea::History,
+                         .hiddenAtFirst = true});
   // As QUndoStack::createUndoAction() does, whose texts stay in the language they were made in.
   QAction* undo = bench_.action("actionUndo");
   QAction* redo = bench_.action("actionRedo");

@@ -75,9 +75,9 @@ namespace {
 void shareCursor(PlotStack& plots, PlotStack& trajectory, Timeline* timeline) {
   plots.shareCursor(trajectory);
   for (PlotStack* stack : {&plots, &trajectory}) {
-    QObject::connect(stack, &PlotStack::hovered, timeline, &Timeline::setHovered);
-    QObject::connect(timeline, &Timeline::hovered, stack, [stack](qint64 frame) {
-      stack->setHovered(frame < 0 ? std::nullopt : std::optional<std::int64_t>(frame));
+    QObject::connect(stack, &PlotStack::frameHovered, timeline, &Timeline::setHoveredFrame);
+    QObject::connect(timeline, &Timeline::frameHovered, stack, [stack](qint64 frame) {
+      stack->setHoveredFrame(frame < 0 ? std::nullopt : std::optional<std::int64_t>(frame));
     });
   }
 }
@@ -103,7 +103,7 @@ MainWindow::MainWindow(ProjectOpener opener, QWidget* parent)
   updateTitle();
   resize(1400, 900);
   docks_->layOut();
-  projects_->showStart();
+  projects_->showStartPage();
 }
 
 MainWindow::~MainWindow() {
@@ -127,7 +127,7 @@ void MainWindow::installFeatures() {
   installCameras(bench);
   auto* color = new ColorDock(bench, *cameras, targets);
   auto* people = new PeopleDock(bench, *cameras, *birdsEye, {targets.dock, color->dock()});
-  connect(&cameras->pickTool(), &ImagePickTool::imageClicked, people, &PeopleDock::selectSeenAt);
+  connect(&cameras->pickTool(), &ImagePickTool::imageClicked, people, &PeopleDock::selectPersonAt);
   new CorrectionMode(bench, *cameras, *birdsEye, *trajectory);
   auto* calibration = new CalibrationMode(bench);
   connect(calibration, &CalibrationMode::pageShown, &color->panel(),
@@ -147,7 +147,7 @@ void MainWindow::installFeatures() {
   installCameraSources(bench);
   auto* outputs = new OutputController(bench);
   auto* takes = new TakeController(bench);
-  connect(outputs, &OutputController::recordingRequested, takes, &TakeController::startNamed);
+  connect(outputs, &OutputController::recordingRequested, takes, &TakeController::startTakeNamed);
   connect(takes, &TakeController::openRequested, this, &MainWindow::openProject);
   new RunAlerts(bench, *notices_, *calibration);
   new OldResultsOffer(bench);
@@ -164,7 +164,7 @@ void MainWindow::installFeatures() {
           [this] { docks_->lockLowerDockHeights(true); });
   connect(messageRow_, &MessageRow::heightChanged, docks_,
           [this] { docks_->lockLowerDockHeights(false); });
-  menus_->make();
+  menus_->makeMenus();
   connectRun();
   birdsEye->prepare();
 }
@@ -185,14 +185,14 @@ void MainWindow::connectRun() {
   connect(session_, &SessionController::opened, this, &MainWindow::projectOpened);
   connect(session_, &SessionController::openFailed, this, &MainWindow::openFailed);
   connect(session_, &SessionController::iterationsLogged, this,
-          [this] { Q_EMIT snapshotShown(session_->shown()); });
+          [this] { Q_EMIT snapshotShown(session_->shownSnapshot()); });
   connect(document_, &Document::replaced, this, &MainWindow::updateTitle);
   connect(document_, &Document::changed, this, &MainWindow::updateTitle);
   connect(document_, &Document::fileChanged, this, &MainWindow::updateTitle);
   connect(document_->undoStack(), &QUndoStack::cleanChanged, this,
           [this] { setWindowModified(document_->isUnsaved()); });
   connect(docks_, &DockManager::viewsShown, this, &MainWindow::placeMessageRow);
-  connect(docks_, &DockManager::laidOut, this, &MainWindow::placeMessageRow);
+  connect(docks_, &DockManager::layoutChanged, this, &MainWindow::placeMessageRow);
   bench_->onTriggered("actionResetLayout", docks_, [this] { docks_->reset(); });
   bench_->requireRun({"actionResetLayout"});
   bench_->onTriggered("actionQuit", this, [this] { close(); });
@@ -233,7 +233,7 @@ ProjectSaver& MainWindow::saver() {
 }
 
 TrackSnapshotPtr MainWindow::shown() const {
-  return session_->shown();
+  return session_->shownSnapshot();
 }
 
 void MainWindow::saveRun(const std::filesystem::path& folder, std::function<void(bool)> written) {
@@ -241,14 +241,14 @@ void MainWindow::saveRun(const std::filesystem::path& folder, std::function<void
 }
 
 void MainWindow::setTheme(Theme theme) {
-  themes_->set(theme);
+  themes_->setTheme(theme);
 }
 
 Theme MainWindow::theme() const {
   return themes_->theme();
 }
 
-void MainWindow::keepGeometry() {
+void MainWindow::restoreAndKeepGeometry() {
   keepsGeometry_ = true;
   restoreGeometry(Preferences().windowGeometry());
 }
@@ -270,7 +270,7 @@ void MainWindow::changeEvent(QEvent* event) {
     actions_->retranslateUi();
     history_->updateActionTexts();
     updateTitle();
-    menus_->make();
+    menus_->makeMenus();
   } else if (event->type() == QEvent::WindowStateChange) {
     bench_->action("actionFullScreen")->setChecked(isFullScreen());
   }
@@ -279,14 +279,14 @@ void MainWindow::changeEvent(QEvent* event) {
 bool MainWindow::focusNextPrevChild(bool next) {
   const QWidget* before = focusWidget();
   bool moved = QMainWindow::focusNextPrevChild(next);
-  while (moved && focusWidget() != before && DockManager::isBehind(focusWidget())) {
+  while (moved && focusWidget() != before && DockManager::isBehindOtherDocks(focusWidget())) {
     moved = QMainWindow::focusNextPrevChild(next);
   }
   return moved;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  event->setAccepted(projects_->mayClose());
+  event->setAccepted(projects_->confirmClose());
   if (event->isAccepted() && keepsGeometry_) {
     Preferences().setWindowGeometry(saveGeometry());
   }

@@ -76,9 +76,9 @@ void MissingFilesOffer::locate(const OpenRequest& request, const MissingFiles& m
   } else {
     again.source.moved.insert(moved.begin(), moved.end());
   }
-  again.unsaved = true;
-  again.note = tr("The project was opened with the files that you located. Save the project to "
-                  "keep their new paths.");
+  again.isUnsaved = true;
+  again.message = tr("The project was opened with the files that you located. Save the project to "
+                     "keep their new paths.");
   bench_.session.open(std::move(again));
 }
 

@@ -15,8 +15,8 @@
 namespace dewpoint::ui {
 
 OldResultsOffer::OldResultsOffer(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
-  ResultRefresher* results = &bench_.session.results();
-  connect(results, &ResultRefresher::offerChanged, this, &OldResultsOffer::offer);
+  ResultRefresher* results = &bench_.session.resultRefresher();
+  connect(results, &ResultRefresher::retrackOfferChanged, this, &OldResultsOffer::offer);
   const auto update = [this, results] {
     bench_.action("actionTrackAgain")->setEnabled(!results->oldResults().frames.empty());
   };
@@ -24,7 +24,8 @@ OldResultsOffer::OldResultsOffer(const Workbench& bench) : QObject(&bench.window
   bench_.onTriggered("actionTrackAgain", results, [results] { results->trackAgain(); });
   update();
   SessionController* session = &bench_.session;
-  connect(session, &SessionController::startedLate, this, &OldResultsOffer::offerFirstFrame);
+  connect(session, &SessionController::startedAtLaterFrame, this,
+          &OldResultsOffer::offerFirstFrame);
   connect(session, &SessionController::restarting, this, &OldResultsOffer::withdrawFirstFrame);
   connect(session, &SessionController::runEnded, this, &OldResultsOffer::withdrawFirstFrame);
   connect(session, &SessionController::framesLogged, this, [this](const LoggedFrames& logged) {
@@ -70,7 +71,7 @@ void OldResultsOffer::offer(bool offers) {
   }
   if (offers) {
     shown_ = tr("Some frames were tracked with earlier settings.");
-    ResultRefresher* results = &bench_.session.results();
+    ResultRefresher* results = &bench_.session.resultRefresher();
     bench_.messages.showQuestion(shown_,
                                  {{tr("Track again"), [results] { results->trackAgain(); }}});
   } else if (!shown_.isEmpty() && bench_.messages.text() == shown_) {

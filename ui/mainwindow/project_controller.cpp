@@ -90,7 +90,7 @@ void ProjectController::connectPages() {
     if (bench_.session.isRunning()) {
       bench_.docks.showViews(true);
     } else {
-      showStart();
+      showStartPage();
     }
   });
   connect(newProject_, &NewProjectPage::failed, &bench_.messages, &MessageBar::showError);
@@ -123,10 +123,10 @@ void ProjectController::connectOpening() {
     }
   });
   connect(&bench_.session, &SessionController::opened, this, [this](const OpenRequest& request) {
-    if (request.calibrate) {
+    if (request.opensCalibrationPage) {
       bench_.action("actionCalibrateByHand")->setChecked(true);
     }
-    if (request.guide) { // the action is enabled once the page that covers the run is gone
+    if (request.opensGuide) { // the action is enabled once the page that covers the run is gone
       QMetaObject::invokeMethod(bench_.action("actionCalibrate"), &QAction::trigger,
                                 Qt::QueuedConnection);
     }
@@ -139,16 +139,17 @@ void ProjectController::connectOpening() {
 }
 
 void ProjectController::openScene(const QString& name, bool calibrate) {
-  bench_.session.open({.source = toPath(name), .calibrate = calibrate});
+  bench_.session.open({.source = toPath(name), .opensCalibrationPage = calibrate});
 }
 
 void ProjectController::connectRun() {
   const SessionController* run = &bench_.session;
   connect(run, &SessionController::runStarted, this, [this] { bench_.docks.showViews(true); });
   connect(run, &SessionController::runEnded, &bench_.docks, &DockManager::forgetLayoutBehindPages);
-  connect(run, &SessionController::replacing, this,
-          [this](const OpenRequest& request) { bench_.messages.forget(!request.keepHistory); });
-  connect(run, &SessionController::replaced, this, [this](const OpenRequest& request) {
+  connect(run, &SessionController::documentReplacing, this, [this](const OpenRequest& request) {
+    bench_.messages.removeOldMessages(!request.keepHistory);
+  });
+  connect(run, &SessionController::documentReplaced, this, [this](const OpenRequest& request) {
     const auto& file = bench_.document.project().file;
     if (!request.keepHistory && !file.empty()) {
       recent_->add(QString::fromStdString(file.string()));
@@ -158,8 +159,8 @@ void ProjectController::connectRun() {
     }
   });
   connect(run, &SessionController::opened, this, [this](const OpenRequest& request) {
-    if (!request.note.isEmpty()) {
-      bench_.messages.showNotice(request.note);
+    if (!request.message.isEmpty()) {
+      bench_.messages.showNotice(request.message);
     }
   });
   connect(run, &SessionController::openFailed, &bench_.messages, &MessageBar::showError);
@@ -171,7 +172,7 @@ void ProjectController::open(const std::filesystem::path& file) {
   bench_.session.open({.source = file});
 }
 
-void ProjectController::showStart() {
+void ProjectController::showStartPage() {
   startPage_->refresh();
   pages_->setCurrentWidget(startPage_);
   bench_.docks.showViews(false);
@@ -179,7 +180,7 @@ void ProjectController::showStart() {
 
 void ProjectController::showNewProjectPage(const QStringList& files, bool findsCalibration) {
   guideNewProject_ = false;
-  newProject_->begin(files, findsCalibration);
+  newProject_->startNewProject(files, findsCalibration);
   pages_->setCurrentWidget(newProject_);
   bench_.docks.showViews(false);
 }
@@ -193,16 +194,16 @@ void ProjectController::openCreated(const Project& project, const QString& note)
           ? tr("Click the object to track in any image. Its color is learned and tracking starts.")
           : note;
   bench_.session.open({.source = project,
-                       .unsaved = true,
-                       .guide = std::exchange(guideNewProject_, false),
-                       .note = hint});
+                       .isUnsaved = true,
+                       .opensGuide = std::exchange(guideNewProject_, false),
+                       .message = hint});
 }
 
 void ProjectController::chooseProject() {
   changes_->runAfterSaveOrDiscard([this] {
     const QString file =
         askForFile(&bench_.window, tr("Open a project"),
-                   withAllSuffixes(tr("Dewpoint projects (*.toml);;All files (*)")));
+                   withAllProjectSuffixes(tr("Dewpoint projects (*.toml);;All files (*)")));
     if (!file.isEmpty()) {
       open(toPath(file));
     }
@@ -214,14 +215,14 @@ void ProjectController::close() {
   if (MessageBar& bar = bench_.messages; !bar.isQuestionOpen(bar.text())) {
     bar.dismiss(); // it was about what is closed
   }
-  showStart();
+  showStartPage();
 }
 
 ProjectSaver& ProjectController::saver() {
   return changes_->saver();
 }
 
-bool ProjectController::mayClose() {
+bool ProjectController::confirmClose() {
   if (!changes_->confirmDiscard([this] { bench_.window.close(); })) {
     return false;
   }
@@ -247,7 +248,7 @@ void ProjectController::drop(const QMimeData& data) {
     return;
   }
   changes_->runAfterSaveOrDiscard([this, files] {
-    if (files.size() == 1 && isProject(files.front())) {
+    if (files.size() == 1 && isProjectFile(files.front())) {
       open(toPath(files.front()));
     } else {
       showNewProjectPage(files);
@@ -262,15 +263,15 @@ void ProjectController::enableRecovery(const std::filesystem::path& folder, Text
     if (changes_->confirmDiscard(read)) {
       read();
     } else {
-      recovery_->offer(); // the question came late, and there is other work by now
+      recovery_->offerRecovery(); // the question came late, and there is other work by now
     }
   });
   connect(recovery_, &RecoveryOffer::recovered, this,
           [this](const Project& project, const RecoverableWork& work) {
             bench_.session.open(
                 {.source = project,
-                 .unsaved = true,
-                 .note = tr("The changes were recovered. Save the project to keep them."),
+                 .isUnsaved = true,
+                 .message = tr("The changes were recovered. Save the project to keep them."),
                  .recovered = work});
           });
 }

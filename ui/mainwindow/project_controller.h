@@ -38,14 +38,14 @@ public:
   /// Opens a project in the background. An empty path opens the demo.
   void open(const std::filesystem::path& file);
   /// Shows the start page.
-  void showStart();
+  void showStartPage();
   /// Keeps a copy of unsaved work in this folder, and offers copies that earlier windows left
   /// there.
   void enableRecovery(const std::filesystem::path& folder, TextWriter write);
   ProjectSaver& saver();
   /// Returns whether the window may close now. If the work is saved first, the window closes later.
   /// Removes the recovery copy when it returns true.
-  bool mayClose();
+  bool confirmClose();
   void fillRecentMenu(QMenu* menu);
   /// Returns whether the data contain something that can be opened.
   static bool canDrop(const QMimeData& data);
@@ -58,7 +58,7 @@ private:
   void connectRun();
   void connectOpening();
   void openScene(const QString& name, bool calibrate);
-  /// `findsCalibration`: as in NewProjectPage::begin().
+  /// `findsCalibration`: as in NewProjectPage::startNewProject().
   void showNewProjectPage(const QStringList& files, bool findsCalibration = true);
   void openCreated(const Project& project, const QString& note);
   void chooseProject();

@@ -3,13 +3,13 @@
 
 namespace dewpoint::ui {
 
-bool isProject(const QString& file) {
+bool isProjectFile(const QString& file) {
   // The second ending is what a double click on a desktop goes by.
   return file.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive) ||
          file.endsWith(QStringLiteral(".dewpoint"), Qt::CaseInsensitive);
 }
 
-QString withAllSuffixes(QString filter) {
+QString withAllProjectSuffixes(QString filter) {
   return filter.replace(QStringLiteral("*.toml"), QStringLiteral("*.toml *.dewpoint"));
 }
 

@@ -8,8 +8,8 @@
 namespace dewpoint::ui {
 
 /// Returns whether a file name has the suffix of a project.
-bool isProject(const QString& file);
+bool isProjectFile(const QString& file);
 /// Returns a file dialog filter in which *.toml is replaced by all project suffixes.
-QString withAllSuffixes(QString filter);
+QString withAllProjectSuffixes(QString filter);
 
 } // namespace dewpoint::ui

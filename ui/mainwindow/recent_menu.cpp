@@ -29,7 +29,7 @@ void RecentMenu::fill(QMenu* menu) {
 
 void RecentMenu::fillEntries() {
   menu_->clear();
-  for (const QString& file : recent_.files()) {
+  for (const QString& file : recent_.openableFiles()) {
     QAction* entry = menu_->addAction(QFileInfo(file).completeBaseName());
     entry->setObjectName(QStringLiteral("qt_recent")); // a person's word, in no language of ours
     entry->setToolTip(file);

@@ -23,23 +23,23 @@ RecoveryOffer::RecoveryOffer(const Workbench& bench, const std::filesystem::path
       recovery_(new Recovery(bench.document, folder, this, std::move(write))) {
   connect(recovery_, &Recovery::failed, &bench_.messages, &MessageBar::showError);
   connect(recovery_, &Recovery::backupStarting, &bench_.docks, &DockManager::storeLayout);
-  offer();
+  offerRecovery();
   // A window that was killed may take a while to be gone, and one that is alive may be killed
   // later.
   connect(&searchTimer_, &QTimer::timeout, this, [this] {
     if (!searching_) { // else the disk is slow
-      offer();
+      offerRecovery();
     }
   });
   searchTimer_.start(kLookAgain);
 }
 
-void RecoveryOffer::offer() {
+void RecoveryOffer::offerRecovery() {
   searching_ = true;
   recovery_->findBackups([this](const std::vector<RecoverableWork>& left) {
     searching_ = false;
     ask(left);
-    Q_EMIT searched();
+    Q_EMIT searchEnded();
   });
 }
 
@@ -64,7 +64,7 @@ void RecoveryOffer::discardWork(const RecoverableWork& work) {
     bench_.messages.showQuestion(tr("Unsaved changes to “%1” were discarded.").arg(work.name),
                                  {{tr("Undo"), [this, work] {
                                      recovery_->restore(work);
-                                     offer();
+                                     offerRecovery();
                                    }}});
   });
 }

@@ -20,7 +20,7 @@ public:
   RecoveryOffer(const Workbench& bench, const std::filesystem::path& folder, TextWriter write);
 
   /// Asks the user whether to recover the newest copy of unsaved work, if there is one.
-  void offer();
+  void offerRecovery();
   /// Sets how often the folder is searched until work is found.
   void setInterval(std::chrono::milliseconds interval) { searchTimer_.setInterval(interval); }
   /// Notes that the document now contains this recovered work.
@@ -32,9 +32,9 @@ public:
 
 Q_SIGNALS:
   /// Emitted after the folder was searched. If work was found, a question is now shown.
-  void searched();
+  void searchEnded();
   /// Emitted when the user wants to recover this work. The receiver calls `recover()`, or calls
-  /// `offer()` later to ask again.
+  /// `offerRecovery()` later to ask again.
   void recoveryRequested(const RecoverableWork& work);
   /// Emitted when the work was read and can be opened.
   void recovered(const Project& project, const RecoverableWork& work);

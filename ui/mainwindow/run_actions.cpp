@@ -19,7 +19,7 @@ namespace {
 
 /// False: there is nothing to lose.
 bool askToRestart(const Workbench& bench, bool newSeed) {
-  const TrackSnapshotPtr& shown = bench.session.shown();
+  const TrackSnapshotPtr& shown = bench.session.shownSnapshot();
   if (shown == nullptr || shown->history.newestTrackedFrame <= 0) {
     return false;
   }
@@ -32,9 +32,8 @@ bool askToRestart(const Workbench& bench, bool newSeed) {
 
 /// False: the recording has not ended, or there is nothing to lose.
 bool askToPlayAgain(const Workbench& bench) {
-  const TrackSnapshotPtr& shown = bench.session.shown();
-  if (shown == nullptr || shown->state != PlayState::Ended ||
-      shown->history.newestTrackedFrame <= 0) {
+  const TrackSnapshotPtr& shown = bench.session.shownSnapshot();
+  if (shown == nullptr || shown->state != PlayState::Ended || shown->history.newestTrackedFrame <= 0) {
     return false;
   }
   SessionController* run = &bench.session;
@@ -57,8 +56,8 @@ void installRunActions(const Workbench& bench) {
   bench.onTriggered("actionFilterThreads", run, [run, bench] {
     auto* dialog = new ThreadCountDialog(QThread::idealThreadCount(), &bench.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(dialog, &QDialog::accepted, run, &SessionController::useFilterThreads);
-    Workbench::present(dialog);
+    QObject::connect(dialog, &QDialog::accepted, run, &SessionController::applyFilterThreadCount);
+    Workbench::presentDialog(dialog);
   });
   for (const bool newSeed : {false, true}) {
     new KeyGuard(

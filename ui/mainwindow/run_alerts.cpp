@@ -61,7 +61,7 @@ void RunAlerts::calibrate(int camera) {
 }
 
 void RunAlerts::correctRig(const CameraDisagreement& found, std::size_t choice) {
-  const TrackSnapshotPtr& shown = bench_.session.shown();
+  const TrackSnapshotPtr& shown = bench_.session.shownSnapshot();
   if (!shown) {
     return;
   }
@@ -107,7 +107,7 @@ void RunAlerts::addHiddenButton() {
 }
 
 void RunAlerts::applyFirstNewPose() {
-  const TrackSnapshotPtr& shown = bench_.session.shown();
+  const TrackSnapshotPtr& shown = bench_.session.shownSnapshot();
   for (int k = 0; k < manual_.cameraCount(); ++k) {
     if (shown && cameraMotionOf(*shown, k) != nullptr) {
       applyNewPose(k);
@@ -118,7 +118,7 @@ void RunAlerts::applyFirstNewPose() {
 }
 
 void RunAlerts::applyNewPose(int camera) {
-  const TrackSnapshotPtr& shown = bench_.session.shown();
+  const TrackSnapshotPtr& shown = bench_.session.shownSnapshot();
   const CameraMotionReport* report = shown ? cameraMotionOf(*shown, camera) : nullptr;
   const QString name = manual_.nameOf(camera);
   if (report == nullptr || !report->newPose) {

@@ -63,7 +63,7 @@ TransportBar::TransportBar(const Workbench& bench) {
 void TransportBar::placeRecord(const Workbench& bench) {
   QAction* record = bench.action("actionRecord");
   connect(&bench.session, &SessionController::runStarted, this, [this, record, bench] {
-    if (bench.session.feeds().empty()) {
+    if (bench.session.encodedFeeds().empty()) {
       removeAction(record);
     } else if (!actions().contains(record)) {
       insertAction(bench.action("actionLearnColor"), record);

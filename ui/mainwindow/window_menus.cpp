@@ -56,7 +56,7 @@ QMenu* WindowMenus::add(const QString& title, const char* name,
   return menu;
 }
 
-void WindowMenus::make() {
+void WindowMenus::makeMenus() {
   QMenuBar* bar = bench_.window.menuBar();
   qDeleteAll(bar->findChildren<QMenu*>(Qt::FindDirectChildrenOnly));
   bar->clear();
@@ -196,7 +196,7 @@ void WindowMenus::openShortcuts() {
   if (editor == nullptr) {
     editor = new ShortcutEditor(bench_.actions, &bench_.window);
   }
-  Workbench::present(editor);
+  Workbench::presentDialog(editor);
 }
 
 std::vector<CommandPalette::Entry> WindowMenus::extraPaletteEntries() {

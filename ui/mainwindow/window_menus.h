@@ -24,7 +24,7 @@ public:
   WindowMenus(const Workbench& bench, Owners owners);
 
   /// Creates all menus. Call it again after a language change.
-  void make();
+  void makeMenus();
   void openCommandPalette() { palette_->open(); }
   void openShortcuts();
 

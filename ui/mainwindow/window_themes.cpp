@@ -24,16 +24,16 @@ WindowThemes::WindowThemes(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), systemColors_(new SystemColors(this)) {
   for (const Theme theme : {Theme::System, Theme::Light, Theme::Dark}) {
     bench_.onTriggered(actionOf(theme), this, [this, theme] {
-      set(theme);
+      setTheme(theme);
       Preferences().setTheme(theme);
     });
   }
-  const auto applyAgain = [this] { set(theme_); };
-  connect(systemColors_, &SystemColors::changed, this, applyAgain);
-  connect(systemColors_, &SystemColors::replaced, this, applyAgain);
+  const auto applyAgain = [this] { setTheme(theme_); };
+  connect(systemColors_, &SystemColors::darkModeChanged, this, applyAgain);
+  connect(systemColors_, &SystemColors::colorsReplaced, this, applyAgain);
 }
 
-void WindowThemes::set(Theme theme) {
+void WindowThemes::setTheme(Theme theme) {
   theme_ = theme;
   const bool dark = theme == Theme::Dark || (theme == Theme::System && systemColors_->isDark());
   applyTheme(dark);

@@ -16,7 +16,7 @@ public:
   /// Connects the theme actions, which must already exist in the workbench.
   explicit WindowThemes(const Workbench& bench);
 
-  void set(Theme theme);
+  void setTheme(Theme theme);
   Theme theme() const { return theme_; }
 
 private:

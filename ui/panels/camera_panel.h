@@ -40,7 +40,7 @@ public:
 
   /// Sets the snapshot shown, from whose images a background image can be taken.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
-  BackgroundImageTaker& taker() { return *taker_; }
+  BackgroundImageTaker& backgroundImageTaker() { return *taker_; }
 
 Q_SIGNALS:
   /// Emitted when the user wants to import a calibration.

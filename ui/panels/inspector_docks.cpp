@@ -38,10 +38,10 @@ void installParameters(const Workbench& bench) {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setMinimumWidth(324); // room for the names of all tabs
   scroll->setWidget(new ParameterPanel(bench.document, &bench.window));
-  ViewDock* dock = bench.docks.make({.name = QStringLiteral("parameterDock"),
-                                     .title = [] { return ParameterPanel::tr("Parameters"); },
-                                     .content = scroll,
-                                     .rank = 0});
+  ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("parameterDock"),
+                                         .title = [] { return ParameterPanel::tr("Parameters"); },
+                                         .content = scroll,
+                                         .rank = 0});
   // The dock itself too: with a title bar of our own its minimum does not follow its content's.
   dock->setMinimumWidth(scroll->minimumWidth());
   QObject::connect(&bench.document, &Document::methodChanged, dock,
@@ -52,29 +52,30 @@ TargetDock installTargets(const Workbench& bench) {
   auto* panel = new TargetPanel(bench.document, bench.targets, &bench.window);
   panel->addTools(bench.action("actionAddTarget"), bench.action("actionRemoveTarget"),
                   bench.action("actionLearnColor"));
-  ViewDock* dock = bench.docks.make({.name = QStringLiteral("targetDock"),
-                                     .title = [] { return TargetPanel::tr("Target"); },
-                                     .content = panel,
-                                     .rank = 2});
+  ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("targetDock"),
+                                         .title = [] { return TargetPanel::tr("Target"); },
+                                         .content = panel,
+                                         .rank = 2});
   bench.connectView(panel);
   QObject::connect(panel, &TargetPanel::targetChosen, &bench.selection, &Selection::selectTarget);
-  QObject::connect(&bench.selection, &Selection::targetSelected, panel, &TargetPanel::choose);
-  bench.onTriggered("actionRemoveTarget", panel, [panel] { panel->removeChosen(); });
-  bench.onTriggered("actionHideTarget", panel, [panel] { panel->toggleShown(panel->chosen()); });
+  QObject::connect(&bench.selection, &Selection::targetSelected, panel, &TargetPanel::chooseTarget);
+  bench.onTriggered("actionRemoveTarget", panel, [panel] { panel->removeChosenTarget(); });
+  bench.onTriggered("actionHideTarget", panel,
+                    [panel] { panel->toggleTargetShown(panel->chosenTarget()); });
   bench.requireRun({"actionRemoveTarget", "actionHideTarget"});
   return {dock, panel};
 }
 
 CameraPanel* installCameras(const Workbench& bench) {
   auto* panel = new CameraPanel(bench.document, bench.selection, bench.cameras, &bench.window);
-  bench.docks.make({.name = QStringLiteral("cameraListDock"),
-                    .title = [] { return CameraPanel::tr("Cameras"); },
-                    .content = panel,
-                    .rank = 4});
+  bench.docks.makeDock({.name = QStringLiteral("cameraListDock"),
+                        .title = [] { return CameraPanel::tr("Cameras"); },
+                        .content = panel,
+                        .rank = 4});
   bench.connectImageView(panel);
   QObject::connect(panel, &CameraPanel::importRequested, bench.action("actionImportCalibration"),
                    &QAction::trigger);
-  const BackgroundImageTaker* taker = &panel->taker();
+  const BackgroundImageTaker* taker = &panel->backgroundImageTaker();
   QObject::connect(taker, &BackgroundImageTaker::failed, &bench.messages, &MessageBar::showError);
   QObject::connect(taker, &BackgroundImageTaker::messageRequested, &bench.messages,
                    &MessageBar::showNotice);

@@ -97,7 +97,7 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
     if (refreshing_) {
       return;
     }
-    shown_ = chosen();
+    shown_ = chosenTarget();
     showChosen();
     Q_EMIT targetChosen(shown_);
   });
@@ -106,7 +106,7 @@ TargetPanel::TargetPanel(Document& document, TargetListModel& targets, QWidget* 
   connect(name_, &QLineEdit::returnPressed, name_, &QWidget::clearFocus);
   connect(radius_, &QDoubleSpinBox::valueChanged, this, &TargetPanel::resizeTarget);
   connect(shape_, &QComboBox::activated, this, &TargetPanel::reshapeTarget);
-  connect(rows_, &TargetRowDelegate::eyeClicked, this, &TargetPanel::toggleShown);
+  connect(rows_, &TargetRowDelegate::eyeClicked, this, &TargetPanel::toggleTargetShown);
 }
 
 void TargetPanel::makeFields(TargetListModel& targets) {
@@ -178,11 +178,11 @@ void TargetPanel::retranslateUi() {
   refresh();
 }
 
-int TargetPanel::chosen() const {
+int TargetPanel::chosenTarget() const {
   return list_->currentIndex().row();
 }
 
-void TargetPanel::choose(int target) {
+void TargetPanel::chooseTarget(int target) {
   if (const QModelIndex row = list_->model()->index(target, 0); row.isValid()) {
     list_->setCurrentIndex(row);
   }
@@ -192,9 +192,9 @@ void TargetPanel::refresh() {
   const auto& targets = document_.project().targets;
   const int before = shown_;
   refreshing_ = true;
-  choose(std::min(std::max(0, before), static_cast<int>(targets.size()) - 1));
+  chooseTarget(std::min(std::max(0, before), static_cast<int>(targets.size()) - 1));
   refreshing_ = false;
-  shown_ = chosen();
+  shown_ = chosenTarget();
   const bool boxes = document_.methodPresentation().targetsAreBoxes;
   radiusLabel_->setVisible(!boxes);
   radius_->setVisible(!boxes);
@@ -209,8 +209,8 @@ void TargetPanel::refresh() {
   }
   showChosen();
   showRows();
-  if (before > chosen()) { // the chosen one is gone: all others are to show its neighbor, too
-    Q_EMIT targetChosen(chosen());
+  if (before > chosenTarget()) { // the chosen one is gone: all others are to show its neighbor, too
+    Q_EMIT targetChosen(chosenTarget());
   }
 }
 
@@ -230,7 +230,7 @@ QString TargetPanel::hintOf(int row) const {
 }
 
 void TargetPanel::showChosen() {
-  const int row = chosen();
+  const int row = chosenTarget();
   hint_->setText(hintOf(row));
   hint_->setVisible(!hint_->text().isEmpty());
   name_->setEnabled(row >= 0);
@@ -277,7 +277,7 @@ void TargetPanel::showRows() {
   const auto& targets = document_.project().targets;
   const bool showsColors = !document_.methodPresentation().targetsAreBoxes;
   const std::vector<QColor> colors = targetColors(
-      displayColorSources(targets, document_.methodFamily()), displayGround(palette()));
+      displayColorSources(targets, document_.methodFamily()), displayGroundOf(palette()));
   std::vector<TargetRow> rows;
   for (std::size_t k = 0; k < targets.size(); ++k) {
     TargetRow row;
@@ -309,9 +309,8 @@ void TargetPanel::changeEvent(QEvent* event) {
 }
 
 void TargetPanel::showBox() {
-  const auto index = static_cast<std::size_t>(std::max(0, chosen()));
-  if (!snapshot_ || !presentationOf(*snapshot_).resultsAreBoxes ||
-      index >= snapshot_->targets.size()) {
+  const auto index = static_cast<std::size_t>(std::max(0, chosenTarget()));
+  if (!snapshot_ || !presentationOf(*snapshot_).resultsAreBoxes || index >= snapshot_->targets.size()) {
     box_->clear();
     histograms_->setHistograms(nullptr);
     return;
@@ -329,7 +328,7 @@ void TargetPanel::showBox() {
 
 void TargetPanel::editChosen(const QString& step,
                              const std::function<void(Project&, std::size_t)>& change) {
-  const int row = chosen();
+  const int row = chosenTarget();
   if (row < 0) {
     return;
   }
@@ -359,7 +358,7 @@ void TargetPanel::reshapeTarget(int shape) {
   });
 }
 
-void TargetPanel::toggleShown(int row) {
+void TargetPanel::toggleTargetShown(int row) {
   const auto& targets = document_.project().targets;
   const auto index = static_cast<std::size_t>(row);
   if (row < 0 || index >= targets.size()) {
@@ -372,7 +371,7 @@ void TargetPanel::toggleShown(int row) {
                        });
 }
 
-void TargetPanel::removeChosen() {
+void TargetPanel::removeChosenTarget() {
   editChosen(tr("Remove target"),
              [](Project& project, std::size_t index) { removeTarget(project, index); });
   document_.endStepMerging();

@@ -46,16 +46,16 @@ public:
   void addTools(QAction* add, QAction* remove, QAction* learn);
 
   /// Returns the index of the selected target, or -1 without targets.
-  int chosen() const;
+  int chosenTarget() const;
   /// Selects a target in the list. Invalid indices are ignored.
-  void choose(int target);
+  void chooseTarget(int target);
   /// Sets the snapshot shown, which provides the target states and, for methods that track boxes,
   /// the estimated box of the selected target.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Removes the selected target in an undoable step.
-  void removeChosen();
+  void removeChosenTarget();
   /// Hides a target in the views, or shows it again, in an undoable step. Invalid rows are ignored.
-  void toggleShown(int row);
+  void toggleTargetShown(int row);
 
 Q_SIGNALS:
   void targetChosen(int target);

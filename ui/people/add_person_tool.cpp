@@ -15,7 +15,7 @@ AddPersonTool::AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& came
   connect(birdsEye_, &BirdsEyeView::floorClicked, this, &AddPersonTool::floorClicked);
 }
 
-void AddPersonTool::attach(int camera, CameraView* view) {
+void AddPersonTool::attachView(int camera, CameraView* view) {
   auto* layer = new ImagePickOverlay(view);
   layer->setObjectName(view->objectName() + QStringLiteral("Person"));
   layer->setMagnifying(false); // people are large
@@ -36,8 +36,8 @@ void AddPersonTool::attach(int camera, CameraView* view) {
   });
 }
 
-void AddPersonTool::setPlacing(bool placing, double floor) {
-  birdsEye_->setPlacing(placing, floor);
+void AddPersonTool::setPlacingPeople(bool placing, double floor) {
+  birdsEye_->setPlacingPeople(placing, floor);
   for (ImagePickOverlay* layer : layers_) {
     layer->setPicking(placing);
     layer->setVisible(placing);

@@ -25,9 +25,9 @@ public:
   AddPersonTool(BirdsEyeView* birdsEye, const CameraListModel& cameras, QObject* parent);
 
   /// Adds a camera view, which may be deleted at any time.
-  void attach(int camera, CameraView* view);
+  void attachView(int camera, CameraView* view);
   /// Starts or stops the tool. `floor` is the floor height, world z in meters.
-  void setPlacing(bool placing, double floor = 0.0);
+  void setPlacingPeople(bool placing, double floor = 0.0);
 
 Q_SIGNALS:
   void personClicked(int camera, const Eigen::Vector2d& pixel);

@@ -54,14 +54,14 @@ PeopleDock::PeopleDock(const Workbench& bench, const CameraDocks& cameras, Birds
       panel_(new PeoplePanel(bench.selection, bench.action("actionPlacePerson"),
                              bench.action("actionRemovePerson"), &bench.window)),
       addPersonTool_(new AddPersonTool(&birdsEye, bench.cameras, this)),
-      check_(new LatestJob(LatestJob::Superseded::Dropped, this)),
-      writing_(new LatestJob(LatestJob::Superseded::Kept, this)), others_(std::move(others)) {
-  dock_ = bench_.docks.make({.name = QStringLiteral("peopleDock"),
-                             .title = [] { return tr("People"); },
-                             .content = panel_,
-                             .rank = 1,
-                             .hiddenAtFirst = true}); // until a method for people is chosen
-  dock_->setMinimumWidth(384);                        // room for all columns
+      check_(new LatestJob(LatestJob::SupersededJob::Dropped, this)),
+      writing_(new LatestJob(LatestJob::SupersededJob::Kept, this)), others_(std::move(others)) {
+  dock_ = bench_.docks.makeDock({.name = QStringLiteral("peopleDock"),
+                                 .title = [] { return tr("People"); },
+                                 .content = panel_,
+                                 .rank = 1,
+                                 .hiddenAtFirst = true}); // until a method for people is chosen
+  dock_->setMinimumWidth(384);                            // room for all columns
   bench_.connectView(panel_);
   connectPlacer(cameras);
   connectActions();
@@ -81,7 +81,7 @@ bool PeopleDock::tracksPeople() const {
 
 void PeopleDock::connectPlacer(const CameraDocks& cameras) {
   QAction* place = bench_.action("actionPlacePerson");
-  connect(&cameras, &CameraDocks::viewCreated, addPersonTool_, &AddPersonTool::attach);
+  connect(&cameras, &CameraDocks::viewCreated, addPersonTool_, &AddPersonTool::attachView);
   connect(addPersonTool_, &AddPersonTool::personClicked, this,
           [this, place](int camera, const Eigen::Vector2d& pixel) {
             correct(tr("Add a person"), {.click = PersonCorrection::Click{camera, pixel}});
@@ -98,7 +98,7 @@ void PeopleDock::connectPlacer(const CameraDocks& cameras) {
 void PeopleDock::connectActions() {
   bench_.onToggled("actionPlacePerson", this, [this](bool placing) { placePeople(placing); });
   bench_.onTriggered("actionRemovePerson", this, [this] {
-    if (const auto place = placeOfPerson(bench_.session.shown(), panel_->chosen())) {
+    if (const auto place = placeOfPerson(bench_.session.shownSnapshot(), panel_->chosenPerson())) {
       correct(tr("Remove a person"), {.position = *place, .present = false});
     }
   });
@@ -114,7 +114,7 @@ void PeopleDock::connectActions() {
 }
 
 void PeopleDock::correct(const QString& step, PersonCorrection correction) {
-  const TrackSnapshotPtr& shown = bench_.session.shown();
+  const TrackSnapshotPtr& shown = bench_.session.shownSnapshot();
   if (shown == nullptr) {
     return;
   }
@@ -126,8 +126,8 @@ void PeopleDock::correct(const QString& step, PersonCorrection correction) {
   }
 }
 
-void PeopleDock::selectSeenAt(int camera, const QPointF& pixel) {
-  const TrackSnapshotPtr& shown = bench_.session.shown();
+void PeopleDock::selectPersonAt(int camera, const QPointF& pixel) {
+  const TrackSnapshotPtr& shown = bench_.session.shownSnapshot();
   const int person = shown ? personSeenAt(*shown, camera, {pixel.x(), pixel.y()}) : -1;
   if (person >= 0) {
     bench_.selection.selectTarget(person);
@@ -153,7 +153,8 @@ void PeopleDock::updateForMethod() {
 
 void PeopleDock::placePeople(bool placing) {
   const bool can = placing && bench_.session.isRunning() && tracksPeople();
-  addPersonTool_->setPlacing(can, can ? bench_.document.project().parameters.at("floor_z") : 0.0);
+  addPersonTool_->setPlacingPeople(can,
+                                   can ? bench_.document.project().parameters.at("floor_z") : 0.0);
   const QString hint = tr("Click a person in a camera image, or the floor in the bird's-eye view. "
                           "Press Esc to cancel.");
   if (can) {

@@ -34,7 +34,7 @@ public:
              std::vector<ViewDock*> others);
 
   /// Selects the person seen at a pixel of a camera image.
-  void selectSeenAt(int camera, const QPointF& pixel);
+  void selectPersonAt(int camera, const QPointF& pixel);
 
 private:
   void connectActions();

@@ -136,7 +136,7 @@ void PeoplePanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   }
 }
 
-int PeoplePanel::chosen() const {
+int PeoplePanel::chosenPerson() const {
   const int row = table_->currentRow();
   return row < 0 ? 0 : table_->item(row, kPerson)->data(Qt::UserRole).toInt();
 }

@@ -27,7 +27,7 @@ public:
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Returns the identity of the selected person, or 0 if none is selected.
-  int chosen() const;
+  int chosenPerson() const;
 
   QSize minimumSizeHint() const override { return {200, 160}; }
 

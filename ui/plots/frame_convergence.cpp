@@ -27,7 +27,7 @@ class Convergence {
 } // namespace
 
 std::pair<std::size_t, std::size_t> rowsOfFrame(const PlotSeries& run, std::int64_t frame) {
-  const auto last = run.atFrame(frame);
+  const auto last = run.rowAtFrame(frame);
   if (!last) {
     return {0, 0};
   }
@@ -38,8 +38,8 @@ std::pair<std::size_t, std::size_t> rowsOfFrame(const PlotSeries& run, std::int6
   return {first, *last + 1};
 }
 
-bool iteratesWithinFrames(const PlotSeries& run, std::int64_t frame) {
-  const auto last = run.atFrame(frame);
+bool hasSeveralIterationsPerFrame(const PlotSeries& run, std::int64_t frame) {
+  const auto last = run.rowAtFrame(frame);
   if (!last) {
     return false;
   }
@@ -63,7 +63,7 @@ FrameConvergence::FrameConvergence(QWidget* parent)
   stack_->focusProxy()->setFocusPolicy(Qt::NoFocus);
   stack_->setCurvesOnly(true);
   stack_->setMinIterations(kLeastIterations);
-  stack_->setShown({QStringLiteral("convergence")});
+  stack_->setShownPlots({QStringLiteral("convergence")});
   series_.reset(1);
   stack_->setSeries(&series_);
   setAutoFillBackground(true);
@@ -95,7 +95,7 @@ void FrameConvergence::updateTitle() {
                       .arg(QLocale().toString(std::max<std::int64_t>(0, frame_) + 1), unit));
 }
 
-void FrameConvergence::setBoxes(bool boxes) {
+void FrameConvergence::setTracksBoxes(bool boxes) {
   if (boxes != boxes_) {
     boxes_ = boxes;
     declarePlot();
@@ -110,7 +110,7 @@ void FrameConvergence::showFrame(const PlotSeries& run, std::optional<std::int64
     return;
   }
   const std::int64_t wanted = frame.value_or(run.row(run.size() - 1).frame);
-  if (!iteratesWithinFrames(run, wanted)) {
+  if (!hasSeveralIterationsPerFrame(run, wanted)) {
     series_.reset(1);
     hide();
     return;
@@ -119,7 +119,7 @@ void FrameConvergence::showFrame(const PlotSeries& run, std::optional<std::int64
   series_.reset(1);
   for (std::size_t row = first; row < last; ++row) {
     const PlotSeries::Row& its = run.row(row);
-    const auto spread = static_cast<float>(spreadOf(run, row));
+    const auto spread = static_cast<float>(particleSpreadOf(run, row));
     series_.append({static_cast<std::int64_t>(row - first) + 1, its.frame, its.time},
                    std::span(&spread, 1));
   }

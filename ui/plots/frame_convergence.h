@@ -23,12 +23,12 @@ public:
 
   /// Sets whether the target is a bounding box, whose spread is in pixels. Otherwise the spread is
   /// in meters.
-  void setBoxes(bool boxes);
+  void setTracksBoxes(bool boxes);
   /// Shows the iterations of a frame of this run, or of the newest frame if `frame` is empty. Hides
   /// the plot unless this frame, or a frame shortly before, has more than one iteration.
   void showFrame(const PlotSeries& run, std::optional<std::int64_t> frame);
   /// Returns the number of iterations drawn.
-  std::size_t iterations() const { return series_.size(); }
+  std::size_t iterationCount() const { return series_.size(); }
   PlotStack& stack() { return *stack_; }
 
 private:
@@ -47,6 +47,6 @@ private:
 std::pair<std::size_t, std::size_t> rowsOfFrame(const PlotSeries& run, std::int64_t frame);
 /// Returns whether this frame, or a frame shortly before, has more than one iteration. Earlier
 /// frames are included so that the plot does not flicker while the run continues.
-bool iteratesWithinFrames(const PlotSeries& run, std::int64_t frame);
+bool hasSeveralIterationsPerFrame(const PlotSeries& run, std::int64_t frame);
 
 } // namespace dewpoint::ui

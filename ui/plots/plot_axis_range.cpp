@@ -19,28 +19,28 @@ PlotAxisRange::Range PlotAxisRange::fullRange(const PlotSeries* series) const {
   if (series == nullptr || series->size() == 0) {
     return {0.0, least};
   }
-  const double first = series->key(0, axis_);
-  return {first, std::max(series->key(series->size() - 1, axis_), first + least)};
+  const double first = series->axisPosition(0, axis_);
+  return {first, std::max(series->axisPosition(series->size() - 1, axis_), first + least)};
 }
 
-PlotAxisRange::Range PlotAxisRange::shown(const PlotSeries* series) const {
+PlotAxisRange::Range PlotAxisRange::shownRange(const PlotSeries* series) const {
   if (!shownRange_ || series == nullptr || series->size() == 0) {
     return fullRange(series);
   }
-  const double last = series->key(series->size() - 1, axis_);
+  const double last = series->axisPosition(series->size() - 1, axis_);
   const double moved = following_ ? std::max(0.0, last - shownRange_->second) : 0.0;
   return {shownRange_->first + moved, shownRange_->second + moved};
 }
 
 PlotAxisRange::Range PlotAxisRange::advance(const PlotSeries* series) {
   if (shownRange_ && series != nullptr && series->size() > 0) {
-    const double newest = series->key(series->size() - 1, axis_);
+    const double newest = series->axisPosition(series->size() - 1, axis_);
     if (newest < newest_ && newest < shownRange_->first) {
       showAll();
     }
     newest_ = newest;
   }
-  const Range now = shown(series);
+  const Range now = shownRange(series);
   if (shownRange_) {
     shownRange_ = now;
   }
@@ -52,12 +52,12 @@ void PlotAxisRange::showAll() {
   following_ = false;
 }
 
-void PlotAxisRange::show(const PlotSeries* series, double lower, double upper) {
+void PlotAxisRange::showRange(const PlotSeries* series, double lower, double upper) {
   if (series == nullptr || series->size() == 0) {
     return;
   }
   const auto [first, end] = fullRange(series);
-  const double last = series->key(series->size() - 1, axis_);
+  const double last = series->axisPosition(series->size() - 1, axis_);
   const double width = std::max(axis_ == PlotAxis::Time ? 0.1 : 4.0, upper - lower);
   if (width >= end - first) {
     showAll();

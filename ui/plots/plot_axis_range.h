@@ -22,7 +22,7 @@ public:
   /// Returns the axis range of the whole run, extended to the minimum length. `series` is null if
   /// nothing was tracked.
   Range fullRange(const PlotSeries* series) const;
-  Range shown(const PlotSeries* series) const;
+  Range shownRange(const PlotSeries* series) const;
   /// Moves a range that follows the newest data, and returns the range to show. Shows the whole run
   /// again if the run went back to before the range shown.
   Range advance(const PlotSeries* series);
@@ -30,7 +30,7 @@ public:
   void showAll();
   /// Shows the range from `lower` to `upper`, limited to the run and extended to a readable minimum
   /// length if necessary.
-  void show(const PlotSeries* series, double lower, double upper);
+  void showRange(const PlotSeries* series, double lower, double upper);
 
 private:
   PlotAxis axis_ = PlotAxis::Iterations;

@@ -42,7 +42,7 @@ void PlotAxisStrip::setAxis(QCPAxis* axis, PlotAxis kind) {
   update();
 }
 
-QStringList PlotAxisStrip::labels() const {
+QStringList PlotAxisStrip::tickLabels() const {
   if (axis_ == nullptr) {
     return {};
   }

@@ -22,7 +22,7 @@ public:
   /// Sets whether the axis name is drawn at the right end.
   void setNameShown(bool named) { nameShown_ = named; }
   /// Returns the axis numbers as drawn.
-  QStringList labels() const;
+  QStringList tickLabels() const;
 
   QSize sizeHint() const override;
 

@@ -10,7 +10,7 @@ namespace dewpoint::ui {
 namespace {
 
 bool isTruthKnown(const PlotSeries& series, const CurveDeclaration& curve) {
-  return curve.truth && *curve.truth < series.columns() && series.isKnown(*curve.truth);
+  return curve.truth && *curve.truth < series.columnCount() && series.isColumnKnown(*curve.truth);
 }
 
 double written(double value, PlotQuantity quantity) {
@@ -33,9 +33,9 @@ std::string plotCsv(const std::vector<std::unique_ptr<PlotRow>>& rows, const Plo
     }
   }
   text += '\n';
-  const auto [first, last] = series.within(axis, range.first, range.second);
+  const auto [first, last] = series.rowsWithin(axis, range.first, range.second);
   for (std::size_t index = first; index < last; ++index) {
-    if (!series.isDrawn(index, axis)) {
+    if (!series.isRowDrawn(index, axis)) {
       continue;
     }
     const PlotSeries::Row& at = series.row(index);

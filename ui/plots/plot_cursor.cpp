@@ -31,19 +31,19 @@ void PlotCursor::draw(QCPPainter* painter) {
     painter->drawLine(QPointF(x, rect.top()), QPointF(x, rect.bottom()));
   };
   const QColor accent = palette.color(QPalette::Highlight);
-  for (const QCPAxisRect* rect : rects) {
+  for (const QCPAxisRect* rect : axisRects) {
     painter->setClipRect(rect->rect());
     if (selectedRange) {
       fill(*rect, *selectedRange, accent, 48);
     }
-    if (dragged) {
-      fill(*rect, *dragged, palette.color(QPalette::WindowText), 32);
+    if (draggedRange) {
+      fill(*rect, *draggedRange, palette.color(QPalette::WindowText), 32);
     }
-    if (currentFrame) {
-      line(*rect, *currentFrame, QPen(accent, 2.0));
+    if (currentPosition) {
+      line(*rect, *currentPosition, QPen(accent, 2.0));
     }
-    if (hovered) {
-      line(*rect, *hovered, QPen(palette.color(QPalette::WindowText), 0.0));
+    if (hoveredPosition) {
+      line(*rect, *hoveredPosition, QPen(palette.color(QPalette::WindowText), 0.0));
     }
   }
 }

@@ -18,11 +18,12 @@ class PlotCursor : public QCPLayerable {
 public:
   PlotCursor(QCustomPlot* plot, const QString& layer) : QCPLayerable(plot, layer) {}
 
-  std::vector<QCPAxisRect*> rects; ///< plots that the lines cross
-  std::optional<double> currentFrame;
-  std::optional<double> hovered;
+  std::vector<QCPAxisRect*> axisRects; ///< plots that the lines cross
+  std::optional<double> currentPosition;
+  std::optional<double> hoveredPosition;
   std::optional<std::pair<double, double>> selectedRange;
-  std::optional<std::pair<double, double>> dragged; ///< range to zoom to, while it is being dragged
+  std::optional<std::pair<double, double>>
+      draggedRange; ///< range to zoom to, while it is being dragged
 
 protected:
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;

@@ -47,7 +47,7 @@ QString quantityText(PlotQuantity quantity, double value) {
   return number(0);
 }
 
-QString drawnNumberText(PlotQuantity quantity, double value) {
+QString axisNumberText(PlotQuantity quantity, double value) {
   switch (quantity) {
   case PlotQuantity::Length:
     return lengthNumber(value, LengthScale::Millimeters, 1, NumberForm::Table);
@@ -55,16 +55,16 @@ QString drawnNumberText(PlotQuantity quantity, double value) {
     return lengthNumber(value, LengthScale::Meters, 3, NumberForm::Table);
   case PlotQuantity::Speed:
   case PlotQuantity::Probability:
-    return tableText(value, 2);
+    return tableNumberText(value, 2);
   case PlotQuantity::LogLikelihood:
   case PlotQuantity::Pixels:
   case PlotQuantity::PixelPosition:
-    return tableText(value, 1);
+    return tableNumberText(value, 1);
   case PlotQuantity::Duration:
   case PlotQuantity::Count:
     break;
   }
-  return tableText(value, 0);
+  return tableNumberText(value, 0);
 }
 
 QString titleWithUnit(const PlotDeclaration& plot) {
@@ -96,7 +96,7 @@ QString axisUnit(PlotQuantity quantity) {
   return {};
 }
 
-double drawnValue(PlotQuantity quantity, double value) {
+double valueInAxisUnit(PlotQuantity quantity, double value) {
   return quantity == PlotQuantity::Length ? std::max(kLeastMm, inMillimeters(value)) : value;
 }
 

@@ -30,7 +30,7 @@ struct CurveDeclaration {
   QString name;           ///< translated, for example "x" or "camera 1"
   QString csvName;        ///< column name in a table, with the unit: "spread_x_mm"
   std::size_t column = 0; ///< column in the PlotSeries
-  int color = 0;          ///< index for curveColor()
+  int colorIndex = 0;     ///< index for curveColor()
   /// Column of the standard deviation. If set, a band of two standard deviations is drawn around
   /// the curve.
   std::optional<std::size_t> deviation = std::nullopt;
@@ -51,13 +51,13 @@ struct PlotDeclaration {
 QString quantityText(PlotQuantity quantity, double value);
 /// Returns a value as text without the unit, converted to the axis unit. The number of decimals
 /// does not depend on the value.
-QString drawnNumberText(PlotQuantity quantity, double value);
+QString axisNumberText(PlotQuantity quantity, double value);
 /// Returns the unit in which a quantity is shown on an axis; may be empty.
 QString axisUnit(PlotQuantity quantity);
 /// Returns the title of a plot with the axis unit, for example "Spread (mm)".
 QString titleWithUnit(const PlotDeclaration& plot);
 /// Converts a stored value to the unit used on the axis and in tables.
-double drawnValue(PlotQuantity quantity, double value);
+double valueInAxisUnit(PlotQuantity quantity, double value);
 
 /// Returns a curve color that color-blind users can distinguish (Okabe-Ito, darker on a light
 /// background). A negative index returns the text color.

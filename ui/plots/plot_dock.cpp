@@ -17,11 +17,11 @@ namespace dewpoint::ui {
 
 PlotPanel* installPlots(const Workbench& bench) {
   auto* panel = new PlotPanel(bench.actions, bench.selection, &bench.window);
-  ViewDock* dock = bench.docks.make({.name = QStringLiteral("plotDock"),
-                                     .title = [] { return PlotPanel::tr("Plots"); },
-                                     .content = panel,
-                                     .area = DockArea::Plots,
-                                     .rank = 0});
+  ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("plotDock"),
+                                         .title = [] { return PlotPanel::tr("Plots"); },
+                                         .content = panel,
+                                         .area = DockArea::Plots,
+                                         .rank = 0});
   dock->title().addTool(panel->makeTools(&dock->title()));
   bench.connectView(panel);
   QObject::connect(&bench.session, &SessionController::iterationsLogged, panel,
@@ -34,7 +34,7 @@ PlotPanel* installPlots(const Workbench& bench) {
   QObject::connect(&bench.document, &Document::replaced, &panel->stack(), &PlotStack::showAll);
   QObject::connect(&bench.session, &SessionController::restarting, &panel->stack(),
                    &PlotStack::showAll);
-  QObject::connect(panel, &PlotPanel::notice, &bench.messages, &MessageBar::showNotice);
+  QObject::connect(panel, &PlotPanel::noticeRequested, &bench.messages, &MessageBar::showNotice);
   QObject::connect(panel, &PlotPanel::failed, &bench.messages, &MessageBar::showError);
   return panel;
 }

@@ -34,7 +34,7 @@ PlotFigure::~PlotFigure() {
 void PlotFigure::setPaintedForFigure(bool figure) {
   // On paper there is time for smooth lines and need for the name of the axis.
   for (const auto& row : rows_) {
-    row->drawForFigure(figure);
+    row->setDrawnForFigure(figure);
     row->yAxis()->setLabel(figure ? axisUnit(row->declaration().quantity) : QString());
     if (row == rows_.back()) {
       row->xAxis()->setTickLabels(figure);
@@ -47,7 +47,7 @@ void PlotFigure::setPaintedForFigure(bool figure) {
     }
   }
   cursor_.setVisible(!figure || cursor_.selectedRange.has_value() ||
-                     cursor_.currentFrame.has_value());
+                     cursor_.currentPosition.has_value());
 }
 
 PlotImage PlotFigure::draw(bool asDrawing) {

@@ -9,7 +9,7 @@ void PlotNavigation::showAll() {
 }
 
 void PlotNavigation::showRange(double lower, double upper) {
-  range_.show(series_, lower, upper);
+  range_.showRange(series_, lower, upper);
   Q_EMIT shownRangeChanged();
 }
 
@@ -17,7 +17,7 @@ void PlotNavigation::zoom(double factor, std::optional<double> about) {
   const auto [lower, upper] = shownRange();
   const auto row = cursorRow();
   const double middle = about                                ? *about
-                        : (hovered_ || currentFrame_) && row ? series_->key(*row, axis())
+                        : (hovered_ || currentFrame_) && row ? series_->axisPosition(*row, axis())
                                                              : (lower + upper) / 2.0;
   showRange(middle - (middle - lower) / factor, middle + (upper - middle) / factor);
 }
@@ -37,7 +37,7 @@ void PlotNavigation::setCurrentFrame(std::optional<std::int64_t> frame) {
   }
 }
 
-void PlotNavigation::setHovered(std::optional<std::int64_t> frame) {
+void PlotNavigation::setHoveredFrame(std::optional<std::int64_t> frame) {
   if (frame != hovered_) {
     hovered_ = frame;
     Q_EMIT cursorChanged();
@@ -51,7 +51,7 @@ void PlotNavigation::setSelectedRange(std::optional<SelectedRange> selectedRange
   }
 }
 
-void PlotNavigation::setDragged(std::optional<std::pair<double, double>> part) {
+void PlotNavigation::setDraggedRange(std::optional<std::pair<double, double>> part) {
   if (part != dragged_) {
     dragged_ = part;
     Q_EMIT cursorChanged();
@@ -59,12 +59,12 @@ void PlotNavigation::setDragged(std::optional<std::pair<double, double>> part) {
 }
 
 std::optional<double> PlotNavigation::positionOf(const std::optional<std::int64_t>& frame) const {
-  const auto row = series_ != nullptr && frame ? series_->atFrame(*frame) : std::nullopt;
-  return row ? std::optional(series_->key(*row, axis())) : std::nullopt;
+  const auto row = series_ != nullptr && frame ? series_->rowAtFrame(*frame) : std::nullopt;
+  return row ? std::optional(series_->axisPosition(*row, axis())) : std::nullopt;
 }
 
 std::optional<std::int64_t> PlotNavigation::frameAt(double position) const {
-  const auto row = series_ != nullptr ? series_->nearest(axis(), position) : std::nullopt;
+  const auto row = series_ != nullptr ? series_->nearestRow(axis(), position) : std::nullopt;
   return row ? std::optional(series_->row(*row).frame) : std::nullopt;
 }
 
@@ -72,7 +72,7 @@ std::optional<std::size_t> PlotNavigation::rowOf(const std::optional<std::int64_
   if (series_ == nullptr || series_->size() == 0) {
     return std::nullopt;
   }
-  return frame ? series_->atFrame(*frame) : series_->size() - 1;
+  return frame ? series_->rowAtFrame(*frame) : series_->size() - 1;
 }
 
 std::optional<std::size_t> PlotNavigation::cursorRow() const {

@@ -32,7 +32,7 @@ public:
   PlotAxis axis() const { return range_.axis(); }
 
   /// Returns the visible part of the axis.
-  std::pair<double, double> shownRange() const { return range_.shown(series_); }
+  std::pair<double, double> shownRange() const { return range_.shownRange(series_); }
   /// Moves a visible part that follows the newest data, and returns the visible part of the axis.
   std::pair<double, double> advance() { return range_.advance(series_); }
   bool showsAll() const { return range_.showsAll(); }
@@ -50,14 +50,14 @@ public:
   void setCurrentFrame(std::optional<std::int64_t> frame);
   std::optional<std::int64_t> currentFrame() const { return currentFrame_; }
   /// Sets the frame under the pointer, in these plots or in another view; empty if there is none.
-  void setHovered(std::optional<std::int64_t> frame);
-  std::optional<std::int64_t> hovered() const { return hovered_; }
+  void setHoveredFrame(std::optional<std::int64_t> frame);
+  std::optional<std::int64_t> hoveredFrame() const { return hovered_; }
   void setSelectedRange(std::optional<SelectedRange> selectedRange);
   std::optional<SelectedRange> selectedRange() const { return selectedRange_; }
   /// Sets the part of the axis over which the user is dragging. The stack zooms to this part at the
   /// end of the drag.
-  void setDragged(std::optional<std::pair<double, double>> part);
-  std::optional<std::pair<double, double>> dragged() const { return dragged_; }
+  void setDraggedRange(std::optional<std::pair<double, double>> part);
+  std::optional<std::pair<double, double>> draggedRange() const { return dragged_; }
 
   /// Returns the position of a frame on the axis, or nothing before the first frame.
   std::optional<double> positionOf(const std::optional<std::int64_t>& frame) const;

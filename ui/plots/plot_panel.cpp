@@ -66,7 +66,7 @@ PlotPanel::PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* par
   });
   connectActions();
   stack_->setSeries(&seriesOf(0));
-  stack_->link(selection_);
+  stack_->connectSelection(selection_);
   connect(&selection_, &Selection::currentFrameChanged, this, &PlotPanel::showCurrentFrame);
   connect(&selection_, &Selection::targetSelected, this,
           [this](int target) { setTarget(std::max(0, target)); });
@@ -100,7 +100,7 @@ void PlotPanel::connectActions() {
     fillMenu(&menu);
     menu.exec(place);
   });
-  stack_->setShown(chosen);
+  stack_->setShownPlots(chosen);
 }
 
 void PlotPanel::fillMenu(QMenu* menu) const {
@@ -122,7 +122,7 @@ void PlotPanel::saveShownPlots() {
     }
   }
   Preferences().setShownPlots(chosen);
-  stack_->setShown(chosen);
+  stack_->setShownPlots(chosen);
 }
 
 QWidget* PlotPanel::makeTools(QWidget* parent) {
@@ -143,7 +143,7 @@ QWidget* PlotPanel::makeTools(QWidget* parent) {
   place->setForegroundRole(QPalette::PlaceholderText);
   row->addWidget(place);
   connect(stack_, &PlotStack::cursorMoved, place, [this, place] {
-    place->setText(stack_->shownText());
+    place->setText(stack_->shownFrameText());
     stack_->focusProxy()->setAccessibleDescription(stack_->valuesText());
   });
   onRetranslate(place, [place] {
@@ -182,7 +182,7 @@ QWidget* PlotPanel::makeTools(QWidget* parent) {
 PlotSeries& PlotPanel::seriesOf(int target) {
   while (series_.size() <= static_cast<std::size_t>(target)) {
     series_.push_back(std::make_unique<PlotSeries>());
-    series_.back()->reset(runPlotColumns(static_cast<int>(cameras_.size())));
+    series_.back()->reset(runPlotColumnCount(static_cast<int>(cameras_.size())));
   }
   return *series_[static_cast<std::size_t>(target)];
 }
@@ -194,7 +194,7 @@ void PlotPanel::append(const std::vector<IterationRecord>& records) {
     if (series.size() > 0 && record.iteration <= series.row(series.size() - 1).iteration) {
       series.removeFrom(record.frame);
     }
-    appendTo(series, record);
+    appendIteration(series, record);
   }
   if (!records.empty()) {
     showCurrentFrame();
@@ -203,12 +203,12 @@ void PlotPanel::append(const std::vector<IterationRecord>& records) {
 }
 
 void PlotPanel::clear() {
-  const std::size_t columns = runPlotColumns(static_cast<int>(cameras_.size()));
+  const std::size_t columns = runPlotColumnCount(static_cast<int>(cameras_.size()));
   for (const auto& series : series_) {
     series->reset(columns);
   }
   stack_->setCurrentFrame(std::nullopt);
-  stack_->setHovered(std::nullopt);
+  stack_->setHoveredFrame(std::nullopt);
   convergence_->showFrame(seriesOf(target_), std::nullopt);
   stack_->refresh();
 }
@@ -241,9 +241,9 @@ void PlotPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
     showsBoxes_ = resultsAreBoxes;
     cameras_ = cameras;
     for (const auto& series : series_) {
-      series->reset(runPlotColumns(static_cast<int>(cameras_.size())));
+      series->reset(runPlotColumnCount(static_cast<int>(cameras_.size())));
     }
-    convergence_->setBoxes(resultsAreBoxes);
+    convergence_->setTracksBoxes(resultsAreBoxes);
     updateCameras();
   }
 }
@@ -266,14 +266,14 @@ void PlotPanel::setTarget(int target) {
   }
 }
 
-int PlotPanel::shownIterations() const {
+int PlotPanel::shownIterationCount() const {
   const auto target = static_cast<std::size_t>(target_);
   return target < series_.size() ? static_cast<int>(series_[target]->size()) : 0;
 }
 
 void PlotPanel::copyCsv() {
   QGuiApplication::clipboard()->setText(QString::fromStdString(stack_->plotExport().csv()));
-  Q_EMIT notice(tr("The plots are on the clipboard as CSV."));
+  Q_EMIT noticeRequested(tr("The plots are on the clipboard as CSV."));
 }
 
 void PlotPanel::chooseImageFile() {
@@ -291,7 +291,7 @@ void PlotPanel::savePicture(const QString& file) {
         const bool saved = picture.save(file);
         return [this, file, saved] {
           if (saved) {
-            Q_EMIT notice(tr("Saved %1.").arg(file));
+            Q_EMIT noticeRequested(tr("Saved %1.").arg(file));
           } else {
             Q_EMIT failed(tr("%1 could not be written.").arg(file));
           }

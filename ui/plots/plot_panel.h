@@ -47,19 +47,19 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Sets the index of the target to show, counted from 0.
   void setTarget(int target);
-  int shownIterations() const;
+  int shownIterationCount() const;
   FrameConvergence& convergence() { return *convergence_; }
   PlotStack& stack() { return *stack_; }
 
   /// Creates the widget for the dock title, with buttons and the position of the cursor as text.
   QWidget* makeTools(QWidget* parent);
   void copyCsv();
-  /// Writes the plots as SVG or PNG, depending on the suffix, in another thread. Emits `notice()`
-  /// or `failed()` afterwards.
+  /// Writes the plots as SVG or PNG, depending on the suffix, in another thread. Emits
+  /// `noticeRequested()` or `failed()` afterwards.
   void savePicture(const QString& file);
 
 Q_SIGNALS:
-  void notice(const QString& sentence);
+  void noticeRequested(const QString& sentence);
   void failed(const QString& sentence);
 
 private:

@@ -89,9 +89,9 @@ bool PlotPointer::turnWheel(const QWheelEvent& wheel) {
 }
 
 void PlotPointer::hover(std::optional<std::int64_t> frame) {
-  if (frame != navigation_.hovered()) {
-    navigation_.setHovered(frame);
-    Q_EMIT hovered(frame.value_or(-1));
+  if (frame != navigation_.hoveredFrame()) {
+    navigation_.setHoveredFrame(frame);
+    Q_EMIT frameHovered(frame.value_or(-1));
   }
 }
 
@@ -125,7 +125,7 @@ void PlotPointer::move(QMouseEvent* event) {
     const double moved = width * (pressed_.x() - here.x()) / pixels;
     navigation_.showRange(pressedRange_.first + moved, pressedRange_.second + moved);
   } else if (drag_ == Drag::Zoom) {
-    navigation_.setDragged(std::minmax(pressedKey_, now));
+    navigation_.setDraggedRange(std::minmax(pressedKey_, now));
   } else if (drag_ == Drag::Range) {
     const auto from = frameAt(pressed_.x());
     const auto to = frameAt(here.x());
@@ -141,7 +141,7 @@ void PlotPointer::release(QMouseEvent* event) {
     return;
   }
   const Drag was = std::exchange(drag_, Drag::None);
-  navigation_.setDragged(std::nullopt);
+  navigation_.setDraggedRange(std::nullopt);
   if (was == Drag::Press) {
     if (const auto frame = frameAt(event->pos().x())) {
       Q_EMIT frameChosen(*frame);
@@ -196,7 +196,7 @@ bool PlotPointer::handleKey(QKeyEvent* event) {
     return true;
   case Qt::Key_Return:
   case Qt::Key_Enter:
-    if (const auto frame = navigation_.hovered()) {
+    if (const auto frame = navigation_.hoveredFrame()) {
       Q_EMIT frameChosen(*frame);
     }
     return true;

@@ -40,7 +40,7 @@ public:
 Q_SIGNALS:
   /// Emitted when the pointer, or the cursor moved by arrow keys, reaches this frame. A negative
   /// number means that it is on no frame.
-  void hovered(qint64 frame);
+  void frameHovered(qint64 frame);
   /// Emitted after each move of the pointer, with its position in the plot, and after each move of
   /// the cursor by keys, without a position. Not emitted during a drag.
   void cursorMoved(const std::optional<QPoint>& pointer);

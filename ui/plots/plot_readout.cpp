@@ -172,9 +172,10 @@ void PlotReadout::draw(QCPPainter* painter) {
     const double value =
         index < values_.size() ? values_[index] : std::numeric_limits<double>::quiet_NaN();
     const QRect box = boxOf(entry);
-    painter->fillRect(QRect(box.left(), box.center().y(), 8, 2), curveColor(curve.color, text));
+    painter->fillRect(QRect(box.left(), box.center().y(), 8, 2),
+                      curveColor(curve.colorIndex, text));
     painter->setPen(text);
-    const QString number = drawnNumberText(declaration_.quantity, value);
+    const QString number = axisNumberText(declaration_.quantity, value);
     const int room = width - kSwatch - metrics.horizontalAdvance(number) - 6;
     if (room > 0 && (count > 1 || room > metrics.horizontalAdvance(curve.name))) {
       painter->drawText(box.adjusted(kSwatch, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,

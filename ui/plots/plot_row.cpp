@@ -56,13 +56,13 @@ bool isPosition(PlotQuantity quantity) {
 } // namespace
 
 PlotRow::Extremes::Extremes()
-    : least(std::numeric_limits<double>::infinity()),
-      most(-std::numeric_limits<double>::infinity()) {}
+    : minimum(std::numeric_limits<double>::infinity()),
+      maximum(-std::numeric_limits<double>::infinity()) {}
 
 void PlotRow::Extremes::add(const Extremes& other) {
-  least = std::min(least, other.least);
-  most = std::max(most, other.most);
-  points += other.points;
+  minimum = std::min(minimum, other.minimum);
+  maximum = std::max(maximum, other.maximum);
+  pointCount += other.pointCount;
 }
 
 PlotRow::PlotRow(QCustomPlot* plot, const PlotDeclaration& declaration, int layoutRow,
@@ -75,11 +75,11 @@ PlotRow::PlotRow(QCustomPlot* plot, const PlotDeclaration& declaration, int layo
   plot->plotLayout()->setRowStretchFactor(layoutRow, heightShare());
   rect_->setMarginGroup(QCP::msLeft, margins);
   rect_->setAutoMargins(QCP::msLeft); // no row needs room for the numbers of the shared axis
-  rect_->setMargins(QMargins(0, kGap, kGap, kGap));
+  rect_->setMargins(QMargins(0, kGapPx, kGapPx, kGapPx));
   rect_->setMinimumSize(kLeastRect, kLeastRect);
   for (QCPLayoutElement* beside :
        {static_cast<QCPLayoutElement*>(caption_), static_cast<QCPLayoutElement*>(readout_)}) {
-    beside->setMargins(QMargins(0, kGap / 2, 0, 0));
+    beside->setMargins(QMargins(0, kGapPx / 2, 0, 0));
   }
   prepareAxes();
   addGraphs();
@@ -148,7 +148,7 @@ void PlotRow::prepareAxes() {
 int PlotRow::minimumHeightFor(const QFont& font) const {
   const int line = PlotReadout::lineHeight(font);
   const int lines = std::max(kCaptionLines, PlotReadout::lineCount(*declaration_));
-  return static_cast<int>(std::lround(heightShare() * (kCaptionLines * line + 2 * kGap))) +
+  return static_cast<int>(std::lround(heightShare() * (kCaptionLines * line + 2 * kGapPx))) +
          std::max(0, lines - kCaptionLines) * line;
 }
 
@@ -171,19 +171,20 @@ PlotRow::Extremes PlotRow::draw(QCPGraph* graph, const PlotSeries& series, PlotA
                                 const std::optional<PlotSeries::Offset>& offset) const {
   Extremes extremes;
   const QCPRange range = xAxis()->range();
-  const bool known = column < series.columns() && (!offset || offset->column < series.columns());
+  const bool known =
+      column < series.columnCount() && (!offset || offset->column < series.columnCount());
   const PlotSeries::Line line = known ? series.line(column, axis, range.lower, range.upper,
                                                     std::max(50, rect_->width()), offset)
                                       : PlotSeries::Line{};
   QVector<QCPGraphData> points(static_cast<qsizetype>(line.keys.size()));
   for (qsizetype i = 0; i < points.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const double value = drawnValue(declaration_->quantity, line.values[at]);
+    const double value = valueInAxisUnit(declaration_->quantity, line.values[at]);
     points[i] = {line.keys[at], std::isnan(line.values[at]) ? line.values[at] : value};
     if (std::isfinite(line.values[at])) {
-      extremes.least = std::min(extremes.least, value);
-      extremes.most = std::max(extremes.most, value);
-      ++extremes.points;
+      extremes.minimum = std::min(extremes.minimum, value);
+      extremes.maximum = std::max(extremes.maximum, value);
+      ++extremes.pointCount;
     }
   }
   const bool smooth = points.size() <= kMostSmoothPoints;
@@ -206,7 +207,7 @@ void PlotRow::fill(const PlotSeries& series, PlotAxis axis) {
     const CurveDeclaration& curve = declaration_->curves[k];
     const Drawn& drawn = drawn_[k];
     const Extremes its = draw(drawn.curve, series, axis, curve.column);
-    const bool few = its.points > 0 && its.points <= kMaxDots;
+    const bool few = its.pointCount > 0 && its.pointCount <= kMaxDots;
     const QColor color = drawn.curve->pen().color();
     drawn.curve->setScatterStyle(
         few ? QCPScatterStyle(QCPScatterStyle::ssDisc, color, color, kDotSize) : QCPScatterStyle());
@@ -219,20 +220,21 @@ void PlotRow::fill(const PlotSeries& series, PlotAxis axis) {
     }
     if (curve.truth) {
       values.add(draw(drawn.truth, series, axis, *curve.truth));
-      truthKnown = truthKnown || (*curve.truth < series.columns() && series.isKnown(*curve.truth));
+      truthKnown =
+          truthKnown || (*curve.truth < series.columnCount() && series.isColumnKnown(*curve.truth));
     }
   }
   readout_->setTruthKnown(truthKnown);
   updateMaxTicks();
-  if (values.any()) {
+  if (values.hasValues()) {
     fit(values, bands);
   }
 }
 
 void PlotRow::fit(const Extremes& values, const Extremes& bands) {
   const PlotQuantity quantity = declaration_->quantity;
-  double least = values.least;
-  double most = values.most;
+  double least = values.minimum;
+  double most = values.maximum;
   switch (quantity) {
   case PlotQuantity::Length:
     // Whole decades, and room for their numbers: the axis stays put while the curve moves.
@@ -254,9 +256,9 @@ void PlotRow::fit(const Extremes& values, const Extremes& bands) {
   case PlotQuantity::PixelPosition:
   case PlotQuantity::LogLikelihood: {
     const double size = std::max(most - least, finestRange(quantity));
-    if (bands.any()) { // a wide band must not flatten the curves
-      least = std::min(least, std::max(bands.least, least - 0.5 * size));
-      most = std::max(most, std::min(bands.most, most + 0.5 * size));
+    if (bands.hasValues()) { // a wide band must not flatten the curves
+      least = std::min(least, std::max(bands.minimum, least - 0.5 * size));
+      most = std::max(most, std::min(bands.maximum, most + 0.5 * size));
     }
     const double step = roundedUp(std::max(most - least, finestRange(quantity))) / 5.0;
     yAxis()->setRange((std::floor(least / step) - 0.2) * step,
@@ -270,7 +272,7 @@ std::vector<double> PlotRow::valuesOf(const PlotSeries& series,
                                       std::optional<std::size_t> row) const {
   std::vector<double> values;
   for (const CurveDeclaration& curve : declaration_->curves) {
-    values.push_back(row && curve.column < series.columns()
+    values.push_back(row && curve.column < series.columnCount()
                          ? series.value(*row, curve.column)
                          : std::numeric_limits<double>::quiet_NaN());
   }
@@ -304,7 +306,7 @@ void PlotRow::applyPalette(const QPalette& palette, const QFont& font) {
     axis->grid()->setAntialiased(false);
   }
   for (std::size_t k = 0; k < drawn_.size(); ++k) {
-    const QColor color = curveColor(declaration_->curves[k].color, text);
+    const QColor color = curveColor(declaration_->curves[k].colorIndex, text);
     drawn_[k].curve->setPen(QPen(color, kCurveWidth));
     if (drawn_[k].bandUpper != nullptr) {
       QColor faint = color;
@@ -319,7 +321,7 @@ void PlotRow::applyPalette(const QPalette& palette, const QFont& font) {
   }
 }
 
-void PlotRow::drawForFigure(bool figure) {
+void PlotRow::setDrawnForFigure(bool figure) {
   for (const Drawn& drawn : drawn_) {
     QPen pen = drawn.curve->pen();
     pen.setWidthF(figure ? kFigureWidth : kCurveWidth);

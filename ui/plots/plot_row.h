@@ -29,7 +29,7 @@ public:
   PlotCaption* caption() const { return caption_; }
   PlotReadout* readout() const { return readout_; }
   /// Empty space above and below the axes, pixels.
-  static constexpr int kGap = 4;
+  static constexpr int kGapPx = 4;
 
   /// Returns the minimum height (pixels) at which the title, readout and two axis numbers are
   /// readable.
@@ -43,7 +43,7 @@ public:
   QString valuesText(const PlotSeries& series, std::optional<std::size_t> row) const;
   void applyPalette(const QPalette& palette, const QFont& font);
   /// Sets whether lines are drawn as in a figure for publication, starting with the next `fill()`.
-  void drawForFigure(bool figure);
+  void setDrawnForFigure(bool figure);
   /// Returns the number of points in the drawn curves.
   int pointCount() const;
   /// Returns whether any curve shows dots.
@@ -62,11 +62,11 @@ private:
   struct Extremes {
     Extremes();
     void add(const Extremes& other);
-    bool any() const { return least <= most; }
+    bool hasValues() const { return minimum <= maximum; }
 
-    double least;
-    double most;
-    int points = 0;
+    double minimum;
+    double maximum;
+    int pointCount = 0;
   };
   QCPGraph* addGraph(const QString& name);
   void addGraphs();

@@ -51,7 +51,7 @@ void PlotScroll::setEmptyText(const QString& sentence) {
   empty_->setText(sentence);
 }
 
-void PlotScroll::showEmpty(bool isEmpty) {
+void PlotScroll::setEmptyTextShown(bool isEmpty) {
   const bool wanted = isEmpty && !empty_->text().isEmpty();
   if (wanted != !empty_->isHidden()) {
     empty_->setVisible(wanted);

@@ -26,7 +26,7 @@ public:
   /// Sets whether the name of the axis is shown next to its numbers.
   void setNameShown(bool named);
   void setEmptyText(const QString& sentence);
-  void showEmpty(bool isEmpty);
+  void setEmptyTextShown(bool isEmpty);
   /// Returns the visible part of the plot, in plot coordinates.
   QRect visibleArea() const;
 

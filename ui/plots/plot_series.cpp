@@ -91,17 +91,17 @@ void PlotSeries::thin() {
   values_.resize(kept * columns_);
 }
 
-double PlotSeries::key(std::size_t index, PlotAxis axis) const {
+double PlotSeries::axisPosition(std::size_t index, PlotAxis axis) const {
   return axis == PlotAxis::Time ? rows_[index].time : static_cast<double>(rows_[index].iteration);
 }
 
-bool PlotSeries::isDrawn(std::size_t index, PlotAxis axis) const {
+bool PlotSeries::isRowDrawn(std::size_t index, PlotAxis axis) const {
   return axis == PlotAxis::Iterations || index + 1 == rows_.size() ||
          rows_[index + 1].frame != rows_[index].frame;
 }
 
-std::pair<std::size_t, std::size_t> PlotSeries::within(PlotAxis axis, double lower,
-                                                       double upper) const {
+std::pair<std::size_t, std::size_t> PlotSeries::rowsWithin(PlotAxis axis, double lower,
+                                                           double upper) const {
   const auto keyOf = [axis](const Row& row) {
     return axis == PlotAxis::Time ? row.time : static_cast<double>(row.iteration);
   };
@@ -113,21 +113,21 @@ std::pair<std::size_t, std::size_t> PlotSeries::within(PlotAxis axis, double low
   return {place(first), std::max(place(first), place(last))};
 }
 
-std::optional<std::size_t> PlotSeries::nearest(PlotAxis axis, double wanted) const {
+std::optional<std::size_t> PlotSeries::nearestRow(PlotAxis axis, double wanted) const {
   if (rows_.empty()) {
     return std::nullopt;
   }
-  std::size_t found = std::min(within(axis, wanted, wanted).first, rows_.size() - 1);
-  if (found > 0 && wanted - key(found - 1, axis) < key(found, axis) - wanted) {
+  std::size_t found = std::min(rowsWithin(axis, wanted, wanted).first, rows_.size() - 1);
+  if (found > 0 && wanted - axisPosition(found - 1, axis) < axisPosition(found, axis) - wanted) {
     --found;
   }
-  while (!isDrawn(found, axis)) {
+  while (!isRowDrawn(found, axis)) {
     ++found;
   }
   return found;
 }
 
-std::optional<std::size_t> PlotSeries::atFrame(std::int64_t frame) const {
+std::optional<std::size_t> PlotSeries::rowAtFrame(std::int64_t frame) const {
   const auto after = std::ranges::upper_bound(rows_, frame, {}, &Row::frame);
   if (after == rows_.begin()) {
     return std::nullopt;
@@ -138,7 +138,7 @@ std::optional<std::size_t> PlotSeries::atFrame(std::int64_t frame) const {
 PlotSeries::Line PlotSeries::line(std::size_t column, PlotAxis axis, double lower, double upper,
                                   int pixels, const std::optional<Offset>& offset) const {
   Line line;
-  auto [first, last] = within(axis, lower, upper);
+  auto [first, last] = rowsWithin(axis, lower, upper);
   first -= first > 0 ? 1 : 0;
   last += last < rows_.size() ? 1 : 0;
   const bool all = last - first <= 2 * static_cast<std::size_t>(pixels);
@@ -147,12 +147,12 @@ PlotSeries::Line PlotSeries::line(std::size_t column, PlotAxis axis, double lowe
   Part extremes;
   bool gap = false;
   for (std::size_t index = first; index < last; ++index) {
-    if (!isDrawn(index, axis)) {
+    if (!isRowDrawn(index, axis)) {
       continue;
     }
-    const double place = key(index, axis);
+    const double place = axisPosition(index, axis);
     const double drawn =
-        value(index, column) + (offset ? offset->factor * value(index, offset->column) : 0.0);
+        value(index, column) + (offset ? offset->columnFactor * value(index, offset->column) : 0.0);
     const double its = all ? place : std::floor((place - lower) / width);
     if (its != part || !std::isfinite(drawn)) {
       extremes.writeTo(line);

@@ -39,29 +39,29 @@ public:
   void removeFrom(std::int64_t frame);
 
   std::size_t size() const { return rows_.size(); }
-  std::size_t columns() const { return columns_; }
+  std::size_t columnCount() const { return columns_; }
   const Row& row(std::size_t index) const { return rows_[index]; }
   double value(std::size_t index, std::size_t column) const {
     return static_cast<double>(values_[index * columns_ + column]);
   }
   /// Returns whether any row has a number in this column.
-  bool isKnown(std::size_t column) const { return known_[column]; }
+  bool isColumnKnown(std::size_t column) const { return known_[column]; }
   /// Returns the position of a row on the axis.
-  double key(std::size_t index, PlotAxis axis) const;
+  double axisPosition(std::size_t index, PlotAxis axis) const;
   /// Returns the index of the row closest to a position on the axis; nothing if there are no rows.
   /// On the time axis, the last iteration of a frame represents the frame.
-  std::optional<std::size_t> nearest(PlotAxis axis, double key) const;
+  std::optional<std::size_t> nearestRow(PlotAxis axis, double key) const;
   /// Returns the index of the last row of this frame or, if it has none, of the closest earlier
   /// frame.
-  std::optional<std::size_t> atFrame(std::int64_t frame) const;
+  std::optional<std::size_t> rowAtFrame(std::int64_t frame) const;
   /// Returns the indices [first, last) of the rows whose axis positions are within [lower, upper].
-  std::pair<std::size_t, std::size_t> within(PlotAxis axis, double lower, double upper) const;
+  std::pair<std::size_t, std::size_t> rowsWithin(PlotAxis axis, double lower, double upper) const;
   /// Returns whether a row is drawn. On the time axis, only the last iteration of a frame is drawn.
-  bool isDrawn(std::size_t index, PlotAxis axis) const;
-  /// Offset to add to the values of a curve: the values of another column, times `factor`.
+  bool isRowDrawn(std::size_t index, PlotAxis axis) const;
+  /// Offset to add to the values of a curve: the values of another column, times `columnFactor`.
   struct Offset {
     std::size_t column = 0;
-    double factor = 0.0;
+    double columnFactor = 0.0;
   };
   /// Returns the points of a curve: the values of a column within the axis range [lower, upper],
   /// plus one row beyond each end. If there are many, they are reduced to about two points for each

@@ -51,7 +51,7 @@ PlotStack::PlotStack(QWidget* parent)
   cursor_ = new PlotCursor(plot_, QStringLiteral("cursor"));
   connect(navigation_, &PlotNavigation::shownRangeChanged, this, &PlotStack::draw);
   connect(navigation_, &PlotNavigation::cursorChanged, this, &PlotStack::drawCursor);
-  connect(pointer_, &PlotPointer::hovered, this, &PlotStack::hovered);
+  connect(pointer_, &PlotPointer::frameHovered, this, &PlotStack::frameHovered);
   connect(pointer_, &PlotPointer::cursorMoved, this, &PlotStack::showLabel);
   connect(pointer_, &PlotPointer::contextMenuRequested, this, &PlotStack::contextMenuRequested);
   timer_.setSingleShot(true);
@@ -81,7 +81,7 @@ void PlotStack::setPlots(std::vector<PlotDeclaration> plots) {
   rebuild();
 }
 
-void PlotStack::setShown(const QStringList& ids) {
+void PlotStack::setShownPlots(const QStringList& ids) {
   shown_ = ids;
   rebuild();
 }
@@ -98,7 +98,7 @@ std::vector<const PlotDeclaration*> PlotStack::plotsToShow() const {
     if (shown_.contains(plot.id)) {
       chosen.push_back(&plot);
       if (series() != nullptr && std::ranges::any_of(plot.curves, [this](const auto& curve) {
-            return curve.column < series()->columns() && series()->isKnown(curve.column);
+            return curve.column < series()->columnCount() && series()->isColumnKnown(curve.column);
           })) {
         known.push_back(&plot);
       }
@@ -110,7 +110,7 @@ std::vector<const PlotDeclaration*> PlotStack::plotsToShow() const {
 void PlotStack::rebuild() {
   scroll_->setAxis(nullptr, axis());
   rows_.clear();
-  cursor_->rects.clear();
+  cursor_->axisRects.clear();
   plot_->clearGraphs();
   plot_->plotLayout()->clear();
   delete plot_->findChild<QCPMarginGroup*>();
@@ -121,7 +121,7 @@ void PlotStack::rebuild() {
   for (const PlotDeclaration* plot : wanted) {
     rows_.push_back(
         std::make_unique<PlotRow>(plot_, *plot, static_cast<int>(rows_.size()), margins));
-    cursor_->rects.push_back(rows_.back()->rect());
+    cursor_->axisRects.push_back(rows_.back()->rect());
   }
   arrangeRows(wanted);
   scroll_->setAxis(rows_.empty() ? nullptr : rows_.front()->xAxis(), axis());
@@ -156,7 +156,7 @@ void PlotStack::fitRows() {
     least.push_back(row->minimumHeightFor(font()) + (least.empty() ? kTopRoom : 0));
   }
   // The gap below the last visible plot need not be visible.
-  const std::vector<int> heights = wholeRowHeights(least, visible + PlotRow::kGap);
+  const std::vector<int> heights = wholeRowHeights(least, visible + PlotRow::kGapPx);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const double share = heights.empty() ? rows_[k]->heightShare() : heights[k];
     plot_->plotLayout()->setRowStretchFactor(static_cast<int>(k), share);
@@ -176,7 +176,7 @@ void PlotStack::refresh() {
 }
 
 void PlotStack::draw() {
-  scroll_->showEmpty(series() == nullptr || series()->size() == 0);
+  scroll_->setEmptyTextShown(series() == nullptr || series()->size() == 0);
   if (!isVisible() || series() == nullptr) {
     return;
   }
@@ -203,15 +203,15 @@ void PlotStack::draw() {
 }
 
 void PlotStack::drawCursor() {
-  cursor_->currentFrame = navigation_->positionOf(navigation_->currentFrame());
-  cursor_->hovered = navigation_->positionOf(navigation_->hovered());
-  cursor_->dragged = navigation_->dragged();
+  cursor_->currentPosition = navigation_->positionOf(navigation_->currentFrame());
+  cursor_->hoveredPosition = navigation_->positionOf(navigation_->hoveredFrame());
+  cursor_->draggedRange = navigation_->draggedRange();
   cursor_->selectedRange.reset();
   if (const auto range = navigation_->selectedRange()) {
     const auto first = navigation_->positionOf(range->first);
     const auto last = navigation_->positionOf(range->last);
     if (last) {
-      cursor_->selectedRange = std::pair(first.value_or(series()->key(0, axis())), *last);
+      cursor_->selectedRange = std::pair(first.value_or(series()->axisPosition(0, axis())), *last);
     }
   }
   // The numbers beside the plots belong to the frame in all views; the label shows the cursor's.
@@ -232,7 +232,7 @@ void PlotStack::setAxis(PlotAxis axis) {
   }
 }
 
-void PlotStack::link(Selection& selection) {
+void PlotStack::connectSelection(Selection& selection) {
   connect(pointer_, &PlotPointer::frameChosen, &selection, &Selection::requestFrame);
   connect(pointer_, &PlotPointer::rangeChosen, &selection, [&selection](qint64 first, qint64 last) {
     selection.selectRange(SelectedRange{first, last});
@@ -245,15 +245,15 @@ void PlotStack::link(Selection& selection) {
 
 void PlotStack::shareCursor(PlotStack& other) {
   const auto tell = [](PlotStack& from, PlotStack& to) {
-    connect(&from, &PlotStack::hovered, &to, [&to](qint64 frame) {
-      to.setHovered(frame < 0 ? std::nullopt : std::optional<std::int64_t>(frame));
+    connect(&from, &PlotStack::frameHovered, &to, [&to](qint64 frame) {
+      to.setHoveredFrame(frame < 0 ? std::nullopt : std::optional<std::int64_t>(frame));
     });
   };
   tell(*this, other);
   tell(other, *this);
 }
 
-int PlotStack::drawnPoints() const {
+int PlotStack::drawnPointCount() const {
   int count = 0;
   for (const auto& row : rows_) {
     count += row->pointCount();
@@ -281,7 +281,7 @@ QStringList PlotStack::fullyVisiblePlots() const {
   return ids;
 }
 
-QStringList PlotStack::cutPlots() const {
+QStringList PlotStack::partlyVisiblePlots() const {
   const QRect sight = scroll_->visibleArea();
   QStringList ids;
   for (const auto& row : rows_) {
@@ -332,7 +332,7 @@ void PlotStack::applyPalette() {
 }
 
 void PlotStack::showLabel(const std::optional<QPoint>& pointer) {
-  const auto row = navigation_->hovered() ? navigation_->cursorRow() : std::nullopt;
+  const auto row = navigation_->hoveredFrame() ? navigation_->cursorRow() : std::nullopt;
   if (!row || rows_.empty()) {
     QToolTip::hideText();
     return;
@@ -348,7 +348,7 @@ void PlotStack::showLabel(const std::optional<QPoint>& pointer) {
     lines << tr("Click: go to this frame · Ctrl+wheel: zoom");
   }
   const QPoint place = pointer.value_or(
-      QPoint(qRound(rows_.front()->xAxis()->coordToPixel(series()->key(*row, axis()))),
+      QPoint(qRound(rows_.front()->xAxis()->coordToPixel(series()->axisPosition(*row, axis()))),
              scroll_->visibleArea().top()));
   // With an area of one pixel, the label moves along with the pointer.
   QToolTip::showText(plot_->mapToGlobal(place), lines.join(QLatin1Char('\n')), plot_,

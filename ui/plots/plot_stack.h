@@ -36,7 +36,7 @@ public:
   /// Sets all plots. Data of earlier plots are discarded.
   void setPlots(std::vector<PlotDeclaration> plots);
   /// Sets which plots are shown, by id. Plots without data take up no space.
-  void setShown(const QStringList& ids);
+  void setShownPlots(const QStringList& ids);
   /// Sets the data to draw. The series must outlive the stack or be replaced.
   void setSeries(const PlotSeries* series);
   /// Schedules a redraw because the series has changed.
@@ -52,14 +52,14 @@ public:
 
   /// Connects the stack with the selection shared by all views: shows the selected range, and
   /// changes the selection when the user selects a frame or a range in the plots.
-  void link(Selection& selection);
+  void connectSelection(Selection& selection);
   /// Connects the cursors of two stacks: the frame under the pointer in one is also marked in the
   /// other.
   void shareCursor(PlotStack& other);
   /// Sets the frame that all views show; empty: the newest frame.
   void setCurrentFrame(std::optional<std::int64_t> frame) { navigation_->setCurrentFrame(frame); }
   /// Sets the frame under the pointer, in these plots or in another view; empty if there is none.
-  void setHovered(std::optional<std::int64_t> frame) { navigation_->setHovered(frame); }
+  void setHoveredFrame(std::optional<std::int64_t> frame) { navigation_->setHoveredFrame(frame); }
   std::optional<SelectedRange> selectedRange() const { return navigation_->selectedRange(); }
   /// Returns the visible part of the axis.
   std::pair<double, double> shownRange() const { return navigation_->shownRange(); }
@@ -77,18 +77,18 @@ public:
   /// 4.40 s" if the axis counts iterations. Empty before the first frame.
   QString cursorText() const { return placeText(navigation_->cursorRow()); }
   /// Returns the frame that all views show as text, in the same form as cursorText().
-  QString shownText() const { return placeText(navigation_->shownRow()); }
+  QString shownFrameText() const { return placeText(navigation_->shownRow()); }
   /// Returns the duration of the last redraw in milliseconds.
   double lastDrawingMs() const { return lastDrawingMs_; }
   /// Returns whether the newest data and settings are drawn.
   bool isDrawn() const { return !timer_.isActive(); }
   /// Returns the number of points in the drawn curves.
-  int drawnPoints() const;
+  int drawnPointCount() const;
   QStringList visiblePlots() const;
   /// Returns the plots that are fully visible without scrolling.
   QStringList fullyVisiblePlots() const;
   /// Returns the plots that are only partly visible without scrolling.
-  QStringList cutPlots() const;
+  QStringList partlyVisiblePlots() const;
   /// Returns whether any curve shows dots.
   bool hasDots() const;
 
@@ -97,7 +97,7 @@ public:
 Q_SIGNALS:
   /// Emitted when the pointer, or the cursor moved by arrow keys, reaches this frame. A negative
   /// number means that it is on no frame.
-  void hovered(qint64 frame);
+  void frameHovered(qint64 frame);
   void cursorMoved();
   void contextMenuRequested(const QPoint& global);
 

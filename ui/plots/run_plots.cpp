@@ -144,16 +144,16 @@ std::vector<PlotDeclaration> boxRunPlots() {
   };
 }
 
-std::size_t runPlotColumns(int cameraCount) {
+std::size_t runPlotColumnCount(int cameraCount) {
   return kFirstCamera + kPerCamera * static_cast<std::size_t>(cameraCount);
 }
 
-double spreadOf(const PlotSeries& series, std::size_t row) {
+double particleSpreadOf(const PlotSeries& series, std::size_t row) {
   return series.value(row, kSpread);
 }
 
-void appendTo(PlotSeries& series, const IterationRecord& record) {
-  std::vector<float> values(series.columns(), std::numeric_limits<float>::quiet_NaN());
+void appendIteration(PlotSeries& series, const IterationRecord& record) {
+  std::vector<float> values(series.columnCount(), std::numeric_limits<float>::quiet_NaN());
   const auto put = [&values](std::size_t column, double value) {
     values[column] = static_cast<float>(value);
   };

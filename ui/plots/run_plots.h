@@ -23,11 +23,11 @@ std::vector<PlotDeclaration> runPlots(const QStringList& cameras);
 /// replaces the likelihood.
 std::vector<PlotDeclaration> boxRunPlots();
 /// Returns the number of values per row in the series from which the plots of a run are drawn.
-std::size_t runPlotColumns(int cameraCount);
+std::size_t runPlotColumnCount(int cameraCount);
 /// Returns the particle spread in a row of the series of a run's plots, combined over all axes, in
 /// meters, or in pixels for bounding boxes.
-double spreadOf(const PlotSeries& series, std::size_t row);
+double particleSpreadOf(const PlotSeries& series, std::size_t row);
 /// Appends one iteration to the series of a run's plots for its target.
-void appendTo(PlotSeries& series, const IterationRecord& record);
+void appendIteration(PlotSeries& series, const IterationRecord& record);
 
 } // namespace dewpoint::ui

@@ -94,7 +94,7 @@ int Preferences::filterThreadCount() const {
   return std::max(0, read(kFilterThreads, 0).toInt());
 }
 
-void Preferences::setFilterThreads(int threads) {
+void Preferences::setFilterThreadCount(int threads) {
   write(kFilterThreads, std::max(0, threads));
 }
 
@@ -114,11 +114,11 @@ void Preferences::setPreRollSeconds(int seconds) {
   write(kPreRollSeconds, std::max(0, seconds));
 }
 
-bool Preferences::exportNotes() const {
+bool Preferences::exportsNotes() const {
   return read(kExportNotes, true).toBool();
 }
 
-void Preferences::setExportNotes(bool notes) {
+void Preferences::setExportsNotes(bool notes) {
   write(kExportNotes, notes);
 }
 
@@ -154,24 +154,25 @@ void Preferences::setPlotsOverTime(bool time) {
   write(kPlotsOverTime, time);
 }
 
-BoardPreferences Preferences::board(const BoardPreferences& otherwise) const {
+BoardPreferences Preferences::boardPreferences(const BoardPreferences& otherwise) const {
   BoardPreferences board;
   board.board = read(kBoard, otherwise.board).toString();
   board.lensModel = read(kBoardModel, otherwise.lensModel).toInt();
-  board.lenses = read(kBoardLenses, otherwise.lenses).toBool();
-  board.positions = read(kBoardPlaces, otherwise.positions).toBool();
-  board.lensAccuracy = read(kBoardLensAccuracy, otherwise.lensAccuracy).toDouble();
-  board.positionAccuracy = read(kBoardPlaceAccuracy, otherwise.positionAccuracy).toDouble();
+  board.calibratesIntrinsics = read(kBoardLenses, otherwise.calibratesIntrinsics).toBool();
+  board.calibratesPositions = read(kBoardPlaces, otherwise.calibratesPositions).toBool();
+  board.intrinsicsAccuracyPx = read(kBoardLensAccuracy, otherwise.intrinsicsAccuracyPx).toDouble();
+  board.positionAccuracyMeters =
+      read(kBoardPlaceAccuracy, otherwise.positionAccuracyMeters).toDouble();
   return board;
 }
 
-void Preferences::setBoard(const BoardPreferences& board) {
+void Preferences::setBoardPreferences(const BoardPreferences& board) {
   write(kBoard, board.board);
   write(kBoardModel, board.lensModel);
-  write(kBoardLenses, board.lenses);
-  write(kBoardPlaces, board.positions);
-  write(kBoardLensAccuracy, board.lensAccuracy);
-  write(kBoardPlaceAccuracy, board.positionAccuracy);
+  write(kBoardLenses, board.calibratesIntrinsics);
+  write(kBoardPlaces, board.calibratesPositions);
+  write(kBoardLensAccuracy, board.intrinsicsAccuracyPx);
+  write(kBoardPlaceAccuracy, board.positionAccuracyMeters);
 }
 
 Theme themeFromName(const QString& name) {

@@ -17,13 +17,12 @@ enum class Theme { System, Light, Dark };
 
 /// Settings for board calibration, shared by all projects.
 struct BoardPreferences {
-  QString board;           ///< in the format of parseBoard(); empty for the default board
-  int lensModel = 0;       ///< value of IntrinsicsModel
-  bool lenses = true;      ///< whether intrinsics are calibrated
-  bool positions = true;   ///< whether positions are calibrated
-  double lensAccuracy = 0; ///< requested accuracy of the intrinsics, pixels
-  /// Requested accuracy of the positions, as a fraction of the distance.
-  double positionAccuracy = 0;
+  QString board;                     ///< in the format of parseBoard(); empty for the default board
+  int lensModel = 0;                 ///< value of IntrinsicsModel
+  bool calibratesIntrinsics = true;  ///< whether intrinsics are calibrated
+  bool calibratesPositions = true;   ///< whether positions are calibrated
+  double intrinsicsAccuracyPx = 0;   ///< requested accuracy of the intrinsics, pixels
+  double positionAccuracyMeters = 0; ///< requested standard deviation of the positions
 };
 
 /// Typed settings that the program stores for the user between sessions. All keys are in one file.
@@ -55,7 +54,7 @@ public:
   /// Returns the number of filter threads, used from the next run on; 0: a number that suits the
   /// computer (base::filterThreadCount). The results do not depend on this number.
   int filterThreadCount() const;
-  void setFilterThreads(int threads);
+  void setFilterThreadCount(int threads);
 
   /// Returns whether a run is played iteration by iteration until the cameras confirm every target
   /// (Pace::slowUntilHeld).
@@ -68,8 +67,8 @@ public:
   void setPreRollSeconds(int seconds);
 
   /// Returns whether exported files contain notes about the run.
-  bool exportNotes() const;
-  void setExportNotes(bool notes);
+  bool exportsNotes() const;
+  void setExportsNotes(bool notes);
 
   /// Returns the shortcut that the user assigned to an action; empty if the user removed the
   /// shortcut. Returns nothing if the action has its default shortcut.
@@ -84,8 +83,8 @@ public:
 
   /// Returns the stored settings for board calibration. `otherwise` provides values that were never
   /// set.
-  BoardPreferences board(const BoardPreferences& otherwise) const;
-  void setBoard(const BoardPreferences& board);
+  BoardPreferences boardPreferences(const BoardPreferences& otherwise) const;
+  void setBoardPreferences(const BoardPreferences& board);
 };
 
 /// Returns the theme with this name ("system", "light" or "dark"); `System` for an unknown name.

@@ -71,7 +71,7 @@ void TakeController::toggle(bool record) {
   }
 }
 
-void TakeController::startNamed(const QString& name) {
+void TakeController::startTakeNamed(const QString& name) {
   if (action_->isEnabled() && !action_->isChecked()) {
     name_ = name;
     action_->trigger();
@@ -81,7 +81,7 @@ void TakeController::startNamed(const QString& name) {
 void TakeController::start() {
   using Started = Result<std::unique_ptr<TakeRecorder>>;
   const bool starts =
-      job_->start([this, project = bench_.document.project(), feeds = bench_.session.feeds(),
+      job_->start([this, project = bench_.document.project(), feeds = bench_.session.encodedFeeds(),
                    folder = takesFolder(), options = nextOptions()](
                       const BackgroundJob::Progress&) -> std::function<void()> {
         auto take = std::make_shared<Started>(TakeRecorder::start(project, feeds, folder, options));
@@ -141,16 +141,17 @@ std::shared_ptr<const LiveRun> TakeController::liveRun() const {
 void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const QString& reason) {
   const TakeStatus take = recorder->status();
   const QString folder = QString::fromStdString(take.folder.string());
-  QString text = tr("Take %1 (%2) was saved in %3.")
+  QString text =
+      tr("Take %1 (%2) was saved in %3.")
                      .arg(take.number)
-                     .arg(clockText(take.durationSeconds), folder);
+                     .arg(minutesAndSecondsText(take.durationSeconds), folder);
   if (!reason.isEmpty()) {
     text.prepend(reason + QLatin1Char(' '));
   }
   if (const QString before = preRollText(take); !before.isEmpty()) {
     text += QLatin1Char(' ') + before;
   }
-  if (const QString problem = takeProblem(take); !problem.isEmpty()) {
+  if (const QString problem = takeProblemText(take); !problem.isEmpty()) {
     text += QLatin1Char(' ') + tr("Problem: %1").arg(problem);
   }
   bench_.messages.showQuestion(
@@ -162,7 +163,7 @@ void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const
 }
 
 void TakeController::keepPreRoll() {
-  TakeRecorder::setPreRoll(bench_.session.feeds(), Preferences().preRollSeconds());
+  TakeRecorder::setPreRoll(bench_.session.encodedFeeds(), Preferences().preRollSeconds());
 }
 
 TakeOptions TakeController::nextOptions() const {
@@ -180,7 +181,7 @@ void TakeController::editDetails(const std::shared_ptr<TakeRecorder>& take) {
     const TakeStatus status = take->status();
     details = {status.number, QString::fromStdString(status.notes)};
   } else {
-    details.preRoll = Preferences().preRollSeconds();
+    details.preRollSeconds = Preferences().preRollSeconds();
   }
   auto* dialog = new TakeDialog(details, take != nullptr, &bench_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -189,8 +190,8 @@ void TakeController::editDetails(const std::shared_ptr<TakeRecorder>& take) {
       saveNotes(take, dialog->details().notes);
     } else {
       next_ = dialog->details();
-      if (next_.preRoll != Preferences().preRollSeconds()) {
-        Preferences().setPreRollSeconds(next_.preRoll);
+      if (next_.preRollSeconds != Preferences().preRollSeconds()) {
+        Preferences().setPreRollSeconds(next_.preRollSeconds);
         keepPreRoll();
       }
     }
@@ -203,7 +204,7 @@ void TakeController::editDetails(const std::shared_ptr<TakeRecorder>& take) {
       dialog->reject();
     }
   });
-  Workbench::present(dialog);
+  Workbench::presentDialog(dialog);
 }
 
 void TakeController::saveNotes(const std::shared_ptr<TakeRecorder>& take, const QString& notes) {
@@ -218,10 +219,10 @@ void TakeController::saveNotes(const std::shared_ptr<TakeRecorder>& take, const 
 
 void TakeController::showStatus() {
   const TakeStatus take = status();
-  label_->setText(QStringLiteral("● ") + takeLine(take));
-  label_->setToolTip(takeDetails(take));
+  label_->setText(QStringLiteral("● ") + takeSummaryText(take));
+  label_->setToolTip(takeDetailsText(take));
   label_->show();
-  const QString problem = takeProblem(take);
+  const QString problem = takeProblemText(take);
   if (!problem.isEmpty() && problem != shownProblem_) {
     bench_.messages.showWarning(problem);
   }
@@ -229,7 +230,7 @@ void TakeController::showStatus() {
 }
 
 void TakeController::updateAction() {
-  const bool isLive = !bench_.session.feeds().empty();
+  const bool isLive = !bench_.session.encodedFeeds().empty();
   action_->setEnabled(isLive && !job_->isRunning());
   bench_.action("actionTakeNotes")->setEnabled(isLive);
   action_->setChecked(isRecording());

@@ -38,7 +38,7 @@ public:
   /// Starts a take that another program requested. Does nothing if a take is in progress or no live
   /// cameras are open. `name` becomes the notes of the take, unless the user has entered notes for
   /// it.
-  void startNamed(const QString& name);
+  void startTakeNamed(const QString& name);
 
 Q_SIGNALS:
   /// Emitted when the first files of a take exist.

@@ -29,7 +29,7 @@ TakeDialog::TakeDialog(const TakeDetails& details, bool exists, QWidget* parent)
   notes_->setTabChangesFocus(true);
   preRoll_->setObjectName(QStringLiteral("takePreRoll"));
   preRoll_->setRange(0, static_cast<int>(TakeRecorder::kMaxPreRollSeconds));
-  preRoll_->setValue(details.preRoll);
+  preRoll_->setValue(details.preRollSeconds);
   preRollLabel_->setVisible(!exists_);
   preRoll_->setVisible(!exists_);
   numberLabel_->setBuddy(number_);

@@ -16,7 +16,7 @@ namespace dewpoint::ui {
 struct TakeDetails {
   int number = 0; ///< number of the take; 0: the next number after all takes in the folder
   QString notes;
-  int preRoll = 0; ///< seconds before the start that the next takes also record
+  int preRollSeconds = 0; ///< seconds before the start that the next takes also record
 };
 
 /// Dialog for the number, the notes and the pre-roll of the next take, or for the notes of an

@@ -47,12 +47,12 @@ QString timeLeft(const TakeStatus& take) {
   }
   const double left = static_cast<double>(take.freeBytes) * take.durationSeconds / bytes;
   return left > kLongest ? QString()
-                         : QCoreApplication::translate("TakeText", "%1 left").arg(clockText(left));
+                         : QCoreApplication::translate("TakeText", "%1 left").arg(minutesAndSecondsText(left));
 }
 
 } // namespace
 
-QString clockText(double seconds) {
+QString minutesAndSecondsText(double seconds) {
   const auto whole = static_cast<qint64>(seconds);
   const QChar zero(u'0');
   const qint64 hours = whole / 3600;
@@ -62,9 +62,9 @@ QString clockText(double seconds) {
   return hours > 0 ? QStringLiteral("%1:%2").arg(hours).arg(rest) : rest;
 }
 
-QString takeLine(const TakeStatus& take) {
+QString takeSummaryText(const TakeStatus& take) {
   QStringList parts{QCoreApplication::translate("TakeText", "Recording take %1").arg(take.number),
-                    clockText(take.durationSeconds)};
+                    minutesAndSecondsText(take.durationSeconds)};
   const auto dropped = static_cast<int>(droppedOf(take));
   parts += QCoreApplication::translate("TakeText", "%n dropped image(s)", nullptr, dropped);
   parts += QCoreApplication::translate("TakeText", "%1 free").arg(sizeText(take.freeBytes));
@@ -74,7 +74,7 @@ QString takeLine(const TakeStatus& take) {
   return parts.join(QStringLiteral(" · "));
 }
 
-QString takeDetails(const TakeStatus& take) {
+QString takeDetailsText(const TakeStatus& take) {
   QStringList lines;
   for (const auto& camera : take.cameras) {
     const RecordedCounts& counts = camera.counts;
@@ -157,7 +157,7 @@ QString replayText(const ReplayComparison& found) {
   return parts.join(QLatin1Char(' '));
 }
 
-QString takeProblem(const TakeStatus& take) {
+QString takeProblemText(const TakeStatus& take) {
   if (take.problem) {
     return errorText(*take.problem);
   }

@@ -14,18 +14,18 @@ namespace dewpoint::ui {
 
 /// Returns one line about a take: its number, its duration, the dropped images, and the free disk
 /// space.
-QString takeLine(const TakeStatus& take);
+QString takeSummaryText(const TakeStatus& take);
 /// Returns one line for each camera of a take: recorded images, frame rate and dropped images.
-QString takeDetails(const TakeStatus& take);
+QString takeDetailsText(const TakeStatus& take);
 /// Returns a text about how much was recorded from before the start of a take, and whether memory
 /// limited this; empty if nothing was recorded.
 QString preRollText(const TakeStatus& take);
 /// Returns sentences that describe how a take compares with the live run (describeReplay()).
 QString replayText(const ReplayComparison& comparison);
 /// Returns a sentence about the first problem while recording a take; empty if there was none.
-QString takeProblem(const TakeStatus& take);
+QString takeProblemText(const TakeStatus& take);
 /// Returns a duration as text, in minutes and seconds ("0:07") or hours, minutes and seconds
 /// ("1:02:03").
-QString clockText(double seconds);
+QString minutesAndSecondsText(double seconds);
 
 } // namespace dewpoint::ui

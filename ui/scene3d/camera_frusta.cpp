@@ -24,7 +24,8 @@ Eigen::Vector3d unproject(const Camera& camera, double column, double row, doubl
 } // namespace
 
 CameraFrusta::CameraFrusta(vtkRenderer* renderer)
-    : edges_(flatActor(edgeData_)), faces_(flatActor(faceData_)), plumbs_(flatActor(plumbData_)) {
+    : edges_(makeFlatActor(edgeData_)), faces_(makeFlatActor(faceData_)),
+      plumbs_(makeFlatActor(plumbData_)) {
   renderer->AddActor(edges_);
   renderer->AddActor(faces_);
   renderer->AddActor(plumbs_);
@@ -64,12 +65,12 @@ void CameraFrusta::show(const CameraRig& rig, double length) {
 }
 
 void CameraFrusta::setPalette(const ScenePalette& palette) {
-  paint(edges_, palette.camera);
-  paint(faces_, palette.camera, 0.22);
-  paint(plumbs_, palette.camera, 0.3);
+  setActorColor(edges_, palette.camera);
+  setActorColor(faces_, palette.camera, 0.22);
+  setActorColor(plumbs_, palette.camera, 0.3);
 }
 
-void CameraFrusta::prepareFrame(const ScreenScale& scale) {
+void CameraFrusta::prepareRendering(const ScreenScale& scale) {
   edges_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * scale.pixelRatio));
   plumbs_->GetProperty()->SetLineWidth(static_cast<float>(scale.pixelRatio));
 }

@@ -21,7 +21,7 @@ public:
   void show(const CameraRig& rig, double length);
   const std::vector<CameraGlyph>& glyphs() const { return glyphs_; }
   void setPalette(const ScenePalette& palette);
-  void prepareFrame(const ScreenScale& scale);
+  void prepareRendering(const ScreenScale& scale);
 
 private:
   vtkNew<vtkPolyData> edgeData_;

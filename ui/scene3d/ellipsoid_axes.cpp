@@ -10,7 +10,7 @@
 
 namespace dewpoint::ui {
 
-std::optional<EllipsoidAxes> axesOf(const Eigen::Matrix3d& matrix) {
+std::optional<EllipsoidAxes> ellipsoidAxesOf(const Eigen::Matrix3d& matrix) {
   if (!matrix.allFinite()) {
     return std::nullopt;
   }

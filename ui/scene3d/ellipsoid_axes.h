@@ -12,12 +12,12 @@ namespace dewpoint::ui {
 /// axes are right-handed, because a mirrored sphere would be lit from inside.
 struct EllipsoidAxes {
   Eigen::Matrix3d directions;
-  Eigen::Vector3d values;
+  Eigen::Vector3d eigenvalues;
 };
 
 /// Returns the principal axes of the ellipsoid of a symmetric matrix, or nothing if no eigenvalue
 /// is positive.
-std::optional<EllipsoidAxes> axesOf(const Eigen::Matrix3d& matrix);
+std::optional<EllipsoidAxes> ellipsoidAxesOf(const Eigen::Matrix3d& matrix);
 
 /// Rotates a VTK actor so that its axes point along the columns of `directions`, which must be
 /// right-handed.

@@ -92,7 +92,7 @@ void FadingLine::draw() {
   outline_->SetVisibility(fade.any() && outlinePx_ > 0.0);
 }
 
-void FadingLine::prepareFrame(const ScreenScale& scale) {
+void FadingLine::prepareRendering(const ScreenScale& scale) {
   line_->GetProperty()->SetLineWidth(static_cast<float>(widthPx_ * scale.pixelRatio));
   outline_->GetProperty()->SetLineWidth(
       static_cast<float>((widthPx_ + 2.0 * outlinePx_) * scale.pixelRatio));

@@ -30,7 +30,7 @@ public:
   void show(const std::vector<Eigen::Vector3d>& points);
   /// Sets the colors of the line and its outline at the newest position.
   void setColors(const SceneColor& line, const SceneColor& outline);
-  void prepareFrame(const ScreenScale& scale);
+  void prepareRendering(const ScreenScale& scale);
 
 private:
   void draw();

@@ -90,14 +90,14 @@ void FloorShadow::hide() {
 }
 
 void FloorShadow::setColors(const SceneColor& plumb, bool darkBackground) {
-  paint(plumb_, plumb, 0.45);
+  setActorColor(plumb_, plumb, 0.45);
   drawDisc(darkBackground);
 }
 
-void FloorShadow::prepareFrame(const ScreenScale& scale) {
+void FloorShadow::prepareRendering(const ScreenScale& scale) {
   const Eigen::Vector3d below(point_.x(), point_.y(), 0.0);
-  const double radius = std::max(kLarger * radius_, scale.meters(below, kSmallestPx));
-  disc_->SetPosition(below.x(), below.y(), scale.meters(below, kLiftPx));
+  const double radius = std::max(kLarger * radius_, scale.lengthInMeters(below, kSmallestPx));
+  disc_->SetPosition(below.x(), below.y(), scale.lengthInMeters(below, kLiftPx));
   disc_->SetScale(radius, radius, 1.0);
   plumb_->GetProperty()->SetLineWidth(static_cast<float>(kPlumbPx * scale.pixelRatio));
 }

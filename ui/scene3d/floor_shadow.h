@@ -25,7 +25,7 @@ public:
   void show(const Eigen::Vector3d& point, double radius);
   void hide();
   void setColors(const SceneColor& plumb, bool darkBackground);
-  void prepareFrame(const ScreenScale& scale);
+  void prepareRendering(const ScreenScale& scale);
 
 private:
   void drawDisc(bool darkBackground);

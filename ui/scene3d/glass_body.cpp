@@ -67,7 +67,7 @@ GlassBody::GlassBody(vtkRenderer* renderer, Layer layer)
   setAppearance(SceneColor::Zero(), SceneColor::Zero(), 0.0, 0.0);
   const std::array<float, 3> towardsEye{0.0F, 0.0F, 1.0F};
   uniformsOf(actor_)->SetUniform3f("eyeSide", towardsEye.data());
-  addKnownToBeNew(renderer_, actor_);
+  addNewProp(renderer_, actor_);
 }
 
 GlassBody::~GlassBody() {
@@ -76,7 +76,7 @@ GlassBody::~GlassBody() {
 
 void GlassBody::setAppearance(const SceneColor& color, const SceneColor& rim, double middle,
                               double atRim) {
-  paint(actor_, color);
+  setActorColor(actor_, color);
   const Eigen::Vector3f edge = rim.cast<float>();
   uniformsOf(actor_)->SetUniform3f("rimColor", edge.data());
   uniformsOf(actor_)->SetUniformf("middleAlpha", static_cast<float>(middle));
@@ -89,8 +89,9 @@ void GlassBody::setPose(const Eigen::Vector3d& center, const Eigen::Matrix3d& di
   actor_->SetScale(semiAxes.x(), semiAxes.y(), semiAxes.z());
   setOrientation(actor_, directions);
   // The eye is far away compared with the body: one direction for all of it.
-  const Eigen::Vector3d toEye = scale.parallel ? Eigen::Vector3d(-scale.direction)
-                                               : Eigen::Vector3d((scale.eye - center).normalized());
+  const Eigen::Vector3d toEye = scale.isParallel
+                                    ? Eigen::Vector3d(-scale.direction)
+                                    : Eigen::Vector3d((scale.eye - center).normalized());
   const Eigen::Vector3f inView =
       Eigen::Vector3d(toEye.dot(scale.right), toEye.dot(scale.up), -toEye.dot(scale.direction))
           .cast<float>();

@@ -65,10 +65,10 @@ constexpr double kMarginBelow = 0.01;
 } // namespace
 
 Ground::Ground(vtkRenderer* renderer)
-    : plane_(flatActor(planeData_)), minor_(flatActor(minorData_)),
-      major_(flatActor(majorData_)), wallMinor_{flatActor(wallMinorData_[0]),
-                                                flatActor(wallMinorData_[1])},
-      wallMajor_{flatActor(wallMajorData_[0]), flatActor(wallMajorData_[1])},
+    : plane_(makeFlatActor(planeData_)), minor_(makeFlatActor(minorData_)),
+      major_(makeFlatActor(majorData_)), wallMinor_{makeFlatActor(wallMinorData_[0]),
+                                                    makeFlatActor(wallMinorData_[1])},
+      wallMajor_{makeFlatActor(wallMajorData_[0]), makeFlatActor(wallMajorData_[1])},
       numbers_{SceneLabels(renderer), SceneLabels(renderer), SceneLabels(renderer)},
       names_{SceneLabels(renderer), SceneLabels(renderer), SceneLabels(renderer)} {
   renderer->AddActor(plane_);
@@ -79,7 +79,7 @@ Ground::Ground(vtkRenderer* renderer)
     renderer->AddActor(wallMajor_[wall]);
   }
   for (int axis = 0; axis < 3; ++axis) {
-    axes_[axis] = flatActor(axisData_[axis]);
+    axes_[axis] = makeFlatActor(axisData_[axis]);
     renderer->AddActor(axes_[axis]);
   }
 }
@@ -223,15 +223,15 @@ void Ground::setDecimalPoint(const std::string& sign) {
 }
 
 void Ground::setPalette(const ScenePalette& palette) {
-  paint(plane_, palette.floor);
-  paint(minor_, palette.gridMinor);
-  paint(major_, palette.gridMajor);
+  setActorColor(plane_, palette.floor);
+  setActorColor(minor_, palette.gridMinor);
+  setActorColor(major_, palette.gridMajor);
   for (int axis = 0; axis < 3; ++axis) {
-    paint(axes_[axis], axisColor(axis));
+    setActorColor(axes_[axis], axisColor(axis));
   }
   for (int wall = 0; wall < 2; ++wall) {
-    paint(wallMinor_[wall], palette.gridMinor);
-    paint(wallMajor_[wall], palette.gridMajor);
+    setActorColor(wallMinor_[wall], palette.gridMinor);
+    setActorColor(wallMajor_[wall], palette.gridMajor);
   }
   for (int axis = 0; axis < 3; ++axis) {
     numbers_[axis].setColors(palette.text, palette.background);
@@ -247,12 +247,12 @@ void Ground::appendTextAreas(const ScreenScale& scale,
   }
 }
 
-void Ground::prepareFrame(const ScreenScale& scale) {
+void Ground::prepareRendering(const ScreenScale& scale) {
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
   minor_->GetProperty()->SetLineWidth(width(1.0));
   major_->GetProperty()->SetLineWidth(width(1.6));
-  const bool fromFront = scale.parallel && std::abs(scale.direction.y()) > 0.99;
-  const bool fromSide = scale.parallel && std::abs(scale.direction.x()) > 0.99;
+  const bool fromFront = scale.isParallel && std::abs(scale.direction.y()) > 0.99;
+  const bool fromSide = scale.isParallel && std::abs(scale.direction.x()) > 0.99;
   const bool isWallShown[2] = {fromFront, fromSide};
   for (int wall = 0; wall < 2; ++wall) {
     wallMinor_[wall]->SetVisibility(isWallShown[wall] && minorStep_ < majorStep_);
@@ -274,8 +274,8 @@ void Ground::prepareFrame(const ScreenScale& scale) {
     const bool across = std::abs(scale.direction[axis]) < 0.97;
     names_[axis].setVisible(across);
     numbers_[axis].setVisible(axis == 2 ? fromFront || fromSide : across);
-    names_[axis].prepareFrame(scale);
-    numbers_[axis].prepareFrame(scale);
+    names_[axis].prepareRendering(scale);
+    numbers_[axis].prepareRendering(scale);
   }
 }
 

@@ -25,7 +25,7 @@ public:
   /// Sets the decimal separator for the numbers.
   void setDecimalPoint(const std::string& sign);
   void setPalette(const ScenePalette& palette);
-  void prepareFrame(const ScreenScale& scale);
+  void prepareRendering(const ScreenScale& scale);
   /// Appends the approximate areas of the numbers and axis names in the rendered image: device
   /// pixels to the right of and above the center.
   void appendTextAreas(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;

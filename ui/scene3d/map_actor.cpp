@@ -41,12 +41,12 @@ double surfaceLevel(const MapOptions& look, const MapClass& one) {
 } // namespace
 
 MapActor::MapActor(vtkRenderer* renderer)
-    : renderer_(renderer), box_(flatActor(boxData_)), slice_(flatActor(sliceData_)) {
+    : renderer_(renderer), box_(makeFlatActor(boxData_)), slice_(makeFlatActor(sliceData_)) {
   slice_->GetProperty()->SetOpacity(kSliceOpacity);
   renderer_->AddActor(slice_);
   renderer_->AddActor(box_);
   for (Surface& surface : surfaces_) {
-    surface.actor = flatActor(surface.data);
+    surface.actor = makeFlatActor(surface.data);
     surface.actor->GetProperty()->LightingOn();
     surface.actor->GetProperty()->SetAmbient(0.45);
     surface.actor->GetProperty()->SetDiffuse(0.6);
@@ -105,15 +105,15 @@ void MapActor::drawSlice() {
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   const auto layer =
-      map_ && options_.slice
-          ? cellAt(map_->grid, {map_->grid.low.x(), map_->grid.low.y(), options_.height})
+      map_ && options_.layerShown
+          ? cellAt(map_->grid, {map_->grid.low.x(), map_->grid.low.y(), options_.layerHeight})
           : std::nullopt;
   if (layer) {
     const VolumeGrid& grid = map_->grid;
     const std::vector<MapClass> classes = mapClasses(options_);
     const Eigen::Vector3d size = grid.high - grid.low;
     // A little above the floor, which would flicker through it.
-    const double z = options_.height + 2e-3 * size.maxCoeff();
+    const double z = options_.layerHeight + 2e-3 * size.maxCoeff();
     const int columns = grid.cells[0], rows = grid.cells[1];
     for (int y = 0; y <= rows; ++y) {
       for (int x = 0; x <= columns; ++x) {
@@ -123,7 +123,7 @@ void MapActor::drawSlice() {
     }
     for (int y = 0; y < rows; ++y) {
       for (int x = 0; x < columns; ++x) {
-        const std::size_t one = classOf(classes, valueAt(*layer + grid.index(x, y, 0)));
+        const std::size_t one = mapClassOf(classes, valueAt(*layer + grid.index(x, y, 0)));
         if (one == classes.size()) {
           continue;
         }
@@ -171,14 +171,14 @@ void MapActor::drawSurfaces() {
   for (const Surface& surface : surfaces_) {
     surface.actor->VisibilityOff();
   }
-  if (!map_ || !options_.volume) {
+  if (!map_ || !options_.volumeShown) {
     return;
   }
   vtkNew<vtkImageData> image;
   fill(*image);
   std::size_t next = 0;
   for (const MapClass& one : mapClasses(options_)) {
-    if (!one.surface || next == surfaces_.size()) {
+    if (!one.hasSurface || next == surfaces_.size()) {
       continue;
     }
     Surface& surface = surfaces_[next++];
@@ -188,16 +188,16 @@ void MapActor::drawSurfaces() {
     edges->ComputeScalarsOff();
     edges->Update();
     surface.data->ShallowCopy(edges->GetOutput());
-    paint(surface.actor, one.color, kSurfaceOpacity);
+    setActorColor(surface.actor, one.color, kSurfaceOpacity);
     surface.actor->SetVisibility(surface.data->GetNumberOfCells() > 0);
   }
 }
 
 void MapActor::setPalette(const ScenePalette& palette) {
-  paint(box_, palette.gridMajor);
+  setActorColor(box_, palette.gridMajor);
 }
 
-void MapActor::prepareFrame(const ScreenScale& scale) {
+void MapActor::prepareRendering(const ScreenScale& scale) {
   box_->GetProperty()->SetLineWidth(static_cast<float>(1.2 * scale.pixelRatio));
 }
 

@@ -30,7 +30,7 @@ public:
   /// Returns the volume of the map in meters; empty without a map.
   Eigen::AlignedBox3d volume() const;
   void setPalette(const ScenePalette& palette);
-  void prepareFrame(const ScreenScale& scale);
+  void prepareRendering(const ScreenScale& scale);
 
 private:
   /// Surface between two classes. It is kept because creating an actor is more expensive than

@@ -24,7 +24,7 @@ std::vector<MapClass> mapClasses(const MapOptions& look) {
           {4.0 * good, sceneColor(0xf08a4b), false}, {kEndless, sceneColor(0xc23b2e), false}};
 }
 
-std::size_t classOf(const std::vector<MapClass>& classes, double value) {
+std::size_t mapClassOf(const std::vector<MapClass>& classes, double value) {
   if (!(value > 0.0)) {
     return classes.size();
   }

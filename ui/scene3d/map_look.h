@@ -16,9 +16,9 @@ enum class MapQuantity {
 /// Appearance of a rig's map.
 struct MapOptions {
   MapQuantity quantity = MapQuantity::Sigma;
-  bool slice = true;   ///< shows a horizontal layer
-  double height = 0.0; ///< height of the layer, meters
-  bool volume = false; ///< shows the surfaces between some of the classes
+  bool layerShown = true;   ///< shows a horizontal layer
+  double layerHeight = 0.0; ///< height of the layer, meters
+  bool volumeShown = false; ///< shows the surfaces between some of the classes
   /// Standard deviation (meters) that is good enough; it is the center of the color scale.
   double goodSigma = 0.005;
 
@@ -30,7 +30,7 @@ struct MapOptions {
 struct MapClass {
   double upperBound; ///< meters, or number of cameras; infinite for the last Sigma class
   SceneColor color;
-  bool surface; ///< whether the outer surface is drawn if the volume is shown
+  bool hasSurface; ///< whether the outer surface is drawn if the volume is shown
 };
 
 /// Returns the classes of a map, in increasing order of bound. Sigma: three blues up to the good
@@ -41,6 +41,6 @@ std::vector<MapClass> mapClasses(const MapOptions& look);
 
 /// Returns the index of the class of a value, or the number of classes if the value is not drawn
 /// (NaN, or no camera).
-std::size_t classOf(const std::vector<MapClass>& classes, double value);
+std::size_t mapClassOf(const std::vector<MapClass>& classes, double value);
 
 } // namespace dewpoint::ui

@@ -27,7 +27,7 @@ void MeanPath::add(const TrackSnapshot& snapshot) {
   }
 }
 
-const std::vector<Eigen::Vector3d>& MeanPath::of(std::size_t target) const {
+const std::vector<Eigen::Vector3d>& MeanPath::positionsOf(std::size_t target) const {
   static const std::vector<Eigen::Vector3d> kNone;
   return target < paths_.size() ? paths_[target] : kNone;
 }

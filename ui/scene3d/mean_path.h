@@ -20,7 +20,7 @@ public:
   void add(const TrackSnapshot& snapshot);
   /// Returns a target's path in world coordinates (meters), oldest first; empty for a target
   /// that the cameras confirm.
-  const std::vector<Eigen::Vector3d>& of(std::size_t target) const;
+  const std::vector<Eigen::Vector3d>& positionsOf(std::size_t target) const;
 
 private:
   std::int64_t iterations_ = 0;

@@ -37,7 +37,7 @@ ParticleCloud::ParticleCloud(vtkRenderer* renderer) : renderer_(renderer) {
   actor_->ForceTranslucentOn(); // in its turn, and without hiding what is behind a soft rim
   actor_->PickableOff();
   actor_->VisibilityOff();
-  addKnownToBeNew(renderer_, actor_);
+  addNewProp(renderer_, actor_);
 }
 
 ParticleCloud::~ParticleCloud() {
@@ -96,8 +96,8 @@ void ParticleCloud::colorParticles() {
   colors_->Modified();
 }
 
-void ParticleCloud::prepareFrame(const ScreenScale& scale, const Eigen::Vector3d& about) {
-  const double dot = scale.meters(about, kParticlePx);
+void ParticleCloud::prepareRendering(const ScreenScale& scale, const Eigen::Vector3d& about) {
+  const double dot = scale.lengthInMeters(about, kParticlePx);
   // A new scale makes the mapper upload all points again: only when it shows.
   if (std::abs(dot - mapper_->GetScaleFactor()) > 0.1 * dot) {
     mapper_->SetScaleFactor(dot);

@@ -34,7 +34,7 @@ public:
   void hide() { actor_->VisibilityOff(); }
   void setColors(const SceneColor& unlikely, const SceneColor& likely);
   /// Prepares the next rendering. `about` is the position of the cloud in world coordinates.
-  void prepareFrame(const ScreenScale& scale, const Eigen::Vector3d& about);
+  void prepareRendering(const ScreenScale& scale, const Eigen::Vector3d& about);
 
 private:
   void colorParticles();

@@ -46,16 +46,16 @@ void drawCurves(const std::vector<LevelCurve>& curves, vtkPolyData* data) {
 } // namespace
 
 PersonActors::PersonActors(vtkRenderer* renderer)
-    : renderer_(renderer), palette_(scenePalette(false)), hull_(flatActor(hullData_)),
-      edges_(flatActor(edgeData_)) {
+    : renderer_(renderer), palette_(scenePalette(false)), hull_(makeFlatActor(hullData_)),
+      edges_(makeFlatActor(edgeData_)) {
   for (std::size_t k = 0; k < curves_.size(); ++k) {
-    curves_[k] = flatActor(curveData_[k]);
+    curves_[k] = makeFlatActor(curveData_[k]);
     curves_[k]->VisibilityOff();
-    addKnownToBeNew(renderer_, curves_[k]);
+    addNewProp(renderer_, curves_[k]);
   }
   for (vtkActor* actor : {hull_.Get(), edges_.Get()}) {
     actor->VisibilityOff();
-    addKnownToBeNew(renderer_, actor);
+    addNewProp(renderer_, actor);
   }
 }
 
@@ -97,16 +97,17 @@ void PersonActors::setColor(const SceneColor& color, const ScenePalette& palette
 }
 
 void PersonActors::repaint() {
-  paint(hull_, color_, chosen_ ? 0.3 : 0.16);
-  paint(edges_, mix(color_, palette_.truth, 0.1), chosen_ ? 0.55 : 0.25);
+  setActorColor(hull_, color_, chosen_ ? 0.3 : 0.16);
+  setActorColor(edges_, mix(color_, palette_.truth, 0.1), chosen_ ? 0.55 : 0.25);
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     // The innermost is the strongest: most of the person stands within it.
     const double outward = static_cast<double>(k) / static_cast<double>(curves_.size());
-    paint(curves_[k], mix(mix(color_, palette_.truth, 0.15), palette_.floor, 0.45 * outward));
+    setActorColor(curves_[k],
+                  mix(mix(color_, palette_.truth, 0.15), palette_.floor, 0.45 * outward));
   }
 }
 
-void PersonActors::prepareFrame(const ScreenScale& scale) {
+void PersonActors::prepareRendering(const ScreenScale& scale) {
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
   edges_->GetProperty()->SetLineWidth(width(0.8));
   for (const auto& curve : curves_) {

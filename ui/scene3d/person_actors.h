@@ -29,7 +29,7 @@ public:
   void show(const PersonShape* shape);
   void setChosen(bool chosen);
   void setColor(const SceneColor& color, const ScenePalette& palette);
-  void prepareFrame(const ScreenScale& scale);
+  void prepareRendering(const ScreenScale& scale);
 
 private:
   void repaint();

@@ -36,7 +36,7 @@ vtkRenderer* Scene3d::renderer() {
 }
 
 void Scene3d::setTheme(bool dark) {
-  parts_->dark = dark;
+  parts_->isDark = dark;
   parts_->applyPalette();
 }
 
@@ -56,10 +56,10 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
   }
   parts.includeInContent(snapshot);
   if (parts.imagesShown) {
-    parts.images.show(parts.frusta.glyphs(), snapshot.frames);
+    parts.frustumImages.show(parts.frusta.glyphs(), snapshot.frames);
   }
-  const std::size_t count = std::min(snapshot.targets.size(), SceneParts::kMaxBodies);
-  parts.showCrowd(snapshot);
+  const std::size_t count = std::min(snapshot.targets.size(), SceneParts::kMaxDetailedTargets);
+  parts.showOtherMeans(snapshot);
   if (parts.targets.size() > count) {
     parts.targets.resize(count);
   }
@@ -76,7 +76,7 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
     // Of people there would be too many to be read.
     const bool rays = parts.raysShown && isShown && !snapshot.family.findsTargets();
     actors.showLinesOfSight(rays ? sightLines(snapshot, target) : std::vector<SightLine>());
-    actors.showPath(isShown ? parts.path.of(i) : std::vector<Eigen::Vector3d>());
+    actors.showPath(isShown ? parts.meanPath.positionsOf(i) : std::vector<Eigen::Vector3d>());
     actors.setChosen(static_cast<int>(i) == parts.chosenTarget);
     actors.setBestParticleShown(parts.bestParticleShown);
   }
@@ -87,28 +87,28 @@ void Scene3d::setSnapshot(const TrackSnapshot& snapshot) {
 }
 
 void Scene3d::recordSnapshot(const TrackSnapshot& snapshot) {
-  parts_->path.add(snapshot);
+  parts_->meanPath.add(snapshot);
 }
 
-void Scene3d::showRays(bool shown) {
+void Scene3d::setRaysShown(bool shown) {
   parts_->raysShown = shown;
 }
 
-void Scene3d::showImages(bool shown) {
+void Scene3d::setImagesShown(bool shown) {
   SceneParts& parts = *parts_;
   parts.imagesShown = shown;
-  parts.images.hide(); // until the next snapshot
+  parts.frustumImages.hide(); // until the next snapshot
   parts.frusta.show(parts.rig ? *parts.rig : CameraRig(), parts.frustumLength());
 }
 
-void Scene3d::showBest(bool shown) {
+void Scene3d::setBestShown(bool shown) {
   parts_->bestParticleShown = shown;
   for (const auto& target : parts_->targets) {
     target->setBestParticleShown(shown);
   }
 }
 
-void Scene3d::choose(int target) {
+void Scene3d::setChosenTarget(int target) {
   parts_->chosenTarget = target;
   for (std::size_t i = 0; i < parts_->targets.size(); ++i) {
     parts_->targets[i]->setChosen(static_cast<int>(i) == target);
@@ -116,7 +116,7 @@ void Scene3d::choose(int target) {
 }
 
 void Scene3d::highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes) {
-  parts_->range.show(strokes);
+  parts_->selectedRange.show(strokes);
 }
 
 void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapOptions& look) {
@@ -126,17 +126,17 @@ void Scene3d::showMap(std::shared_ptr<const RigMap> map, const MapOptions& look)
   const Eigen::AlignedBox3d now = parts.map.volume();
   if (before.isEmpty() != now.isEmpty() || (!now.isEmpty() && !before.isApprox(now))) {
     parts.coverGround();
-    parts.framingPending = parts.framingPending || !parts.moved;
+    parts.framingPending = parts.framingPending || !parts.movedByUser;
   }
 }
 
-std::optional<Eigen::Vector3d> Scene3d::positionInLayer(const Eigen::Vector2d& place) const {
+std::optional<Eigen::Vector3d> Scene3d::positionInMapLayer(const Eigen::Vector2d& place) const {
   const Eigen::AlignedBox3d volume = parts_->map.volume();
   const MapOptions& look = parts_->map.options();
-  if (volume.isEmpty() || !look.slice) {
+  if (volume.isEmpty() || !look.layerShown) {
     return std::nullopt;
   }
-  auto there = positionAtHeight(place, look.height);
+  auto there = positionAtHeight(place, look.layerHeight);
   if (!there || !volume.contains(*there)) {
     return std::nullopt;
   }
@@ -165,10 +165,10 @@ void Scene3d::showVolume(const std::optional<WorldBox>& volume) {
       lines.push_back({from, to});
     }
   }
-  const Eigen::AlignedBox3d before = parts.room();
+  const Eigen::AlignedBox3d before = parts.sceneBox();
   parts.volume.show(lines);
-  if (!parts.room().isApprox(before)) {
-    parts.framingPending = parts.framingPending || !parts.moved;
+  if (!parts.sceneBox().isApprox(before)) {
+    parts.framingPending = parts.framingPending || !parts.movedByUser;
   }
 }
 
@@ -177,8 +177,8 @@ void Scene3d::showLineOfSight(const std::vector<Eigen::Vector3d>& line) {
 }
 
 void Scene3d::showPlannedCameras(const CameraRig& cameras) {
-  parts_->planned.show(cameras, parts_->frustumLength());
-  parts_->planned.setPalette(parts_->plannedPalette());
+  parts_->plannedFrusta.show(cameras, parts_->frustumLength());
+  parts_->plannedFrusta.setPalette(parts_->plannedPalette());
 }
 
 void Scene3d::clear() {
@@ -195,32 +195,32 @@ Scene3d::View Scene3d::view() const {
 }
 
 void Scene3d::resetView() {
-  parts_->moved = false;
+  parts_->movedByUser = false;
   parts_->framingPending = true;
 }
 
-void Scene3d::keepCamera() {
-  parts_->moved = true;
+void Scene3d::holdView() {
+  parts_->movedByUser = true;
 }
 
 void Scene3d::copyView(const Scene3d& other, double aspect) {
   SceneParts& parts = *parts_;
   const SceneParts& from = *other.parts_;
-  parts.dark = from.dark;
+  parts.isDark = from.isDark;
   parts.bestParticleShown = from.bestParticleShown;
   parts.raysShown = from.raysShown;
   parts.chosenTarget = from.chosenTarget;
-  showImages(from.imagesShown);
+  setImagesShown(from.imagesShown);
   parts.applyPalette();
   setView(from.view);
-  if (!from.moved || from.viewportWidth <= 0 || from.viewportHeight <= 0) {
+  if (!from.movedByUser || from.viewportWidth <= 0 || from.viewportHeight <= 0) {
     return;
   }
-  parts.rigFittedInView =
-      from.rigFittedInView; // or the first snapshot would fit the view to its rig
+  parts.rigFittedToView =
+      from.rigFittedToView; // or the first snapshot would fit the view to its rig
   parts.camera->DeepCopy(from.camera);
   parts.uprightPosition = from.uprightPosition;
-  parts.moved = true;
+  parts.movedByUser = true;
   parts.framingPending = false;
   const double seen = static_cast<double>(from.viewportWidth) / from.viewportHeight;
   if (aspect < seen) {
@@ -232,7 +232,7 @@ void Scene3d::zoom(double factor) {
   if (!std::isfinite(factor) || factor <= 0.0) {
     return;
   }
-  parts_->moved = true;
+  parts_->movedByUser = true;
   if (parts_->view == View::Free) {
     parts_->camera->Dolly(factor);
   } else {
@@ -240,28 +240,28 @@ void Scene3d::zoom(double factor) {
   }
 }
 
-void Scene3d::prepareFrame(int width, int height) {
+void Scene3d::prepareRendering(int width, int height) {
   SceneParts& parts = *parts_;
   const bool resized = width != parts.viewportWidth || height != parts.viewportHeight;
   parts.viewportWidth = width;
   parts.viewportHeight = height;
-  if (parts.framingPending || (resized && !parts.moved)) {
+  if (parts.framingPending || (resized && !parts.movedByUser)) {
     parts.fitView();
     parts.framingPending = false;
   }
   parts.keepUpright();
-  parts.setClipping();
+  parts.updateClippingRange();
   parts.updateScale();
-  parts.ground.prepareFrame(parts.scale);
-  parts.frusta.prepareFrame(parts.scale);
-  parts.planned.prepareFrame(parts.scale);
-  parts.map.prepareFrame(parts.scale);
-  parts.volume.prepareFrame(parts.scale);
-  parts.lineOfSight.prepareFrame(parts.scale);
-  parts.range.prepareFrame(parts.scale);
-  parts.crowd.prepareFrame(parts.scale, focus());
+  parts.ground.prepareRendering(parts.scale);
+  parts.frusta.prepareRendering(parts.scale);
+  parts.plannedFrusta.prepareRendering(parts.scale);
+  parts.map.prepareRendering(parts.scale);
+  parts.volume.prepareRendering(parts.scale);
+  parts.lineOfSight.prepareRendering(parts.scale);
+  parts.selectedRange.prepareRendering(parts.scale);
+  parts.otherMeans.prepareRendering(parts.scale, focus());
   for (const auto& target : parts.targets) {
-    target->prepareFrame(parts.scale);
+    target->prepareRendering(parts.scale);
   }
 }
 
@@ -273,7 +273,7 @@ SceneColor Scene3d::colorOf(std::size_t target) const {
 
 std::vector<CameraGlyph> Scene3d::cameraGlyphs() const {
   std::vector<CameraGlyph> glyphs = parts_->frusta.glyphs();
-  const std::vector<CameraGlyph>& planned = parts_->planned.glyphs();
+  const std::vector<CameraGlyph>& planned = parts_->plannedFrusta.glyphs();
   glyphs.insert(glyphs.end(), planned.begin(), planned.end());
   return glyphs;
 }
@@ -293,11 +293,11 @@ Eigen::Vector3d Scene3d::upAxisInWorld() const {
 }
 
 bool Scene3d::isInFront(const Eigen::Vector3d& point) const {
-  return parts_->scale.parallel || parts_->scale.depth(point) > 0.05;
+  return parts_->scale.isParallel || parts_->scale.depth(point) > 0.05;
 }
 
-double Scene3d::logicalPixels(const Eigen::Vector3d& point, double meters) const {
-  return meters / parts_->scale.meters(point, 1.0);
+double Scene3d::lengthInLogicalPixels(const Eigen::Vector3d& point, double meters) const {
+  return meters / parts_->scale.lengthInMeters(point, 1.0);
 }
 
 Eigen::Vector3d Scene3d::focus() const {

@@ -52,14 +52,14 @@ public:
   void recordSnapshot(const TrackSnapshot& snapshot);
   /// Highlights the target with this index if it is a person. If `target` is -1, nothing is
   /// highlighted.
-  void choose(int target);
+  void setChosenTarget(int target);
   /// Sets whether each target's highest-weight particle is marked; off by default.
-  void showBest(bool shown);
+  void setBestShown(bool shown);
   /// Sets whether a line connects each camera with the estimates in its image; on by default. The
   /// line is dashed if the camera does not see the target.
-  void showRays(bool shown);
+  void setRaysShown(bool shown);
   /// Sets whether camera images are shown on the viewing pyramids; off by default.
-  void showImages(bool shown);
+  void setImagesShown(bool shown);
   /// Highlights part of a trajectory, given as positions in meters, one line per list. The
   /// highlight stays until the next call.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
@@ -67,9 +67,9 @@ public:
   /// call.
   void showMap(std::shared_ptr<const RigMap> map, const MapOptions& look);
   /// Returns the position on the horizontal map layer that is seen at `place` in the rendered
-  /// image, as of the last `prepareFrame()`. Returns nothing outside the layer or if there is no
-  /// layer. `place` is in device pixels, as in `projectToImage()`.
-  std::optional<Eigen::Vector3d> positionInLayer(const Eigen::Vector2d& place) const;
+  /// image, as of the last `prepareRendering()`. Returns nothing outside the layer or if there is
+  /// no layer. `place` is in device pixels, as in `projectToImage()`.
+  std::optional<Eigen::Vector3d> positionInMapLayer(const Eigen::Vector2d& place) const;
   /// Returns the point at this height (world z, meters) that is seen at `place` in the rendered
   /// image. Returns nothing if the plane at this height is seen edge-on.
   std::optional<Eigen::Vector3d> positionAtHeight(const Eigen::Vector2d& place,
@@ -89,7 +89,7 @@ public:
   /// Fits the current view to the whole scene again.
   void resetView();
   /// Keeps the current view, as if the user had chosen it: new rigs no longer change the view.
-  void keepCamera();
+  void holdView();
   /// Shows the layers and the selected target of another scene, in the same colors and from the
   /// same point of view. If the user has not moved the view of the other scene, this view is fitted
   /// to its own image instead. `aspect` is the width / height of this scene's image; if the image
@@ -99,7 +99,7 @@ public:
   void zoom(double factor);
   /// Prepares the next rendering for an image of this size (device pixels). Fits the view, and
   /// updates the clipping range and everything of constant size on the screen.
-  void prepareFrame(int width, int height);
+  void prepareRendering(int width, int height);
 
   /// Returns the color in which a target is drawn, or the palette color if the target is not shown.
   SceneColor colorOf(std::size_t target) const;
@@ -107,26 +107,27 @@ public:
   /// planned cameras.
   std::vector<CameraGlyph> cameraGlyphs() const;
   /// Returns the areas of the axis numbers and names in the rendered image, as of the last
-  /// `prepareFrame()`. Coordinates are as in `projectToImage()`.
+  /// `prepareRendering()`. Coordinates are as in `projectToImage()`.
   std::vector<Eigen::AlignedBox2d> textAreas() const;
   /// Returns the right or up axis of the rendered image as a unit vector in world coordinates, as
-  /// of the last `prepareFrame()`.
+  /// of the last `prepareRendering()`.
   Eigen::Vector3d rightAxisInWorld() const;
   Eigen::Vector3d upAxisInWorld() const;
   /// Returns whether a point is in front of the viewer. If it is not, it has no position in the
   /// rendered image.
   bool isInFront(const Eigen::Vector3d& point) const;
-  /// Returns the world point at the center of the rendered image, as of the last `prepareFrame()`.
+  /// Returns the world point at the center of the rendered image, as of the last
+  /// `prepareRendering()`.
   Eigen::Vector3d focus() const;
-  /// Returns the position of a world point in the rendered image, as of the last `prepareFrame()`:
-  /// device pixels to the right of and above the center.
+  /// Returns the position of a world point in the rendered image, as of the last
+  /// `prepareRendering()`: device pixels to the right of and above the center.
   Eigen::Vector2d projectToImage(const Eigen::Vector3d& point) const;
   /// Returns the world point at a position in the rendered image, at the same depth as the point
   /// `depth`. This is the inverse of `projectToImage()`.
   Eigen::Vector3d unproject(const Eigen::Vector2d& place, const Eigen::Vector3d& depth) const;
-  /// Converts a length in meters at `point` to logical pixels, as of the last `prepareFrame()`.
-  double logicalPixels(const Eigen::Vector3d& point, double meters) const;
-  /// Returns the meters per device pixel at the focus, as of the last `prepareFrame()`.
+  /// Converts a length in meters at `point` to logical pixels, as of the last `prepareRendering()`.
+  double lengthInLogicalPixels(const Eigen::Vector3d& point, double meters) const;
+  /// Returns the meters per device pixel at the focus, as of the last `prepareRendering()`.
   double metersPerPixel() const;
 
 private:

@@ -35,40 +35,43 @@ bool allFinite(const std::vector<Eigen::Vector3d>& points) {
 
 } // namespace
 
-double ScreenScale::meters(const Eigen::Vector3d& point, double pixels) const {
-  const double perPixel = parallel ? metersPerPixel : slope * std::max(depth(point), 1e-3);
+double ScreenScale::lengthInMeters(const Eigen::Vector3d& point, double pixels) const {
+  const double perPixel =
+      isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(point), 1e-3);
   return pixels * pixelRatio * perPixel;
 }
 
 Eigen::Vector2d ScreenScale::project(const Eigen::Vector3d& point) const {
-  const double perPixel = parallel ? metersPerPixel : slope * std::max(depth(point), 1e-3);
+  const double perPixel =
+      isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(point), 1e-3);
   return Eigen::Vector2d((point - eye).dot(right), (point - eye).dot(up)) / perPixel;
 }
 
 Eigen::Vector3d ScreenScale::unproject(const Eigen::Vector2d& place,
                                        const Eigen::Vector3d& like) const {
-  const double perPixel = parallel ? metersPerPixel : slope * std::max(depth(like), 1e-3);
+  const double perPixel =
+      isParallel ? metersPerPixel : metersPerPixelAndDepth * std::max(depth(like), 1e-3);
   return eye + depth(like) * direction + perPixel * (place.x() * right + place.y() * up);
 }
 
 double ScreenScale::closerFactor(const Eigen::Vector3d& point, double distance) const {
   const double away = (point - eye).norm();
-  return parallel || away <= 0.0 ? 1.0 : std::clamp(1.0 - distance / away, 0.3, 1.0);
+  return isParallel || away <= 0.0 ? 1.0 : std::clamp(1.0 - distance / away, 0.3, 1.0);
 }
 
 Eigen::Vector3d ScreenScale::movedCloser(const Eigen::Vector3d& point, double distance) const {
-  if (parallel) {
+  if (isParallel) {
     return point - direction * distance;
   }
   return eye + (point - eye) * closerFactor(point, distance);
 }
 
-void addKnownToBeNew(vtkRenderer* renderer, vtkProp* prop) {
+void addNewProp(vtkRenderer* renderer, vtkProp* prop) {
   renderer->GetViewProps()->AddItem(prop);
   prop->AddConsumer(renderer);
 }
 
-vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
+vtkSmartPointer<vtkActor> makeFlatActor(vtkPolyData* data) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   auto actor = vtkSmartPointer<vtkActor>::New();
@@ -79,14 +82,14 @@ vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data) {
 }
 
 vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data) {
-  auto actor = flatActor(data);
+  auto actor = makeFlatActor(data);
   actor->ForceTranslucentOn();
   actor->VisibilityOff();
-  addKnownToBeNew(renderer, actor);
+  addNewProp(renderer, actor);
   return actor;
 }
 
-void paint(vtkActor* actor, const SceneColor& color, double opacity) {
+void setActorColor(vtkActor* actor, const SceneColor& color, double opacity) {
   actor->GetProperty()->SetColor(color.x(), color.y(), color.z());
   actor->GetProperty()->SetOpacity(opacity);
 }
@@ -193,22 +196,22 @@ void SceneLabels::appendTextAreas(const ScreenScale& scale,
     const double height = label.sizePx * scale.pixelRatio;
     const double width =
         kCharacter * height * static_cast<double>(std::string_view(label.actor->GetInput()).size());
-    const double side = label.right > 0.0 ? 0.5 : label.right < 0.0 ? -0.5 : 0.0;
+    const double side = label.rightOffset > 0.0 ? 0.5 : label.rightOffset < 0.0 ? -0.5 : 0.0;
     const Eigen::Vector2d center = scale.project(label.point) +
-                                   height * Eigen::Vector2d(label.right, label.up) +
+                                   height * Eigen::Vector2d(label.rightOffset, label.upOffset) +
                                    Eigen::Vector2d(side * width, 0.0);
     const Eigen::Vector2d half(0.5 * width, 0.5 * height);
     places.emplace_back(Eigen::Vector2d(center - half), Eigen::Vector2d(center + half));
   }
 }
 
-void SceneLabels::prepareFrame(const ScreenScale& scale) {
+void SceneLabels::prepareRendering(const ScreenScale& scale) {
   for (const Label& label : labels_) {
     // 2D text is projected through the eye too: behind it, it would appear mirrored.
-    label.actor->SetVisibility(visible_ && (scale.parallel || scale.depth(label.point) > 0.05));
-    const double height = scale.meters(label.point, label.sizePx);
+    label.actor->SetVisibility(visible_ && (scale.isParallel || scale.depth(label.point) > 0.05));
+    const double height = scale.lengthInMeters(label.point, label.sizePx);
     const Eigen::Vector3d place =
-        label.point + (scale.right * label.right + scale.up * label.up) * height;
+        label.point + (scale.right * label.rightOffset + scale.up * label.upOffset) * height;
     label.actor->GetPositionCoordinate()->SetValue(place.x(), place.y(), place.z());
     label.actor->GetTextProperty()->SetFontSize(
         std::max(1, static_cast<int>(std::lround(label.sizePx * scale.pixelRatio))));

@@ -26,9 +26,10 @@ struct ScreenScale {
   Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ(); ///< unit vector of the viewing direction
   Eigen::Vector3d right = Eigen::Vector3d::UnitX();
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();
-  bool parallel = true;
+  bool isParallel = true;
   double metersPerPixel = 0.01; ///< at the focus, per device pixel
-  double slope = 0.0;           ///< meters per pixel and per meter of depth; only for perspective
+  double metersPerPixelAndDepth =
+      0.0; ///< meters per pixel and per meter of depth; only for perspective
   double pixelRatio = 1.0;
 
   /// Returns the depth of a point in front of the viewer, in meters.
@@ -39,7 +40,7 @@ struct ScreenScale {
   double closerFactor(const Eigen::Vector3d& point, double distance) const;
   Eigen::Vector3d movedCloser(const Eigen::Vector3d& point, double distance) const;
   /// Converts a length in logical pixels at `point` to meters.
-  double meters(const Eigen::Vector3d& point, double pixels) const;
+  double lengthInMeters(const Eigen::Vector3d& point, double pixels) const;
   /// Returns the position of a point in the rendered image: device pixels to the right of and above
   /// the center.
   Eigen::Vector2d project(const Eigen::Vector3d& point) const;
@@ -49,14 +50,14 @@ struct ScreenScale {
 
 /// Adds a prop to the renderer; the prop must not have been added before. This is faster than
 /// AddActor, which searches all existing props first.
-void addKnownToBeNew(vtkRenderer* renderer, vtkProp* prop);
+void addNewProp(vtkRenderer* renderer, vtkProp* prop);
 /// Creates an unlit actor for lines or faces.
-vtkSmartPointer<vtkActor> flatActor(vtkPolyData* data);
-/// Creates an actor like flatActor(), initially hidden, and adds it to the renderer. Actors are
+vtkSmartPointer<vtkActor> makeFlatActor(vtkPolyData* data);
+/// Creates an actor like makeFlatActor(), initially hidden, and adds it to the renderer. Actors are
 /// blended in the order in which they are added.
 vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data);
 /// Sets an actor's color and opacity (0 to 1).
-void paint(vtkActor* actor, const SceneColor& color, double opacity = 1.0);
+void setActorColor(vtkActor* actor, const SceneColor& color, double opacity = 1.0);
 /// Returns a color as red, green and blue, 0 to 255.
 std::array<unsigned char, 3> colorBytes(const SceneColor& color);
 
@@ -89,7 +90,7 @@ public:
            double up = 0.0);
   void setVisible(bool visible) { visible_ = visible; }
   void setColors(const SceneColor& text, const SceneColor& background);
-  void prepareFrame(const ScreenScale& scale);
+  void prepareRendering(const ScreenScale& scale);
   /// Appends the approximate areas of the texts in the rendered image: device pixels to the right
   /// of and above the center.
   void appendTextAreas(const ScreenScale& scale, std::vector<Eigen::AlignedBox2d>& places) const;
@@ -99,8 +100,8 @@ private:
     vtkSmartPointer<vtkTextActor> actor;
     Eigen::Vector3d point;
     double sizePx;
-    double right;
-    double up;
+    double rightOffset; ///< in text heights, as `upOffset`
+    double upOffset;
   };
   void paintLabel(const Label& label) const;
 

@@ -38,20 +38,20 @@ void SceneParts::applyPalette() {
   renderer->SetBackground(background.x(), background.y(), background.z());
   ground.setPalette(palette());
   frusta.setPalette(palette());
-  planned.setPalette(plannedPalette());
+  plannedFrusta.setPalette(plannedPalette());
   map.setPalette(palette());
-  range.setPalette(palette());
+  selectedRange.setPalette(palette());
   volume.setColor(palette().text, 0.55);
   lineOfSight.setColor(palette().truth, 0.8);
-  crowd.setColors(palette().text, palette().text);
+  otherMeans.setColors(palette().text, palette().text);
   applyTargetColors();
 }
 
 void SceneParts::applyTargetColors() {
   const std::vector<DisplayColor> colors =
-      displayColors(colorSources, dark ? DisplayBackground::Dark : DisplayBackground::Light);
+      displayColors(colorSources, isDark ? DisplayBackground::Dark : DisplayBackground::Light);
   for (std::size_t k = 0; k < std::min(targets.size(), colors.size()); ++k) {
-    targets[k]->setColors(colors[k], palette(), dark);
+    targets[k]->setColors(colors[k], palette(), isDark);
   }
 }
 
@@ -63,20 +63,20 @@ ScenePalette SceneParts::plannedPalette() const {
 
 void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
   const CameraRig none;
-  const std::shared_ptr<const CameraRig> last = rigFittedInView; // lives on while it is compared
+  const std::shared_ptr<const CameraRig> last = rigFittedToView; // lives on while it is compared
   const CameraRig& before = last ? *last : none;
   const CameraRig& cameras = shown ? *shown : none;
   rigBox = rigBounds(cameras);
   // While one camera is adjusted, the picture holds still unless that camera leaves it.
   const RigChange change = rigChange(before, cameras);
   const bool adjusted = change == RigChange::OneCamera;
-  content = adjusted ? content.merged(rigBox) : rigBox;
+  contentBox = adjusted ? contentBox.merged(rigBox) : rigBox;
   rig = shown;
   if (!cameras.empty()) {
-    rigFittedInView = shown;
+    rigFittedToView = shown;
     if (!adjusted) {
-      moved = moved && change != RigChange::Elsewhere;
-      framingPending = framingPending || !moved;
+      movedByUser = movedByUser && change != RigChange::Elsewhere;
+      framingPending = framingPending || !movedByUser;
     }
   }
   frusta.show(cameras, frustumLength());
@@ -86,13 +86,13 @@ void SceneParts::showRig(const std::shared_ptr<const CameraRig>& shown) {
 
 /// Lets the framed room grow with the estimates, but not after one that has run away.
 void SceneParts::includeInContent(const TrackSnapshot& snapshot) {
-  const Eigen::AlignedBox3d before = content;
+  const Eigen::AlignedBox3d before = contentBox;
   const double reach = rigBox.isEmpty() ? 100.0 : 3.0 * std::max(1.0, rigBox.diagonal().norm());
   const Eigen::Vector3d middle =
       rigBox.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(rigBox.center());
   const auto extend = [&](const Eigen::Vector3d& point) {
     if (point.allFinite() && (point - middle).norm() < reach) {
-      content.extend(point);
+      contentBox.extend(point);
     }
   };
   for (const TargetSnapshot& target : snapshot.targets) {
@@ -105,31 +105,32 @@ void SceneParts::includeInContent(const TrackSnapshot& snapshot) {
     }
     std::for_each(target.tail.begin(), target.tail.end(), extend);
   }
-  if (before.isEmpty() != content.isEmpty() || !before.contains(content)) {
+  if (before.isEmpty() != contentBox.isEmpty() || !before.contains(contentBox)) {
     coverGround();
   }
 }
 
-void SceneParts::showCrowd(const TrackSnapshot& snapshot) {
+void SceneParts::showOtherMeans(const TrackSnapshot& snapshot) {
   const std::size_t count = snapshot.targets.size();
-  if (count <= kMaxBodies) {
-    crowd.hide();
+  if (count <= kMaxDetailedTargets) {
+    otherMeans.hide();
     return;
   }
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN(); // is not drawn
-  Eigen::ArrayXXd means =
-      Eigen::ArrayXXd::Constant(static_cast<Eigen::Index>(count - kMaxBodies), 3, kUnknown);
-  for (std::size_t k = kMaxBodies; k < count; ++k) {
+  Eigen::ArrayXXd means = Eigen::ArrayXXd::Constant(
+      static_cast<Eigen::Index>(count - kMaxDetailedTargets), 3, kUnknown);
+  for (std::size_t k = kMaxDetailedTargets; k < count; ++k) {
     const auto position = positionOf(snapshot.targets[k].estimate);
     if (position && snapshot.targets[k].target.isShown) {
-      means.row(static_cast<Eigen::Index>(k - kMaxBodies)) = position->mean.transpose().array();
+      means.row(static_cast<Eigen::Index>(k - kMaxDetailedTargets)) =
+          position->mean.transpose().array();
     }
   }
-  crowd.show(means, {});
+  otherMeans.show(means, {});
 }
 
 void SceneParts::coverGround() {
-  Eigen::AlignedBox3d shown = content;
+  Eigen::AlignedBox3d shown = contentBox;
   shown.extend(map.volume());
   Eigen::AlignedBox2d area;
   if (shown.isEmpty()) {
@@ -145,13 +146,13 @@ void SceneParts::coverGround() {
                shown.isEmpty() ? 0.0 : shown.min().z());
   ground.setPalette(palette());
   if (before.isEmpty() || !before.isApprox(ground.extent())) {
-    framingPending = framingPending || !moved;
+    framingPending = framingPending || !movedByUser;
   }
 }
 
 /// Puts floor and content into the picture, as large as they fit.
 void SceneParts::fitView() {
-  const Eigen::AlignedBox3d box = room();
+  const Eigen::AlignedBox3d box = sceneBox();
   const Eigen::Vector3d side = view == View::Above   ? Eigen::Vector3d(Eigen::Vector3d::UnitZ())
                                : view == View::Front ? Eigen::Vector3d(-Eigen::Vector3d::UnitY())
                                : view == View::Side  ? Eigen::Vector3d(Eigen::Vector3d::UnitX())
@@ -204,8 +205,8 @@ void SceneParts::fitView() {
   uprightPosition = position;
 }
 
-Eigen::AlignedBox3d SceneParts::room() const {
-  Eigen::AlignedBox3d box = content;
+Eigen::AlignedBox3d SceneParts::sceneBox() const {
+  Eigen::AlignedBox3d box = contentBox;
   box.extend(map.volume());
   box.extend(volume.extent());
   box.extend(Eigen::Vector3d(ground.extent().min().x(), ground.extent().min().y(), 0.0));
@@ -229,11 +230,11 @@ void SceneParts::keepUpright() {
   uprightPosition = toEigen(camera->GetPosition());
 }
 
-void SceneParts::setClipping() {
+void SceneParts::updateClippingRange() {
   const Eigen::Vector3d eye = toEigen(camera->GetPosition());
   const Eigen::Vector3d direction = toEigen(camera->GetDirectionOfProjection());
   double farthest = 1.0;
-  const Eigen::AlignedBox3d box = room();
+  const Eigen::AlignedBox3d box = sceneBox();
   for (const Eigen::Vector3d& corner : corners(box)) {
     farthest = std::max(farthest, (corner - eye).dot(direction));
   }
@@ -248,11 +249,11 @@ void SceneParts::updateScale() {
   scale.direction = toEigen(camera->GetDirectionOfProjection());
   scale.right = scale.direction.cross(toEigen(camera->GetViewUp())).normalized();
   scale.up = scale.right.cross(scale.direction);
-  scale.parallel = camera->GetParallelProjection() != 0;
-  scale.slope = 2.0 * std::tan(kViewAngle / 2.0) / std::max(1, viewportHeight);
-  scale.metersPerPixel = scale.parallel
+  scale.isParallel = camera->GetParallelProjection() != 0;
+  scale.metersPerPixelAndDepth = 2.0 * std::tan(kViewAngle / 2.0) / std::max(1, viewportHeight);
+  scale.metersPerPixel = scale.isParallel
                              ? 2.0 * camera->GetParallelScale() / std::max(1, viewportHeight)
-                             : scale.slope * (focal - scale.eye).norm();
+                             : scale.metersPerPixelAndDepth * (focal - scale.eye).norm();
 }
 
 } // namespace dewpoint::ui

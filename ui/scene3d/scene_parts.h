@@ -28,22 +28,23 @@ class SceneParts {
 public:
   using View = Scene3d::View;
   // Thinner than targets and tails, because these lines are less important.
-  static constexpr double kVolumeWidthPx = 1.2; ///< logical pixels
-  static constexpr double kLineOfSightWidthPx = 1.6;
+  static constexpr double kVolumeLineWidthPx = 1.2; ///< logical pixels
+  static constexpr double kLineOfSightLineWidthPx = 1.6;
   /// Maximum number of targets that are drawn in full. For further targets, only the mean is drawn:
   /// a viewer cannot distinguish that many, and drawing thousands of clouds would block the window.
-  static constexpr std::size_t kMaxBodies = 100;
+  static constexpr std::size_t kMaxDetailedTargets = 100;
 
   SceneParts()
-      : ground(renderer), images(renderer), frusta(renderer), planned(renderer), map(renderer),
-        volume(renderer, kVolumeWidthPx), lineOfSight(renderer, kLineOfSightWidthPx),
-        range(renderer), crowd(renderer) {
+      : ground(renderer), frustumImages(renderer), frusta(renderer), plannedFrusta(renderer),
+        map(renderer), volume(renderer, kVolumeLineWidthPx),
+        lineOfSight(renderer, kLineOfSightLineWidthPx), selectedRange(renderer),
+        otherMeans(renderer) {
     renderer->SetActiveCamera(camera);
     // Cullers need bounds, which a cloud of bare points does not have.
     renderer->GetCullers()->RemoveAllItems();
   }
 
-  const ScenePalette& palette() const { return scenePalette(dark); }
+  const ScenePalette& palette() const { return scenePalette(isDark); }
   ScenePalette plannedPalette() const;
   double rigSize() const { return rigBox.isEmpty() ? 2.0 : rigBox.diagonal().norm(); }
   /// Returns the length of the viewing pyramids in meters. They are longer if they carry images, so
@@ -57,41 +58,41 @@ public:
   void applyTargetColors();
   void showRig(const std::shared_ptr<const CameraRig>& shown);
   void includeInContent(const TrackSnapshot& snapshot);
-  void showCrowd(const TrackSnapshot& snapshot);
+  void showOtherMeans(const TrackSnapshot& snapshot);
   void coverGround();
-  Eigen::AlignedBox3d room() const; ///< box around the floor and the content, meters
+  Eigen::AlignedBox3d sceneBox() const; ///< box around the floor and the content, meters
   void fitView();
   void keepUpright();
-  void setClipping();
+  void updateClippingRange();
   void updateScale();
 
   vtkNew<OrderedRenderer> renderer;
   vtkNew<vtkCamera> camera;
   Ground ground;
-  FrustumImages images; ///< drawn first; other parts are drawn over it
+  FrustumImages frustumImages; ///< drawn first; other parts are drawn over it
   CameraFrusta frusta;
-  CameraFrusta planned;
+  CameraFrusta plannedFrusta;
   MapActor map;
-  WireActor volume;         ///< volume of interest
-  WireActor lineOfSight;    ///< camera line of sight
-  SelectedRangeActor range; ///< drawn before the targets, which cover it
-  ParticleCloud crowd;      ///< means of the targets beyond `kMaxBodies`
+  WireActor volume;                 ///< volume of interest
+  WireActor lineOfSight;            ///< camera line of sight
+  SelectedRangeActor selectedRange; ///< drawn before the targets, which cover it
+  ParticleCloud otherMeans;         ///< means of the targets beyond `kMaxDetailedTargets`
   std::vector<std::unique_ptr<TargetActors>> targets;
   std::vector<DisplayColorSource> colorSources; ///< one per target
-  MeanPath path;
+  MeanPath meanPath;
   std::shared_ptr<const CameraRig> rig;
   std::shared_ptr<const CameraRig>
-      rigFittedInView; ///< last rig with cameras that the view was fitted to
+      rigFittedToView; ///< last rig with cameras that the view was fitted to
   /// Box around the cameras and what they look at, meters; empty without a rig.
   Eigen::AlignedBox3d rigBox;
-  Eigen::AlignedBox3d content; ///< box around everything shown since the rig was set, meters
+  Eigen::AlignedBox3d contentBox; ///< box around everything shown since the rig was set, meters
   View view = View::Free;
-  bool dark = false;
+  bool isDark = false;
   int chosenTarget = -1;
   bool bestParticleShown = false;
   bool raysShown = true;
   bool imagesShown = false;
-  bool moved = false; ///< whether the user has moved the view
+  bool movedByUser = false; ///< whether the user has moved the view
   bool framingPending = true;
   int viewportWidth = 0;
   int viewportHeight = 0;

@@ -11,7 +11,7 @@ constexpr double kWidthPx = 7.0;
 } // namespace
 
 SelectedRangeActor::SelectedRangeActor(vtkRenderer* renderer)
-    : renderer_(renderer), actor_(flatActor(data_)) {
+    : renderer_(renderer), actor_(makeFlatActor(data_)) {
   actor_->VisibilityOff();
   renderer_->AddActor(actor_);
 }
@@ -38,10 +38,10 @@ void SelectedRangeActor::show(const std::vector<std::vector<Eigen::Vector3d>>& s
 }
 
 void SelectedRangeActor::setPalette(const ScenePalette& palette) {
-  paint(actor_, palette.truth, 0.6);
+  setActorColor(actor_, palette.truth, 0.6);
 }
 
-void SelectedRangeActor::prepareFrame(const ScreenScale& scale) {
+void SelectedRangeActor::prepareRendering(const ScreenScale& scale) {
   actor_->GetProperty()->SetLineWidth(static_cast<float>(kWidthPx * scale.pixelRatio));
 }
 

@@ -20,7 +20,7 @@ public:
   /// Shows the selected part: one line per list of positions (meters).
   void show(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
   void setPalette(const ScenePalette& palette);
-  void prepareFrame(const ScreenScale& scale);
+  void prepareRendering(const ScreenScale& scale);
 
 private:
   vtkRenderer* renderer_;

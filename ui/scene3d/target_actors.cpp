@@ -147,8 +147,8 @@ void TargetActors::showBody(const TargetSnapshot& target) {
   semiAxes_.setConstant(radius_);
   directions_.setIdentity();
   if (const auto extent = extentOf(target.estimate)) {
-    if (const auto axes = axesOf(*extent)) {
-      semiAxes_ = axes->values.cwiseMax(1e-8).cwiseSqrt();
+    if (const auto axes = ellipsoidAxesOf(*extent)) {
+      semiAxes_ = axes->eigenvalues.cwiseMax(1e-8).cwiseSqrt();
       directions_ = axes->directions;
       radius_ = semiAxes_.maxCoeff();
     }
@@ -156,13 +156,13 @@ void TargetActors::showBody(const TargetSnapshot& target) {
 }
 
 void TargetActors::showEllipsoid(const Eigen::Matrix3d& covariance) {
-  const auto axes = axesOf(covariance);
+  const auto axes = ellipsoidAxesOf(covariance);
   if (!axes) {
     return;
   }
   const Eigen::Matrix3d& directions = axes->directions;
   const Eigen::Vector3d semiAxes =
-      (axes->values * kChiSquared95ThreeDof).cwiseMax(1e-12).cwiseSqrt().cwiseMax(1e-4);
+      (axes->eigenvalues * kChiSquared95ThreeDof).cwiseMax(1e-12).cwiseSqrt().cwiseMax(1e-4);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       ellipsoidPose_->SetElement(row, column, directions(row, column) * semiAxes[column]);
@@ -186,15 +186,15 @@ void TargetActors::setColors(const SceneColor& color, const ScenePalette& palett
   palette_ = palette;
   paintBody();
   cloud_.setColors(mix(palette.floor, color, 0.45), mix(color, palette.truth, dark ? 0.6 : 0.4));
-  paint(rings_, mix(color, palette.truth, 0.1), 0.55);
+  setActorColor(rings_, mix(color, palette.truth, 0.1), 0.55);
   shadow_.setColors(mix(color, palette.text, 0.5), dark);
   tail_.setColors(color, SceneColor::Zero());
   path_.setColors(palette.truth, SceneColor::Zero());
   for (WireActor* sight : {&seen_, &hidden_}) {
     sight->setColor(mix(color, palette.text, 0.25), kSightOpacity);
   }
-  paint(truthMark_, palette.truth);
-  paint(bestMark_, mix(color, palette.truth, 0.2));
+  setActorColor(truthMark_, palette.truth);
+  setActorColor(bestMark_, mix(color, palette.truth, 0.2));
   if (person_ != nullptr) {
     person_->setColor(color, palette);
   }
@@ -208,10 +208,10 @@ void TargetActors::paintBody() {
 }
 
 void TargetActors::placeBody(const ScreenScale& scale) {
-  const Eigen::Vector3d axes = semiAxes_.cwiseMax(scale.meters(mean_, kSmallestBodyPx));
+  const Eigen::Vector3d axes = semiAxes_.cwiseMax(scale.lengthInMeters(mean_, kSmallestBodyPx));
   body_.setPose(mean_, directions_, axes, scale);
   rim_.setPose(mean_, directions_, axes, scale);
-  rings_->SetVisibility(cloudRadius_ > scale.meters(mean_, kSmallestRingsPx));
+  rings_->SetVisibility(cloudRadius_ > scale.lengthInMeters(mean_, kSmallestRingsPx));
 }
 
 /// Cross hairs about the true position that leave the middle open for the estimate.
@@ -219,9 +219,9 @@ void TargetActors::drawTruth(const ScreenScale& scale) {
   if (truthMark_->GetVisibility() == 0) {
     return;
   }
-  const double inner =
-      std::max(scale.meters(truth_, kSmallestBodyPx), radius_) + scale.meters(truth_, 1.0);
-  const double outer = inner + scale.meters(truth_, 7.0);
+  const double inner = std::max(scale.lengthInMeters(truth_, kSmallestBodyPx), radius_) +
+                       scale.lengthInMeters(truth_, 1.0);
+  const double outer = inner + scale.lengthInMeters(truth_, 7.0);
   const double nearer = 1.5 * cloudRadius_ + 3.0 * outer;
   LinesAndFaces hairs;
   for (int axis = 0; axis < 3; ++axis) {
@@ -243,7 +243,7 @@ void TargetActors::drawBest(const ScreenScale& scale) {
   if (bestMark_->GetVisibility() == 0) {
     return;
   }
-  const double pixel = scale.meters(*best_, 1.0);
+  const double pixel = scale.lengthInMeters(*best_, 1.0);
   const double nearer = 1.5 * cloudRadius_ + 3.0 * (radius_ + 8.0 * pixel);
   std::vector<Eigen::Vector3d> corners;
   for (const auto& [right, up] : {std::pair{0.0, 8.0}, {7.0, -4.5}, {-7.0, -4.5}, {0.0, 8.0}}) {
@@ -255,18 +255,18 @@ void TargetActors::drawBest(const ScreenScale& scale) {
   triangle.writeTo(bestData_);
 }
 
-void TargetActors::prepareFrame(const ScreenScale& scale) {
+void TargetActors::prepareRendering(const ScreenScale& scale) {
   placeBody(scale);
-  cloud_.prepareFrame(scale, mean_);
-  shadow_.prepareFrame(scale);
-  seen_.prepareFrame(scale);
-  hidden_.prepareFrame(scale);
-  tail_.prepareFrame(scale);
-  path_.prepareFrame(scale);
+  cloud_.prepareRendering(scale, mean_);
+  shadow_.prepareRendering(scale);
+  seen_.prepareRendering(scale);
+  hidden_.prepareRendering(scale);
+  tail_.prepareRendering(scale);
+  path_.prepareRendering(scale);
   drawTruth(scale);
   drawBest(scale);
   if (person_ != nullptr) {
-    person_->prepareFrame(scale);
+    person_->prepareRendering(scale);
   }
   const auto width = [&](double pixels) { return static_cast<float>(pixels * scale.pixelRatio); };
   rings_->GetProperty()->SetLineWidth(width(1.0));

@@ -41,7 +41,7 @@ public:
   void setBestParticleShown(bool shown);
   void setColors(const SceneColor& color, const ScenePalette& palette, bool dark);
   const SceneColor& color() const { return color_; }
-  void prepareFrame(const ScreenScale& scale);
+  void prepareRendering(const ScreenScale& scale);
 
 private:
   void showPerson(const PersonShape* shape);

@@ -7,9 +7,9 @@
 namespace dewpoint::ui {
 
 WireActor::WireActor(vtkRenderer* renderer, double widthPx)
-    : renderer_(renderer), widthPx_(widthPx), actor_(flatActor(data_)) {
+    : renderer_(renderer), widthPx_(widthPx), actor_(makeFlatActor(data_)) {
   actor_->VisibilityOff();
-  addKnownToBeNew(renderer_, actor_);
+  addNewProp(renderer_, actor_);
 }
 
 WireActor::~WireActor() {
@@ -30,10 +30,10 @@ void WireActor::show(const std::vector<std::vector<Eigen::Vector3d>>& lines) {
 }
 
 void WireActor::setColor(const SceneColor& color, double opacity) {
-  paint(actor_, color, opacity);
+  setActorColor(actor_, color, opacity);
 }
 
-void WireActor::prepareFrame(const ScreenScale& scale) {
+void WireActor::prepareRendering(const ScreenScale& scale) {
   actor_->GetProperty()->SetLineWidth(static_cast<float>(widthPx_ * scale.pixelRatio));
 }
 

@@ -24,7 +24,7 @@ public:
   /// Returns the bounding box of all lines in meters; empty without lines.
   const Eigen::AlignedBox3d& extent() const { return extent_; }
   void setColor(const SceneColor& color, double opacity);
-  void prepareFrame(const ScreenScale& scale);
+  void prepareRendering(const ScreenScale& scale);
 
 private:
   vtkRenderer* renderer_;

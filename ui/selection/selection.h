@@ -31,7 +31,7 @@ public:
   double seconds() const { return seconds_; }
   /// Returns whether the frame shown is not the current frame of the run: it is earlier, or not
   /// tracked yet.
-  bool isPast() const { return past_; }
+  bool showsOtherFrame() const { return past_; }
   const std::optional<SelectedRange>& selectedRange() const { return selectedRange_; }
   /// Return the index of the selected target and of the selected camera; -1 if none is selected.
   int target() const { return target_; }

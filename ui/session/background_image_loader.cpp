@@ -39,20 +39,20 @@ void BackgroundImageLoader::cancel() {
 void BackgroundImageLoader::start() {
   job_->start([this, generation = generation_,
                project = std::exchange(nextProject_, nullptr)](const auto&) {
-    auto rooms = loadBackgroundImages(*project);
-    return std::function<void()>([this, generation, project, rooms = std::move(rooms)] {
+    auto images = loadBackgroundImages(*project);
+    return std::function<void()>([this, generation, project, images = std::move(images)] {
       if (generation != generation_) {
         return; // of another project, or changed again
       }
-      if (!rooms) {
-        Q_EMIT failed(errorText(rooms.error()));
+      if (!images) {
+        Q_EMIT failed(errorText(images.error()));
         return;
       }
       std::vector<std::string> files;
       for (const ProjectCamera& camera : project->cameras) {
         files.push_back(camera.backgroundImage);
       }
-      Q_EMIT loaded(files, *rooms);
+      Q_EMIT loaded(files, *images);
     });
   });
 }

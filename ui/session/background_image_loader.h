@@ -34,7 +34,7 @@ public:
 Q_SIGNALS:
   /// Emitted with the files and the images, one per camera; empty if a camera has no background
   /// image.
-  void loaded(const std::vector<std::string>& files, const std::vector<cv::Mat>& rooms);
+  void loaded(const std::vector<std::string>& files, const std::vector<cv::Mat>& images);
   void failed(const QString& sentence);
 
 private:

@@ -42,7 +42,7 @@ void ProjectLoader::open(OpenRequest request) {
               source = newestRequest_->source](const BackgroundJob::Progress&) {
     // What nobody wants any more is closed in a thread, too.
     const std::shared_ptr<Result<SessionInputs>> result(new Result<SessionInputs>(opener(source)),
-                                                        DetachedDelete());
+                                                        DetachedDeleter());
     const MissingFiles missing = *result ? nullptr : missingFilesOrNull(source);
     return [this, result, missing] { finish(result, missing); };
   });
@@ -62,7 +62,7 @@ void ProjectLoader::finish(const std::shared_ptr<Result<SessionInputs>>& result,
 
 void ProjectLoader::destroyInBackground(std::unique_ptr<Session> session) {
   if (session) {
-    DetachedDelete()(session.release());
+    DetachedDeleter()(session.release());
   }
 }
 

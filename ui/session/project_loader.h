@@ -62,7 +62,7 @@ private:
   ProjectOpener opener_;
   bool opening_ = false;
   std::unique_ptr<OpenRequest> newestRequest_; ///< newest request, which is opened last
-  LatestJob job_{LatestJob::Superseded::Dropped};
+  LatestJob job_{LatestJob::SupersededJob::Dropped};
 };
 
 } // namespace dewpoint::ui

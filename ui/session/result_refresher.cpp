@@ -32,7 +32,7 @@ void ResultRefresher::giveUp() {
   }
 }
 
-void ResultRefresher::watch(Session* session) {
+void ResultRefresher::watchSession(Session* session) {
   session_ = session;
   suspend();
   isLive_ = true; // until a snapshot tells
@@ -42,7 +42,7 @@ void ResultRefresher::watch(Session* session) {
   setOld({});
 }
 
-void ResultRefresher::edited() {
+void ResultRefresher::onSettingEdited() {
   const bool goesOn = isPlaying_ && !isRerunning_; // then it holds from there on
   if (session_ != nullptr && !isLive_ && !goesOn) {
     isEdited_ = true;
@@ -117,7 +117,7 @@ void ResultRefresher::setOld(OldResults old) {
 
 void ResultRefresher::setOffered(bool offers) {
   if (std::exchange(offers_, offers) != offers) {
-    Q_EMIT offerChanged(offers);
+    Q_EMIT retrackOfferChanged(offers);
   }
 }
 

@@ -23,11 +23,11 @@ public:
   explicit ResultRefresher(QObject* parent = nullptr);
 
   /// Watches a run; null if the run is over.
-  void watch(Session* session);
+  void watchSession(Session* session);
   /// Sets the time limit (seconds) below which tracking again is considered quick.
   void setQuickLimit(double seconds) { quickSeconds_ = seconds; }
   /// Reports that a setting of the run was changed.
-  void edited();
+  void onSettingEdited();
   /// Reports that the user plays, restarts or tracks again. No frames are tracked again
   /// automatically until the next change of the settings.
   void suspend();
@@ -49,7 +49,7 @@ Q_SIGNALS:
   void oldResultsChanged();
   /// Emitted when frames with results of earlier settings can now be tracked again (`offers` is
   /// true), or no longer can.
-  void offerChanged(bool offers);
+  void retrackOfferChanged(bool offers);
   /// Emitted when `trackAgain()` has finished or was abandoned.
   void refreshed();
 

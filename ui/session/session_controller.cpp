@@ -38,23 +38,23 @@ SessionController::SessionController(ProjectOpener opener, Document& document, S
   connect(loader_, &ProjectLoader::openingChanged, this, &SessionController::openingChanged);
   connect(backgroundImageLoader_, &BackgroundImageLoader::failed, this, &SessionController::failed);
   connect(backgroundImageLoader_, &BackgroundImageLoader::loaded, this,
-          [this](const auto& files, const auto& rooms) {
+          [this](const auto& files, const auto& images) {
             if (bridge_ != nullptr) {
-              bridge_->session().setBackgroundImages(files, rooms);
-              results_->edited();
+              bridge_->session().setBackgroundImages(files, images);
+              results_->onSettingEdited();
             }
           });
   connect(results_, &ResultRefresher::refreshed, this, [this] {
     if (const auto wanted = std::exchange(showWhenRefreshed_, std::nullopt)) {
-      show(*wanted);
+      showFrame(*wanted);
     }
     if (std::exchange(playWhenRefreshed_, false)) {
       play();
     }
   });
   connect(&selection_, &Selection::frameRequested, this,
-          [this](qint64 frame) { show(std::optional(frame)); });
-  connect(&selection_, &Selection::liveFrameRequested, this, [this] { show(std::nullopt); });
+          [this](qint64 frame) { showFrame(std::optional(frame)); });
+  connect(&selection_, &Selection::liveFrameRequested, this, [this] { showFrame(std::nullopt); });
   connectDocument();
 }
 
@@ -72,20 +72,20 @@ void SessionController::connectDocument() {
   connect(&document_, &Document::parameterChanged, this, [this] {
     if (followsDocument()) {
       bridge_->session().setParameters(document_.project().parameters);
-      results_->edited();
+      results_->onSettingEdited();
     }
   });
   connect(&document_, &Document::methodChanged, this, &SessionController::applyMethod);
   connect(&document_, &Document::targetsChanged, this, [this] {
     if (followsDocument()) {
       bridge_->session().setTargets(document_.project().targets);
-      results_->edited();
+      results_->onSettingEdited();
     }
   });
   connect(&document_, &Document::volumeChanged, this, [this] {
     if (followsDocument()) {
       bridge_->session().setVolumeOfInterest(document_.project().volumeOfInterest);
-      results_->edited();
+      results_->onSettingEdited();
     }
   });
   connect(&document_, &Document::personCorrectionsChanged, this, [this] {
@@ -128,13 +128,13 @@ void SessionController::reopen() {
 void SessionController::applyOpened(const OpenRequest& request,
                                     const std::shared_ptr<SessionInputs>& inputs) {
   endRun();
-  Q_EMIT replacing(request);
+  Q_EMIT documentReplacing(request);
   if (!request.keepHistory) {
-    document_.replaceProject(inputs->project, request.unsaved);
+    document_.replaceProject(inputs->project, request.isUnsaved);
   } else if (inputs->source->isLive()) {
     storeImageSizes(inputs->project);
   }
-  Q_EMIT replaced(request);
+  Q_EMIT documentReplaced(request);
   // The panels have just been filled; the views come with the next turn of the event loop, so that
   // neither holds it for long.
   QTimer::singleShot(0, this, [this, request, inputs, number = ++starts_] {
@@ -161,13 +161,13 @@ void SessionController::start(const OpenRequest& request, SessionInputs inputs) 
   const std::vector<Target>& targets = inputs.project.targets;
   const bool wantsTarget =
       targets.empty() && methodFamily(inputs.project.method).lacksTargets(targets);
-  const bool waits = !inputs.source->isLive() && (request.unsaved || wantsTarget);
+  const bool waits = !inputs.source->isLive() && (request.isUnsaved || wantsTarget);
   inputs.threads = Preferences().filterThreadCount();
   feeds_ = std::exchange(inputs.feeds, {});
   cameraCount_ = inputs.project.cameras.size();
   // Of the window, not of this: it goes after the views, which look at the session to the end.
   bridge_ = new SessionBridge(std::move(inputs), parent());
-  results_->watch(&bridge_->session());
+  results_->watchSession(&bridge_->session());
   connect(bridge_, &SessionBridge::snapshotChanged, this, &SessionController::publish);
   bridge_->session().setPace(pace_);
   Q_EMIT runStarted();
@@ -193,7 +193,7 @@ void SessionController::endRun() {
   }
   SessionBridge* over = std::exchange(bridge_, nullptr);
   backgroundImageLoader_->cancel();
-  results_->watch(nullptr);
+  results_->watchSession(nullptr);
   discardRequests();
   shown_.reset();
   filledFrom_.reset();
@@ -241,7 +241,7 @@ void SessionController::applyMethod() {
   // What was tracked of a recording is tracked again: how long the other method takes is not known
   // before. Of live cameras whoever looks at an earlier frame wants to see it from there.
   const bool isRecorded = shown_ && shown_->frameCount;
-  if (selection_.isPast() || (isRecorded && shown_->history.newestTrackedFrame >= 0)) {
+  if (selection_.showsOtherFrame() || (isRecorded && shown_->history.newestTrackedFrame >= 0)) {
     session.setMethodFrom(isRecorded ? 0 : selection_.currentFrame(), project.method,
                           project.parameters);
   } else {
@@ -257,7 +257,7 @@ void SessionController::applyCalibration() {
   const auto newest = bridge_->session().newest();
   if (newest->rig && haveSameImageSizes(rig, *newest->rig)) {
     bridge_->session().setCameras(rig); // the run goes on
-    results_->edited();
+    results_->onSettingEdited();
   } else {
     reopen();
   }
@@ -279,7 +279,7 @@ void SessionController::play() {
   bridge_->session().play();
 }
 
-void SessionController::show(std::optional<qint64> frame) {
+void SessionController::showFrame(std::optional<qint64> frame) {
   if (bridge_ == nullptr) {
     return;
   }
@@ -342,7 +342,7 @@ void SessionController::restart(bool newSeed) {
   }
 }
 
-void SessionController::useFilterThreads() {
+void SessionController::applyFilterThreadCount() {
   if (bridge_ != nullptr) {
     bridge_->session().setFilterThreads(Preferences().filterThreadCount());
   }
@@ -363,7 +363,7 @@ void SessionController::startAfterLearning(bool isNewTarget) {
   const bool isLate = shown_->frameCount && shown_->frame > 0 && shown_->state != PlayState::Ended;
   togglePlay(); // at the end: from the beginning
   if (isLate) {
-    Q_EMIT startedLate(shown_->frame);
+    Q_EMIT startedAtLaterFrame(shown_->frame);
   }
 }
 

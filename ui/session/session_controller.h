@@ -62,11 +62,11 @@ public:
   /// Returns the running session, or null while none is open.
   Session* session() const;
   /// Returns the newest snapshot given to the views, or null before the first one.
-  const TrackSnapshotPtr& shown() const { return shown_; }
+  const TrackSnapshotPtr& shownSnapshot() const { return shown_; }
   bool isPlaying() const;
   /// Returns the encoded images of each live camera of the run, which TakeRecorder can record;
   /// empty for recordings.
-  const std::vector<std::shared_ptr<capture::EncodedFeed>>& feeds() const { return feeds_; }
+  const std::vector<std::shared_ptr<capture::EncodedFeed>>& encodedFeeds() const { return feeds_; }
   /// Returns a snapshot for camera views, in which live cameras whose image is delayed keep their
   /// last image.
   TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
@@ -78,21 +78,21 @@ public:
   void setPace(const Pace& pace);
   const Pace& pace() const { return pace_; }
   /// Shows a frame. If `frame` is empty, shows the frame that the run is at.
-  void show(std::optional<qint64> frame);
+  void showFrame(std::optional<qint64> frame);
   /// Restarts the run from the beginning, with a new seed or the same seed.
   void restart(bool newSeed);
   /// Applies the number of filter threads in the preferences to the run.
-  void useFilterThreads();
+  void applyFilterThreadCount();
   /// Tracks frames again, from the frame shown on.
   void rerun();
   /// Returns the object that keeps results consistent with the settings, and that knows which
   /// results are from earlier settings.
-  ResultRefresher& results() { return *results_; }
+  ResultRefresher& resultRefresher() { return *results_; }
   /// Starts the run after a color was learned, because a user who points at an object wants to see
   /// it tracked. There is one exception: if more than the beginning of a recording has been
   /// tracked, the run stays at its current frame, and the ResultRefresher decides whether to track
   /// again. Does nothing unless `isNewTarget` is true, that is, the target did not exist before.
-  /// Emits `startedLate()` if the run does not start at the first frame of a recording.
+  /// Emits `startedAtLaterFrame()` if the run does not start at the first frame of a recording.
   void startAfterLearning(bool isNewTarget);
   /// Starts the run after a target got its first box. A later box does not start the run, because
   /// users often set several boxes in the same image, and a run that the user has paused stays
@@ -107,10 +107,10 @@ Q_SIGNALS:
   /// repeated with their new paths.
   void filesMissing(const OpenRequest& request, const MissingFiles& missing);
   /// Emitted when the previous run has ended and the document is about to change.
-  void replacing(const OpenRequest& request);
+  void documentReplacing(const OpenRequest& request);
   /// Emitted when the document contains the opened project. The run starts in the next iteration of
   /// the event loop.
-  void replaced(const OpenRequest& request);
+  void documentReplaced(const OpenRequest& request);
   /// Emitted when a session has been created. Views must now be created and connected to the
   /// session. The first snapshot follows.
   void runStarted();
@@ -120,7 +120,7 @@ Q_SIGNALS:
   void restarting();
   /// Emitted when the run has started at this frame because a target was learned there. The frames
   /// before it are not tracked.
-  void startedLate(qint64 frame);
+  void startedAtLaterFrame(qint64 frame);
   /// Emitted when the session is about to end, while it still exists.
   void runEnding();
   /// Emitted when the session has ended. `snapshotChanged()` with null follows.

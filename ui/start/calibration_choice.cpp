@@ -48,7 +48,7 @@ CalibrationChoice::CalibrationChoice(QWidget* parent)
   onRetranslate(this, [this] { retranslateUi(); });
 }
 
-QWidget* CalibrationChoice::lastButton() const {
+QWidget* CalibrationChoice::lastButtonInTabOrder() const {
   return drop_;
 }
 
@@ -69,7 +69,7 @@ void CalibrationChoice::choose() {
   }
 }
 
-void CalibrationChoice::begin(bool takesProposals) {
+void CalibrationChoice::startNewProject(bool takesProposals) {
   takesProposals_ = takesProposals;
   useFile({});
 }
@@ -79,7 +79,7 @@ void CalibrationChoice::setFile(const QString& file) {
   useFile(file);
 }
 
-void CalibrationChoice::propose(const QString& file) {
+void CalibrationChoice::proposeFile(const QString& file) {
   if (takesProposals_ && file != file_) {
     useFile(file);
   }
@@ -103,7 +103,7 @@ void CalibrationChoice::useFile(const QString& file) {
   });
 }
 
-void CalibrationChoice::setCameras(std::vector<std::string> names) {
+void CalibrationChoice::setCameraNames(std::vector<std::string> names) {
   if (names != cameras_) {
     cameras_ = std::move(names);
     showResult();
@@ -165,7 +165,7 @@ void CalibrationChoice::showResult() {
   name_->setToolTip(file_);
   drop_->setVisible(!file_.isEmpty());
   result_->setVisible(!file_.isEmpty());
-  fit_->setNames(cameras_, checked_ ? checked_->cameras : std::vector<std::string>());
+  fit_->setCameraNames(cameras_, checked_ ? checked_->cameras : std::vector<std::string>());
   bool good = true;
   result_->setText(checked_ ? resultText(*checked_, good) : tr("Reading…"));
   QPalette colors = palette();

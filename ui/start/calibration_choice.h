@@ -27,19 +27,19 @@ class CalibrationChoice : public QWidget {
 public:
   explicit CalibrationChoice(QWidget* parent = nullptr);
 
-  /// Starts a new project, for which no file is selected yet. `takesProposals` is true if propose()
-  /// may select a file.
-  void begin(bool takesProposals);
+  /// Starts a new project, for which no file is selected yet. `takesProposals` is true if
+  /// proposeFile() may select a file.
+  void startNewProject(bool takesProposals);
   /// Sets the file that the user has chosen; an empty name means that the user wants none. From
-  /// then on, propose() does nothing.
+  /// then on, proposeFile() does nothing.
   void setFile(const QString& file);
   /// Selects a file that was found beside the recordings; an empty name means that none was found.
   /// Does nothing unless takesProposals() is true.
-  void propose(const QString& file);
+  void proposeFile(const QString& file);
   bool takesProposals() const { return takesProposals_; }
   QString file() const { return file_; }
   /// Sets the names of the project's cameras.
-  void setCameras(std::vector<std::string> names);
+  void setCameraNames(std::vector<std::string> names);
   /// Returns the user's answers about how to adapt the calibration to the cameras.
   CalibrationAdaptation adaptation() const;
   /// Returns whether the user is asked which camera of the file belongs to which camera of the
@@ -48,7 +48,7 @@ public:
   /// Shows the question how the images differ from those of the calibration.
   void showFitQuestion();
   /// Returns the last button in Tab order.
-  QWidget* lastButton() const;
+  QWidget* lastButtonInTabOrder() const;
 
 protected:
   void changeEvent(QEvent* event) override;
@@ -70,7 +70,7 @@ private:
   bool takesProposals_ = true; ///< the user has chosen nothing; a selected file was proposed
   std::vector<std::string> cameras_;
   std::optional<CheckedCalibration> checked_; ///< result for the file; empty while it is being read
-  LatestJob checking_{LatestJob::Superseded::Dropped};
+  LatestJob checking_{LatestJob::SupersededJob::Dropped};
 };
 
 } // namespace dewpoint::ui

@@ -20,7 +20,7 @@ namespace dewpoint::ui {
 
 CalibrationFit::CalibrationFit(QWidget* parent)
     : QWidget(parent), fitRow_(new QWidget(this)), fitLabel_(new QLabel(fitRow_)),
-      fit_(makeChoice("newCalibrationFit", fitRow_)), namesRow_(new QWidget(this)),
+      fit_(makeChoiceField("newCalibrationFit", fitRow_)), namesRow_(new QWidget(this)),
       namesLabel_(new QLabel(namesRow_)), names_(new QFormLayout) {
   fitLabel_->setBuddy(fit_);
   namesLabel_->setWordWrap(true);
@@ -67,8 +67,8 @@ void CalibrationFit::showFitQuestion() {
   fitRow_->show();
 }
 
-void CalibrationFit::setNames(const std::vector<std::string>& cameras,
-                              const std::vector<std::string>& inFile) {
+void CalibrationFit::setCameraNames(const std::vector<std::string>& cameras,
+                                    const std::vector<std::string>& inFile) {
   if (cameras != cameras_ || inFile != inFile_) {
     cameras_ = cameras;
     inFile_ = inFile;
@@ -89,7 +89,7 @@ void CalibrationFit::fillNames() {
                         inFile_.size() >= cameras_.size() &&
                         matchCameras(cameras_, inFile_) == CameraMatch::None;
   for (std::size_t k = 0; isNeeded && k < cameras_.size(); ++k) {
-    auto* choice = makeChoice(
+    auto* choice = makeChoiceField(
         QByteArray("newCalibrationName" + QByteArray::number(static_cast<int>(k))).constData(),
         this);
     const QString own = QString::fromStdString(cameras_[k]);

@@ -27,7 +27,8 @@ public:
   /// Asks which camera of the file belongs to each of the project's `cameras`, if the cameras in
   /// the file, `inFile`, match neither by name nor by order. Answers are kept while both lists stay
   /// the same.
-  void setNames(const std::vector<std::string>& cameras, const std::vector<std::string>& inFile);
+  void setCameraNames(const std::vector<std::string>& cameras,
+                      const std::vector<std::string>& inFile);
   /// Returns whether the question about the names is shown.
   bool isNameQuestionShown() const { return !choices_.empty(); }
   /// Shows the question how the images were changed since the calibration, for example scaled or

@@ -66,7 +66,7 @@ QIcon rowPicture(const cv::Mat& preview, const QPalette& palette, double ratio) 
   QPixmap tile(kRowPicture * ratio);
   tile.setDevicePixelRatio(ratio);
   tile.fill(palette.color(QPalette::Button));
-  if (const QImage image = toImage(preview); !image.isNull()) {
+  if (const QImage image = toQImage(preview); !image.isNull()) {
     QPainter painter(&tile);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     QRect area(QPoint(), image.size().scaled(kRowPicture, Qt::KeepAspectRatio));
@@ -106,7 +106,7 @@ CameraTable::CameraTable(QWidget* parent)
   });
 }
 
-void CameraTable::begin() {
+void CameraTable::clearTable() {
   jobs_ = std::make_unique<JobQueue>();
   known_.clear();
   imageFolders_.clear();
@@ -114,10 +114,10 @@ void CameraTable::begin() {
   Q_EMIT changed();
 }
 
-void CameraTable::add(const FootageLocation& place) {
+void CameraTable::addFootage(const FootageLocation& place) {
   const int row = rowCount();
   const QString location = QString::fromStdString(place.location);
-  if (place.isImages) {
+  if (place.isImageFolder) {
     imageFolders_.insert(location);
   }
   {
@@ -137,7 +137,7 @@ void CameraTable::add(const FootageLocation& place) {
 }
 
 void CameraTable::addAddress() {
-  add(FootageLocation());
+  addFootage(FootageLocation());
   const int row = rowCount() - 1;
   setCurrentCell(row, kSourceColumn);
   editItem(item(row, kSourceColumn));
@@ -191,7 +191,7 @@ void CameraTable::examine(const QString& text) {
   known_.erase(location); // it may be there by now
   jobs_->add([this, location]() -> std::function<void()> {
     const std::string place = location.toStdString();
-    const bool isImages = guessSourceKind(place) == SourceKind::Images;
+    const bool isImageFolder = guessSourceKind(place) == SourceKind::Images;
     Known known;
     if (auto facts = readFootageFacts(place)) {
       known.facts = std::move(*facts);
@@ -199,12 +199,12 @@ void CameraTable::examine(const QString& text) {
       known.problem = facts.error();
       known.problem->file.clear(); // it stands beside it
     }
-    return [this, location, isImages, known] { applyFound(location, isImages, known); };
+    return [this, location, isImageFolder, known] { applyFound(location, isImageFolder, known); };
   });
 }
 
-void CameraTable::applyFound(const QString& location, bool isImages, const Known& known) {
-  if (isImages) {
+void CameraTable::applyFound(const QString& location, bool isImageFolder, const Known& known) {
+  if (isImageFolder) {
     imageFolders_.insert(location);
   }
   known_[location] = known;
@@ -231,7 +231,7 @@ void CameraTable::showKnown(int row) {
   name->setIcon(rowPicture(isRead ? known->second.facts->preview : cv::Mat(), palette(),
                            devicePixelRatioF()));
   QString text;
-  QColor color = secondaryText(palette());
+  QColor color = secondaryTextColor(palette());
   if (location.isEmpty()) {
     text = QString();
   } else if (!isKnown) {

@@ -22,7 +22,7 @@ struct FootageLocation {
   std::string location;
   bool canBeImageSource = false; ///< can be used as a camera
   bool isFile = false;           ///< an existing file or folder, not a device
-  bool isImages = false;         ///< a folder of images
+  bool isImageFolder = false;    ///< a folder of images
 };
 
 /// Table of a new project's cameras, one row each: name, image source, and what was found there.
@@ -34,8 +34,8 @@ public:
   explicit CameraTable(QWidget* parent = nullptr);
 
   /// Clears the table and discards reads in progress.
-  void begin();
-  void add(const FootageLocation& place);
+  void clearTable();
+  void addFootage(const FootageLocation& place);
   /// Adds an empty row in which the user can type the address of a camera.
   void addAddress();
   void removeSelected();
@@ -62,7 +62,7 @@ private:
     std::optional<Error> problem;
   };
   void examine(const QString& location);
-  void applyFound(const QString& location, bool isImages, const Known& known);
+  void applyFound(const QString& location, bool isImageFolder, const Known& known);
   QString locationAt(int row) const;
   QString textAt(int row, int column) const;
   void showKnown();

@@ -65,7 +65,7 @@ void DropZone::paintEvent(QPaintEvent* /*event*/) {
   painter.drawText(QRect(0, top, width(), titleHeight), Qt::AlignCenter, text());
   top += titleHeight + kSpacing;
   painter.setFont(font());
-  painter.setPen(secondaryText(palette()));
+  painter.setPen(secondaryTextColor(palette()));
   painter.drawText(QRect(0, top, width(), lineHeight), Qt::AlignCenter, line_);
 }
 

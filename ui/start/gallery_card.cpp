@@ -138,7 +138,7 @@ void GalleryCard::paintTexts(QPainter& painter, const QRect& area) const {
   QRect used;
   painter.drawText(area, Qt::TextWordWrap | Qt::AlignTop, text(), &used);
   painter.setFont(font());
-  painter.setPen(busy_ ? palette().color(QPalette::Link) : secondaryText(palette()));
+  painter.setPen(busy_ ? palette().color(QPalette::Link) : secondaryTextColor(palette()));
   painter.drawText(area.adjusted(0, used.height() + kCardLineGap, 0, 0),
                    Qt::TextWordWrap | Qt::AlignTop, lineShown());
 }

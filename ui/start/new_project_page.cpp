@@ -167,15 +167,15 @@ void NewProjectPage::retranslateUi() {
   refresh();
 }
 
-void NewProjectPage::begin(const QStringList& files, bool findsCalibration) {
+void NewProjectPage::startNewProject(const QStringList& files, bool findsCalibration) {
   // Whichever of them the platform puts first.
-  setTabOrder(calibration_->lastButton(), name_);
+  setTabOrder(calibration_->lastButtonInTabOrder(), name_);
   setTabOrder(name_, create_);
   setTabOrder(create_, cancel_);
   cancelWork();
-  cameras_->begin();
+  cameras_->clearTable();
   name_->clear();
-  calibration_->begin(findsCalibration);
+  calibration_->startNewProject(findsCalibration);
   refresh();
   addFiles(files);
   addVideos_->setFocus();
@@ -238,7 +238,7 @@ void NewProjectPage::addFootage(const std::vector<FootageLocation>& places) {
     if (!place.canBeImageSource) {
       refused << QFileInfo(file).fileName();
     } else if (!cameras_->isListed(file)) { // dropped twice it is still one camera
-      cameras_->add(place);
+      cameras_->addFootage(place);
       hasFiles = hasFiles || place.isFile;
     }
   }
@@ -266,7 +266,7 @@ void NewProjectPage::findCalibration() {
   searches_->add([this, recordings = std::move(recordings), names = std::move(names)] {
     return [this, found = calibrationFileBeside(recordings, names)] {
       --pendingSearches_;
-      calibration_->propose(found ? QString::fromStdString(found->string()) : QString());
+      calibration_->proposeFile(found ? QString::fromStdString(found->string()) : QString());
       refresh();
     };
   });
@@ -284,7 +284,7 @@ void NewProjectPage::chooseFolder() {
   if (!folder.isEmpty()) {
     search([folder] { return locationsOf({folder.toStdString()}); },
            [this](const std::vector<FootageLocation>& places) {
-             cameras_->add(places.front());
+             cameras_->addFootage(places.front());
              findCalibration();
            });
   }
@@ -293,8 +293,8 @@ void NewProjectPage::chooseFolder() {
 void NewProjectPage::addConnectedCameras() {
   search([devices = devices_] { return locationsOf(pathsOf(devices->list())); },
          [this](const std::vector<FootageLocation>& devices) {
-           std::ranges::for_each(devices,
-                                 [this](const FootageLocation& device) { cameras_->add(device); });
+           std::ranges::for_each(
+               devices, [this](const FootageLocation& device) { cameras_->addFootage(device); });
            if (devices.empty()) {
              Q_EMIT failed(tr("No camera is connected to this computer. A network camera can be "
                               "added by its address."));
@@ -319,7 +319,7 @@ void NewProjectPage::refresh() {
   for (const NewCamera& camera : cameras_->cameras()) {
     names.push_back(camera.name);
   }
-  calibration_->setCameras(std::move(names));
+  calibration_->setCameraNames(std::move(names));
 }
 
 NewProject NewProjectPage::newProject() const {

@@ -37,7 +37,7 @@ public:
 
   /// Starts a new project with these files (videos, image folders, a calibration). If
   /// `findsCalibration` is true, a calibration file found beside the recordings is proposed.
-  void begin(const QStringList& files, bool findsCalibration = true);
+  void startNewProject(const QStringList& files, bool findsCalibration = true);
   /// Adds files to the new project, once their kind has been determined. A file with a calibration
   /// suffix becomes the calibration.
   void addFiles(const QStringList& files);
@@ -99,7 +99,7 @@ private:
   std::unique_ptr<JobQueue> searches_;
   int pendingSearches_ = 0; ///< number of searches whose rows have not been added yet
   /// Creates the project, which may take long, because the first image of each video is read.
-  LatestJob making_{LatestJob::Superseded::Dropped};
+  LatestJob making_{LatestJob::SupersededJob::Dropped};
 };
 
 } // namespace dewpoint::ui

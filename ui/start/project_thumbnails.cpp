@@ -30,8 +30,8 @@ QString thumbnailFile(const QString& projectFile) {
 
 /// The middle of an image, in the shape of a thumbnail.
 QImage thumbnailOf(const cv::Mat& bgr) {
-  const QImage scaled =
-      toImage(bgr).scaled(kThumbnailSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  const QImage scaled = toQImage(bgr).scaled(kThumbnailSize, Qt::KeepAspectRatioByExpanding,
+                                             Qt::SmoothTransformation);
   return scaled.copy((scaled.width() - kThumbnailSize.width()) / 2,
                      (scaled.height() - kThumbnailSize.height()) / 2, kThumbnailSize.width(),
                      kThumbnailSize.height());

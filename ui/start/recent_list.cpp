@@ -83,7 +83,7 @@ private:
                          const QStyleOptionViewItem& option, bool open) {
     const QPalette& palette = option.palette;
     const QColor faint = palette.color(QPalette::Disabled, QPalette::Text);
-    const QColor second = open ? secondaryText(palette) : faint;
+    const QColor second = open ? secondaryTextColor(palette) : faint;
     QFont bold = option.font;
     bold.setWeight(QFont::DemiBold);
     const int line = QFontMetrics(option.font).height();
@@ -140,11 +140,11 @@ void RecentList::fill() {
   const QString chosen = now == nullptr ? QString() : now->data(kRecentFile).toString();
   clear();
   const QIcon symbol = symbolicIcon(QStringLiteral("video"), palette());
-  for (const RecentProject& project : projects_.all()) {
+  for (const RecentProject& project : projects_.allProjects()) {
     auto* item = new QListWidgetItem(QFileInfo(project.file).completeBaseName(), this);
     item->setData(kRecentFile, project.file);
     item->setData(kRecentFolder, folderText(project.file));
-    const QString date = QLocale().toString(project.changed.date(), QLocale::ShortFormat);
+    const QString date = QLocale().toString(project.lastModified.date(), QLocale::ShortFormat);
     item->setData(kRecentState, project.isMissing ? tr("The file no longer exists") : date);
     item->setData(kRecentImage, project.thumbnail);
     item->setIcon(symbol);

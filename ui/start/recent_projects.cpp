@@ -11,7 +11,7 @@ namespace dewpoint::ui {
 RecentProjects::RecentProjects(QObject* parent)
     : QObject(parent), exists_([](const QString& file) { return QFileInfo::exists(file); }) {}
 
-std::vector<RecentProject> RecentProjects::all() const {
+std::vector<RecentProject> RecentProjects::allProjects() const {
   std::vector<RecentProject> all;
   for (const QString& file : Preferences().recentProjects()) {
     const auto known = known_.find(file);
@@ -20,9 +20,9 @@ std::vector<RecentProject> RecentProjects::all() const {
   return all;
 }
 
-QStringList RecentProjects::files() const {
+QStringList RecentProjects::openableFiles() const {
   QStringList files;
-  for (const RecentProject& project : all()) {
+  for (const RecentProject& project : allProjects()) {
     if (!project.isMissing) {
       files << project.file;
     }
@@ -56,7 +56,7 @@ void RecentProjects::checkFiles() {
       project.file = file;
       project.isMissing = !exists(file);
       if (!project.isMissing) {
-        project.changed = QFileInfo(file).lastModified();
+        project.lastModified = QFileInfo(file).lastModified();
       }
       project.thumbnail = ProjectThumbnails::read(file);
     }

@@ -19,9 +19,9 @@ namespace dewpoint::ui {
 /// Recent project, and what is known about its file.
 struct RecentProject {
   QString file;
-  bool isMissing = false; ///< the file does not exist
-  QDateTime changed = {}; ///< time of the last save; invalid if unknown
-  QImage thumbnail = {};  ///< see ProjectThumbnails; null for none
+  bool isMissing = false;      ///< the file does not exist
+  QDateTime lastModified = {}; ///< time of the last save; invalid if unknown
+  QImage thumbnail = {};       ///< see ProjectThumbnails; null for none
 
   bool operator==(const RecentProject&) const = default;
 };
@@ -37,9 +37,9 @@ public:
   void setExistsCheck(Exists exists) { exists_ = std::move(exists); }
 
   /// Returns the projects that can be opened, newest first.
-  QStringList files() const;
+  QStringList openableFiles() const;
   /// Returns all projects, newest first.
-  std::vector<RecentProject> all() const;
+  std::vector<RecentProject> allProjects() const;
   /// Adds a project that was just opened or saved.
   void add(const QString& file);
   void clear();
@@ -57,7 +57,7 @@ private:
   Exists exists_;
   Known known_;
   /// An unresponsive disk blocks at most one thread.
-  LatestJob checking_{LatestJob::Superseded::Kept};
+  LatestJob checking_{LatestJob::SupersededJob::Kept};
 };
 
 } // namespace dewpoint::ui

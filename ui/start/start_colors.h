@@ -10,7 +10,7 @@ namespace dewpoint::ui {
 
 /// Returns the color for the line below a title: fainter than normal text, but still easy to read
 /// on cards and in lists.
-inline QColor secondaryText(const QPalette& palette) {
+inline QColor secondaryTextColor(const QPalette& palette) {
   return mixedColor(palette.color(QPalette::Text), palette.color(QPalette::Base), 0.3);
 }
 

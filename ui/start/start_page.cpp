@@ -195,7 +195,7 @@ void StartPage::retranslateUi() {
 }
 
 void StartPage::showRecentTitle() {
-  recentTitle_->setVisible(!projects_.all().empty());
+  recentTitle_->setVisible(!projects_.allProjects().empty());
 }
 
 void StartPage::refresh() {

@@ -12,8 +12,8 @@ namespace dewpoint::ui {
 /// Dark line drawn under a bright line, so that the bright line is visible on any image.
 struct Halo {
   int alpha = 150;
-  double extra = 2.2;                    ///< additional width compared with the bright line, pixels
-  bool whole = false;                    ///< solid, even under a dashed line
+  double extraWidthPx = 2.2;             ///< additional width compared with the bright line, pixels
+  bool alwaysSolid = false;              ///< solid, even under a dashed line
   Qt::PenCapStyle cap = Qt::RoundCap;    ///< also used for the bright line
   Qt::PenJoinStyle join = Qt::RoundJoin; ///< also used for the bright line
 };
@@ -27,8 +27,8 @@ constexpr Halo edgeHalo(int alpha, double extra) {
 
 /// Returns the pen for the halo under a line of this width (pixels).
 inline QPen haloPen(double width, const Halo& halo = {}, Qt::PenStyle style = Qt::SolidLine) {
-  return QPen(QColor(0, 0, 0, halo.alpha), width + halo.extra, halo.whole ? Qt::SolidLine : style,
-              halo.cap, halo.join);
+  return QPen(QColor(0, 0, 0, halo.alpha), width + halo.extraWidthPx,
+              halo.alwaysSolid ? Qt::SolidLine : style, halo.cap, halo.join);
 }
 
 /// Calls `draw` twice: first with the pen of the halo, then with the pen of the bright line.

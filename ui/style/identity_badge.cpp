@@ -20,8 +20,8 @@ QColor readableColorOn(const QColor& ground) {
   return luma > 0.5 ? QColor(Qt::black) : QColor(Qt::white);
 }
 
-void paintBadge(QPainter& painter, int identity, const QPointF& foot, const QRectF& room,
-                bool chosen) {
+void paintIdentityBadge(QPainter& painter, int identity, const QPointF& foot, const QRectF& room,
+                        bool chosen) {
   const QColor ground = personColor(identity);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

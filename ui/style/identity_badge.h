@@ -18,7 +18,7 @@ QColor readableColorOn(const QColor& ground);
 
 /// Draws a round badge in the identity color with the person's number, above the point `foot` and
 /// inside the area `room`.
-void paintBadge(QPainter& painter, int identity, const QPointF& foot, const QRectF& room,
-                bool chosen);
+void paintIdentityBadge(QPainter& painter, int identity, const QPointF& foot, const QRectF& room,
+                        bool chosen);
 
 } // namespace dewpoint::ui

@@ -5,7 +5,7 @@
 
 namespace dewpoint::ui {
 
-QImage toImage(const cv::Mat& bgr) {
+QImage toQImage(const cv::Mat& bgr) {
   if (bgr.empty() || bgr.type() != CV_8UC3) {
     return {};
   }

@@ -12,6 +12,6 @@ class Mat;
 namespace dewpoint::ui {
 
 /// Returns a copy of a BGR image (CV_8UC3) as Format_RGB32, which QPainter draws fastest.
-QImage toImage(const cv::Mat& bgr);
+QImage toQImage(const cv::Mat& bgr);
 
 } // namespace dewpoint::ui

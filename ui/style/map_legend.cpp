@@ -29,17 +29,17 @@ std::vector<Entry> entries(const MapOptions& look) {
   std::vector<Entry> all;
   double before = 0.0;
   for (const MapClass& one : classes) {
-    const bool last = !std::isfinite(one.bound);
+    const bool last = !std::isfinite(one.upperBound);
     QString text;
     if (counts) {
       text = last ? QCoreApplication::translate("MapLegend", "%1 or more").arg(int(before) + 1)
-                  : QString::number(int(one.bound));
+                  : QString::number(int(one.upperBound));
     } else {
       text = last ? QStringLiteral("> ") + lengthText(before, LengthForm::Short)
-                  : QStringLiteral("≤ ") + lengthText(one.bound, LengthForm::Short);
+                  : QStringLiteral("≤ ") + lengthText(one.upperBound, LengthForm::Short);
     }
-    all.push_back({toColor(one.color), text});
-    before = one.bound;
+    all.push_back({toQColor(one.color), text});
+    before = one.upperBound;
   }
   all.push_back(
       {QColor(),

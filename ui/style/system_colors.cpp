@@ -46,10 +46,10 @@ void SystemColors::readColors() {
   refreshing_ = false;
   if (dark != dark_) {
     dark_ = dark;
-    Q_EMIT changed(dark);
+    Q_EMIT darkModeChanged(dark);
   }
   if (foreign) {
-    Q_EMIT replaced();
+    Q_EMIT colorsReplaced();
   }
 }
 

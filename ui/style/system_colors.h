@@ -16,10 +16,10 @@ public:
   bool isDark() const { return dark_; }
 
 Q_SIGNALS:
-  void changed(bool dark);
+  void darkModeChanged(bool dark);
   /// Emitted when the system has replaced the application's colors. The theme must then be applied
   /// again.
-  void replaced();
+  void colorsReplaced();
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

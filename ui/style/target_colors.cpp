@@ -6,7 +6,7 @@
 
 namespace dewpoint::ui {
 
-DisplayBackground displayGround(const QPalette& palette) {
+DisplayBackground displayGroundOf(const QPalette& palette) {
   return isDarkPalette(palette) ? DisplayBackground::Dark : DisplayBackground::Light;
 }
 
@@ -15,7 +15,7 @@ std::vector<QColor> targetColors(const std::vector<DisplayColorSource>& sources,
   std::vector<QColor> colors;
   colors.reserve(sources.size());
   for (const DisplayColor& color : displayColors(sources, ground)) {
-    colors.push_back(toColor(color));
+    colors.push_back(toQColor(color));
   }
   return colors;
 }

@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 
 /// Returns the ground (light or dark) on which views and lists draw targets in a window with this
 /// palette.
-DisplayBackground displayGround(const QPalette& palette);
+DisplayBackground displayGroundOf(const QPalette& palette);
 /// Returns the colors in which views with this ground draw the targets. A target has the same hue
 /// on every ground, in a shade that is legible there.
 std::vector<QColor> targetColors(const std::vector<DisplayColorSource>& sources,

@@ -92,7 +92,7 @@ QColor trackingStateColor(TrackingState state, const QPalette& palette) {
 
 QColor targetColor(int target) {
   const std::vector<DisplayColor>& palette = displayPalette(DisplayBackground::Image);
-  return toColor(palette[static_cast<std::size_t>(target) % palette.size()]);
+  return toQColor(palette[static_cast<std::size_t>(target) % palette.size()]);
 }
 
 QColor targetColor(const std::string& name, int target) {

@@ -8,7 +8,7 @@
 namespace dewpoint::ui {
 
 /// Converts a scene color to a QColor.
-inline QColor toColor(const SceneColor& color) {
+inline QColor toQColor(const SceneColor& color) {
   return QColor::fromRgbF(float(color.x()), float(color.y()), float(color.z()));
 }
 

@@ -21,7 +21,7 @@ const PeopleCameraState* stateOf(const TrackSnapshot& snapshot, int camera) {
 
 } // namespace
 
-std::optional<double> backgroundLearned(const TrackSnapshot& snapshot, int camera) {
+std::optional<double> learnedBackgroundShare(const TrackSnapshot& snapshot, int camera) {
   const PeopleCameraState* state = stateOf(snapshot, camera);
   return state != nullptr && state->learningProgress < 1.0 ? std::optional(state->learningProgress)
                                                            : std::nullopt;
@@ -37,7 +37,7 @@ QString shortLearningText(double share) {
 }
 
 QString peopleObstacleText(const TrackSnapshot& snapshot, int camera) {
-  if (const auto share = backgroundLearned(snapshot, camera)) {
+  if (const auto share = learnedBackgroundShare(snapshot, camera)) {
     return learningText(*share);
   }
   const PeopleCameraState* state = stateOf(snapshot, camera);

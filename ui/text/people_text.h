@@ -11,7 +11,7 @@ namespace dewpoint::ui {
 
 /// Returns the fraction of the background that a camera has learned (0 to 1), or nothing if it is
 /// not learning.
-std::optional<double> backgroundLearned(const TrackSnapshot& snapshot, int camera);
+std::optional<double> learnedBackgroundShare(const TrackSnapshot& snapshot, int camera);
 /// Returns a text about the progress of learning the background, with a request to stay out of
 /// view. `share` is 0 to 1.
 QString learningText(double share);

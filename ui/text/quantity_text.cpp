@@ -101,11 +101,11 @@ QString numberText(double value, int decimals, NumberForm form) {
   return form == NumberForm::Signed && value > 0.0 ? QStringLiteral("+") + text : text;
 }
 
-QString tableText(double value, int decimals) {
+QString tableNumberText(double value, int decimals) {
   return numberText(value, decimals, NumberForm::Table);
 }
 
-QString digitsText(double value, int digits) {
+QString significantDigitsText(double value, int digits) {
   const int decimals =
       value > 0.0 ? digits - 1 - static_cast<int>(std::floor(std::log10(value))) : 0;
   return numberText(value, std::clamp(decimals, 0, 4));
@@ -134,8 +134,8 @@ QString lengthText(double meters, LengthForm form) {
   case LengthForm::Short:
     return shortLength(meters);
   case LengthForm::TwoDigits:
-    return meters < 1.0 ? millimeters(digitsText(inMillimeters(meters), 2))
-                        : metersText(digitsText(meters, 2));
+    return meters < 1.0 ? millimeters(significantDigitsText(inMillimeters(meters), 2))
+                        : metersText(significantDigitsText(meters, 2));
   }
   return readout(meters);
 }
@@ -166,7 +166,7 @@ QString angleNumber(double radians, int decimals, NumberForm form) {
 }
 
 QString angleAccuracyText(double radians) {
-  return degreesText(digitsText(inDegrees(radians), 2));
+  return degreesText(significantDigitsText(inDegrees(radians), 2));
 }
 
 QString shareText(double share) {
@@ -180,7 +180,7 @@ QString percentText(double share, int decimals) {
 }
 
 QString percentAccuracyText(double share) {
-  return digitsText(inPercent(share), 2);
+  return significantDigitsText(inPercent(share), 2);
 }
 
 QString secondsText(double seconds, int decimals) {

@@ -20,9 +20,9 @@ enum class NumberForm {
 /// Returns a number with `decimals` decimals; "∞" if it is infinite.
 QString numberText(double value, int decimals, NumberForm form = NumberForm::Plain);
 /// Returns a number in the form used in tables (NumberForm::Table).
-QString tableText(double value, int decimals);
+QString tableNumberText(double value, int decimals);
 /// Returns a number with `digits` significant digits, at most four decimals and no exponent.
-QString digitsText(double value, int digits);
+QString significantDigitsText(double value, int digits);
 /// Returns a ratio with at most three significant digits, for example "1.08".
 QString ratioText(double value);
 /// Returns a parameter bound or default as declared, with at most six digits.

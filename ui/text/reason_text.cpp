@@ -49,7 +49,7 @@ QString cameraReasonText(const CameraReport& report) {
   return {};
 }
 
-QString cameraReasonHereText(const CameraReport& report) {
+QString cameraReasonTextInImage(const CameraReport& report) {
   switch (report.status) {
   case CameraStatus::Hidden:
     return Reason::tr("hidden here");
@@ -76,7 +76,7 @@ bool isBlind(const CameraReport& report) {
 }
 
 QString cameraBlindText(const CameraReport& report) {
-  return QStringLiteral("◌ ") + cameraReasonHereText(report);
+  return QStringLiteral("◌ ") + cameraReasonTextInImage(report);
 }
 
 QString reasonText(const std::vector<CameraReport>& reports, const QStringList& cameraNames) {

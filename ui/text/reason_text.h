@@ -13,7 +13,7 @@ namespace dewpoint::ui {
 QString cameraReasonText(const CameraReport& report);
 /// Returns the reason why a camera does not confirm a target, in the form shown with the image of
 /// this camera ("hidden here").
-QString cameraReasonHereText(const CameraReport& report);
+QString cameraReasonTextInImage(const CameraReport& report);
 /// Returns whether a camera does not see the target at all although it has an image.
 bool isBlind(const CameraReport& report);
 /// Returns the text that replaces the target state in the view of a camera for which isBlind() is

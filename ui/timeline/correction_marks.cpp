@@ -21,10 +21,10 @@ void paintCorrections(QPainter& painter, const TimelineModel& model, const Timel
   for (const PositionCorrection& correction : model.corrections) {
     const double x = scale.x(static_cast<double>(correction.frame) + 0.5);
     if (x < rows.ribbons.left() || x > rows.ribbons.right() ||
-        correction.target >= model.targets.size() || correction.trackedFrom) {
+        correction.target >= model.targetNames.size() || correction.trackedFrom) {
       continue;
     }
-    const QRectF ribbon = rows.ribbon(correction.target);
+    const QRectF ribbon = rows.ribbonArea(correction.target);
     const double half = std::min(kMostHalf, 0.5 * ribbon.height());
     const QPointF middle(x, ribbon.center().y());
     painter.drawPolygon(QPolygonF({middle - QPointF(0.0, half), middle + QPointF(half, 0.0),

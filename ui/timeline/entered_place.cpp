@@ -24,7 +24,7 @@ std::optional<double> secondsIn(const QString& number, const QLocale& locale) {
 
 } // namespace
 
-std::optional<EnteredPosition> enteredPosition(const QString& text, const QLocale& locale) {
+std::optional<EnteredPosition> parseEnteredPosition(const QString& text, const QLocale& locale) {
   const QString entered = text.trimmed();
   if (entered.endsWith(QLatin1Char('s'), Qt::CaseInsensitive)) {
     const auto seconds = secondsIn(entered.chopped(1).trimmed(), locale);

@@ -17,6 +17,6 @@ using EnteredPosition = std::variant<qint64, double>;
 /// Parses a position in a run: "132" is the frame that the window shows as 132, and "2.5 s" is a
 /// time. Numbers may be written as in `locale` or as in English. Returns nothing if the text is
 /// neither a frame nor a time.
-std::optional<EnteredPosition> enteredPosition(const QString& text, const QLocale& locale);
+std::optional<EnteredPosition> parseEnteredPosition(const QString& text, const QLocale& locale);
 
 } // namespace dewpoint::ui

@@ -62,7 +62,7 @@ void FrameField::goToEntered() {
   const auto [first, last] = timeline_.reachableFrames();
   const TimelineModel& model = timeline_.model();
   const QLocale numbers;
-  if (const auto entered = enteredPosition(edit_->text(), numbers)) {
+  if (const auto entered = parseEnteredPosition(edit_->text(), numbers)) {
     const auto* seconds = std::get_if<double>(&*entered);
     // Up to a frame beside the run, so that rounded times of its ends are accepted.
     const double slack = 1.0 / model.framesPerSecond;
@@ -74,7 +74,7 @@ void FrameField::goToEntered() {
                                : std::get<qint64>(*entered);
       if (first <= frame && frame <= last) {
         close(true);
-        timeline_.goTo(frame);
+        timeline_.goToFrame(frame);
         return;
       }
     }

@@ -57,22 +57,22 @@ void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
   model_.history = snapshot.history;
   model_.rerun = snapshot.rerun;
   model_.setSourceRate(snapshot.sourceFramesPerSecond);
-  model_.live = snapshot.frames != nullptr && !snapshot.frameCount.has_value();
+  model_.isLive = snapshot.frames != nullptr && !snapshot.frameCount.has_value();
   QStringList targets;
   for (const TargetSnapshot& target : snapshot.targets) {
     targets.append(QString::fromStdString(target.target.name));
   }
-  model_.colors = displayColorSources(snapshot);
+  model_.colorSources = displayColorSources(snapshot);
   const QStringList cameras = cameraNames(snapshot);
-  if (targets != model_.targets || cameras != model_.cameras) {
-    model_.targets = targets;
-    model_.cameras = cameras;
+  if (targets != model_.targetNames || cameras != model_.cameraNames) {
+    model_.targetNames = targets;
+    model_.cameraNames = cameras;
     place();
   }
   const qint64 oldest =
       model_.records.empty() ? model_.history.firstFrame : model_.records.front().frame;
-  const qint64 first = model_.live ? std::min<qint64>(oldest, model_.history.firstFrame) : 0;
-  const qint64 last = model_.live ? model_.history.lastFrame : snapshot.frameCount.value_or(1) - 1;
+  const qint64 first = model_.isLive ? std::min<qint64>(oldest, model_.history.firstFrame) : 0;
+  const qint64 last = model_.isLive ? model_.history.lastFrame : snapshot.frameCount.value_or(1) - 1;
   scale_.setExtent(first, std::max(first, last));
   requested_.onShown(snapshot.frame);
   const int least = TimelineRows::minimumHeightFor(
@@ -105,30 +105,30 @@ void Timeline::clear() {
 
 int Timeline::dropoutCameraCount() const {
   int cameras = 0;
-  for (int k = 0; k < model_.cameras.size(); ++k) {
+  for (int k = 0; k < model_.cameraNames.size(); ++k) {
     cameras += model_.hasDropouts(static_cast<std::size_t>(k)) ? 1 : 0;
   }
   return cameras;
 }
 
 TimelineRows Timeline::rows() const {
-  return TimelineRows(size(), static_cast<int>(model_.targets.size()), dropoutCameraCount(),
+  return TimelineRows(size(), static_cast<int>(model_.targetNames.size()), dropoutCameraCount(),
                       QFontMetricsF(font()).height(), gutter_, model_.rerun.has_value());
 }
 
 void Timeline::place() {
   const QFontMetricsF metrics(font());
   double widest = 40.0;
-  for (const QString& name : model_.targets + model_.cameras) {
+  for (const QString& name : model_.targetNames + model_.cameraNames) {
     widest = std::max(widest, metrics.horizontalAdvance(name) + 18.0);
   }
   gutter_ = std::min(kWidestGutter, widest + 20.0);
   const QRectF axis = rows().axis;
-  scale_.setPixels(axis.left(), axis.width());
+  scale_.setPixelRange(axis.left(), axis.width());
 }
 
 QPoint Timeline::positionOf(qint64 frame) const {
-  return QPointF(scale_.x(static_cast<double>(frame) + 0.5), rows().ribbon(0).center().y())
+  return QPointF(scale_.x(static_cast<double>(frame) + 0.5), rows().ribbonArea(0).center().y())
       .toPoint();
 }
 
@@ -162,7 +162,7 @@ void Timeline::selectTo(qint64 frame) {
 
 void Timeline::zoomToRange() {
   if (selection_.selectedRange()) {
-    scale_.show(selection_.selectedRange()->first, selection_.selectedRange()->last);
+    scale_.showFrames(selection_.selectedRange()->first, selection_.selectedRange()->last);
     update();
   }
 }
@@ -175,8 +175,9 @@ void Timeline::zoomOut() {
 bool Timeline::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    if (help->pos().x() >= gutter_ && !model_.targets.isEmpty()) {
-      QToolTip::showText(help->globalPos(), model_.describe(scale_.frameAt(help->pos().x())), this);
+    if (help->pos().x() >= gutter_ && !model_.targetNames.isEmpty()) {
+      QToolTip::showText(help->globalPos(), model_.descriptionOf(scale_.frameAt(help->pos().x())),
+                         this);
     }
     return true;
   }
@@ -225,7 +226,7 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
   }
 }
 
-void Timeline::setHovered(qint64 frame) {
+void Timeline::setHoveredFrame(qint64 frame) {
   if (frame != hovered_) {
     hovered_ = frame;
     update();
@@ -236,8 +237,8 @@ void Timeline::hover(const QPointF& place) {
   const bool inside = model_.history.lastFrame >= 0 && place.x() >= gutter_;
   const qint64 frame = inside ? scale_.frameAt(place.x()) : -1;
   if (frame != hovered_) {
-    setHovered(frame);
-    Q_EMIT hovered(frame);
+    setHoveredFrame(frame);
+    Q_EMIT frameHovered(frame);
   }
 }
 
@@ -333,7 +334,7 @@ void Timeline::contextMenuEvent(QContextMenuEvent* event) {
 void Timeline::announceFrame() {
   if (QAccessible::isActive()) { // nobody else hears it
     const qint64 currentFrame = selection_.currentFrame();
-    setAccessibleDescription(currentFrame < 0 ? QString() : model_.describe(currentFrame));
+    setAccessibleDescription(currentFrame < 0 ? QString() : model_.descriptionOf(currentFrame));
   }
 }
 

@@ -41,10 +41,10 @@ public:
   /// last.
   void step(qint64 frames);
   /// Shows this frame, which must be in reachableFrames().
-  void goTo(qint64 frame) { requestFrame(frame); }
+  void goToFrame(qint64 frame) { requestFrame(frame); }
   /// Returns the first and the last frame that can be shown.
   std::pair<qint64, qint64> reachableFrames() const {
-    return {model_.live ? model_.history.firstFrame : scale_.first(), scale_.last()};
+    return {model_.isLive ? model_.history.firstFrame : scale_.first(), scale_.last()};
   }
   /// Returns the frame requested last or, if no request is pending, the current frame.
   qint64 latestFrame() const;
@@ -59,7 +59,7 @@ public:
   /// Removes the marker at the current frame. Returns false if there is none.
   bool removeMarker();
   /// Sets the frame under the pointer in another view; negative if there is none.
-  void setHovered(qint64 frame);
+  void setHoveredFrame(qint64 frame);
   void zoomToRange();
   void zoomOut();
 
@@ -73,7 +73,7 @@ public:
 
 Q_SIGNALS:
   /// Emitted when the pointer has moved to this frame; negative if the pointer is on no frame.
-  void hovered(qint64 frame);
+  void frameHovered(qint64 frame);
   /// Emitted when a menu for the current frame is requested at this screen position.
   void menuRequested(const QPoint& place);
 

@@ -37,10 +37,10 @@ void showMenu(const Workbench& bench, const QPoint& place) {
 }
 
 void openFrameField(const Workbench& bench, ViewDock* dock, Timeline* timeline, FrameField* field) {
-  if (bench.docks.maximized() != nullptr && bench.docks.maximized() != dock) {
+  if (bench.docks.maximizedDock() != nullptr && bench.docks.maximizedDock() != dock) {
     bench.docks.restoreMaximized();
   }
-  if (dock->isBehind()) {
+  if (dock->isBehindOtherDocks()) {
     dock->bringToFront();
   }
   field->open(timeline->latestFrame());
@@ -81,8 +81,8 @@ void connectActions(const Workbench& bench, ViewDock* dock, Timeline* timeline) 
 /// recording what is shown follows the change (ResultRefresher).
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
   const bool again = changes.boxes && bench.document.methodFamily().retracksAfterEdit;
-  const bool isLive = bench.session.shown() && !bench.session.shown()->frameCount;
-  if (isLive && bench.selection.isPast() && (changes.parameters || changes.targets) && !again) {
+  const bool isLive = bench.session.shownSnapshot() && !bench.session.shownSnapshot()->frameCount;
+  if (isLive && bench.selection.showsOtherFrame() && (changes.parameters || changes.targets) && !again) {
     bench.messages.showNotice(
         Timeline::tr(
             "The change applies to new frames. Use “%1” to track again from the current frame.")
@@ -94,17 +94,17 @@ void explainChange(const Workbench& bench, const ProjectChanges& changes) {
 
 Timeline* installTimeline(const Workbench& bench) {
   auto* timeline = new Timeline(bench.selection, bench.document, &bench.window);
-  ViewDock* dock = bench.docks.make({.name = QStringLiteral("timelineDock"),
-                                     .title = [] { return Timeline::tr("Timeline"); },
-                                     .content = timeline,
-                                     .area = DockArea::Timeline});
+  ViewDock* dock = bench.docks.makeDock({.name = QStringLiteral("timelineDock"),
+                                         .title = [] { return Timeline::tr("Timeline"); },
+                                         .content = timeline,
+                                         .area = DockArea::Timeline});
   QObject::connect(&bench.session, &SessionController::framesLogged, timeline,
                    [timeline](const LoggedFrames& frames) {
                      timeline->append(frames.records, frames.restarted);
                    });
   bench.connectView(timeline);
-  QObject::connect(&bench.session.results(), &ResultRefresher::oldResultsChanged, timeline,
-                   [timeline, results = &bench.session.results()] {
+  QObject::connect(&bench.session.resultRefresher(), &ResultRefresher::oldResultsChanged, timeline,
+                   [timeline, results = &bench.session.resultRefresher()] {
                      timeline->setOldResults(results->oldResults().frames);
                    });
   QObject::connect(&bench.session, &SessionController::snapshotChanged, timeline,

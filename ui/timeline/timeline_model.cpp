@@ -44,7 +44,7 @@ void TimelineModel::setSourceRate(double rate) {
   }
 }
 
-qint64 TimelineModel::endOf(std::size_t record) const {
+qint64 TimelineModel::endFrameOf(std::size_t record) const {
   const std::int64_t frame = records[record].frame;
   if (record + 1 == records.size()) {
     return frame + 1;
@@ -55,7 +55,7 @@ qint64 TimelineModel::endOf(std::size_t record) const {
   return step <= std::max(kMaxSkippedFrames, 2 * before) ? frame + step : frame + 1;
 }
 
-const FrameRecord* TimelineModel::at(qint64 frame) const {
+const FrameRecord* TimelineModel::recordAt(qint64 frame) const {
   const auto next = std::upper_bound(
       records.begin(), records.end(), frame,
       [](qint64 number, const FrameRecord& record) { return number < record.frame; });
@@ -63,11 +63,11 @@ const FrameRecord* TimelineModel::at(qint64 frame) const {
     return nullptr; // before the first, or not tracked yet
   }
   const auto record = std::prev(next);
-  return frame < endOf(std::size_t(record - records.begin())) ? &*record : nullptr;
+  return frame < endFrameOf(std::size_t(record - records.begin())) ? &*record : nullptr;
 }
 
 double TimelineModel::secondsOf(qint64 frame) const {
-  const FrameRecord* record = at(frame);
+  const FrameRecord* record = recordAt(frame);
   const FrameRecord* known = record != nullptr  ? record
                              : !records.empty() ? &records.back()
                                                 : nullptr;
@@ -93,7 +93,7 @@ bool TimelineModel::isCorrected(std::size_t target, qint64 frame) const {
   });
 }
 
-bool TimelineModel::isOld(qint64 frame) const {
+bool TimelineModel::hasOldResult(qint64 frame) const {
   return std::ranges::any_of(oldResults, [frame](const ResultRange& range) {
     return range.first <= frame && frame <= range.last;
   });
@@ -110,11 +110,11 @@ std::optional<qint64> TimelineModel::nextMarker(qint64 from, int direction) cons
   return nearest;
 }
 
-QString TimelineModel::describe(qint64 frame) const {
+QString TimelineModel::descriptionOf(qint64 frame) const {
   const QLocale locale;
   QString text = QCoreApplication::translate("Timeline", "Frame %1, %2")
                      .arg(locale.toString(frame + 1), secondsText(secondsOf(frame), 2));
-  const FrameRecord* record = at(frame);
+  const FrameRecord* record = recordAt(frame);
   if (record == nullptr) {
     return text + QLatin1Char('\n') + QCoreApplication::translate("Timeline", "not tracked");
   }
@@ -123,7 +123,7 @@ QString TimelineModel::describe(qint64 frame) const {
       text += QStringLiteral("\n◆ ") + errorText(problem);
     }
   }
-  if (isOld(frame)) {
+  if (hasOldResult(frame)) {
     text += QLatin1Char('\n') +
             QCoreApplication::translate("Timeline", "tracked with earlier settings");
   }
@@ -132,11 +132,11 @@ QString TimelineModel::describe(qint64 frame) const {
     if (entry.status == TargetStatus::Gone) {
       continue;
     }
-    text +=
-        QStringLiteral("\n%1 %2 (%3)")
-            .arg(targets.value(static_cast<int>(k)), trackingStateText(trackingState(entry.status)),
-                 numberText(static_cast<double>(entry.existenceProbability), 2));
-    if (const QString reason = reasonText(entry.cameraReports, cameras); !reason.isEmpty()) {
+    text += QStringLiteral("\n%1 %2 (%3)")
+                .arg(targetNames.value(static_cast<int>(k)),
+                     trackingStateText(trackingState(entry.status)),
+                     numberText(static_cast<double>(entry.existenceProbability), 2));
+    if (const QString reason = reasonText(entry.cameraReports, cameraNames); !reason.isEmpty()) {
       text += QStringLiteral(" – ") + reason;
     }
     if (isCorrected(k, frame)) {

@@ -19,16 +19,16 @@ struct TimelineModel {
   /// Records of the tracked frames, in increasing frame order. Only some of the old frames have a
   /// record.
   std::vector<FrameRecord> records;
-  QStringList targets;
-  std::vector<DisplayColorSource> colors; ///< one per target
-  QStringList cameras;
+  QStringList targetNames;
+  std::vector<DisplayColorSource> colorSources; ///< one per target
+  QStringList cameraNames;
   std::vector<ProjectMarker> markers;
   std::vector<PositionCorrection> corrections; ///< in increasing frame order
   std::vector<ResultRange> oldResults;         ///< from earlier settings, in increasing frame order
-  bool isOld(qint64 frame) const;
+  bool hasOldResult(qint64 frame) const;
   HistoryState history;
   std::optional<RerunState> rerun;
-  bool live = false;
+  bool isLive = false;
   /// Frame rate, computed from the time stamps of the records; if there are fewer than two records,
   /// the frame rate of the source.
   double framesPerSecond = 30.0;
@@ -39,10 +39,10 @@ struct TimelineModel {
   void append(const std::vector<FrameRecord>& more, bool restarted);
   /// Returns the frame after the last frame that a record represents. This is the frame of the next
   /// record, unless there are untracked frames before it.
-  qint64 endOf(std::size_t record) const;
+  qint64 endFrameOf(std::size_t record) const;
   /// Returns the record that represents a frame: the record of this frame or, where only every few
   /// frames have a record, of the closest earlier frame. Returns null if there is none.
-  const FrameRecord* at(qint64 frame) const;
+  const FrameRecord* recordAt(qint64 frame) const;
   /// Returns the time of a frame in seconds, from its record or from the frame rate.
   double secondsOf(qint64 frame) const;
   /// Returns the frame closest to a time in seconds. For a time beyond the records, the frame is
@@ -56,7 +56,7 @@ struct TimelineModel {
   /// is none.
   std::optional<qint64> nextMarker(qint64 from, int direction) const;
   /// Returns a text about a frame: "Frame 132, 4.400 s: ball tracking (0.99) · …".
-  QString describe(qint64 frame) const;
+  QString descriptionOf(qint64 frame) const;
 
 private:
   std::uint64_t missing_ = 0;

@@ -127,8 +127,7 @@ void paintMarkers(QPainter& painter, const TimelineModel& model, const TimelineS
 void paintHead(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                const TimelineRows& rows, const Selection& selection, const QPalette& palette) {
   const QRectF body = rows.ribbons.united(rows.cameras);
-  if (selection.isPast() &&
-      model.history.newestTrackedFrame >= 0) { // where the run stands meanwhile
+  if (selection.showsOtherFrame() && model.history.newestTrackedFrame >= 0) { // where the run stands meanwhile
     const double x = scale.x(static_cast<double>(model.history.newestTrackedFrame) + 0.5);
     painter.setPen(QPen(palette.color(QPalette::Text), 1.2, Qt::DashLine));
     painter.drawLine(QPointF(x, rows.axis.bottom()), QPointF(x, body.bottom()));
@@ -192,11 +191,11 @@ void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRow
                      Qt::AlignLeft | Qt::AlignVCenter,
                      metrics.elidedText(name, Qt::ElideRight, room));
   };
-  const std::vector<QColor> colors = targetColors(model.colors, displayGround(palette));
-  for (int k = 0; k < model.targets.size(); ++k) {
-    const QRectF row = rows.ribbon(k);
+  const std::vector<QColor> colors = targetColors(model.colorSources, displayGroundOf(palette));
+  for (int k = 0; k < model.targetNames.size(); ++k) {
+    const QRectF row = rows.ribbonArea(k);
     if (rows.ribbonHeight >= 0.8 * metrics.height()) { // else names would lie on one another
-      write(row, model.targets[k], palette.color(QPalette::WindowText));
+      write(row, model.targetNames[k], palette.color(QPalette::WindowText));
     }
     if (const auto target = static_cast<std::size_t>(k); target < colors.size()) {
       const double half = std::min(4.0, 0.5 * row.height());
@@ -209,10 +208,10 @@ void paintNames(QPainter& painter, const TimelineModel& model, const TimelineRow
     return;
   }
   int row = 0;
-  for (int k = 0; k < model.cameras.size(); ++k) {
+  for (int k = 0; k < model.cameraNames.size(); ++k) {
     if (model.hasDropouts(static_cast<std::size_t>(k))) {
-      write(rows.camera(row++),
-            QCoreApplication::translate("Timeline", "✕ %1").arg(model.cameras[k]),
+      write(rows.cameraArea(row++),
+            QCoreApplication::translate("Timeline", "✕ %1").arg(model.cameraNames[k]),
             palette.color(QPalette::PlaceholderText));
     }
   }
@@ -259,12 +258,12 @@ int TimelineRows::minimumHeightFor(int targets, int cameras, double fontHeight) 
       std::ceil(frame + ribbons * (fontHeight + kGap) + (cameras > 0 ? fontHeight : 0.0)));
 }
 
-QRectF TimelineRows::ribbon(int target) const {
+QRectF TimelineRows::ribbonArea(int target) const {
   return {ribbons.left(), ribbons.top() + target * ribbonHeight, ribbons.width(),
           ribbonHeight - kGap};
 }
 
-QRectF TimelineRows::camera(int row) const {
+QRectF TimelineRows::cameraArea(int row) const {
   const double height = camerasShareRow ? std::max(1.0, cameraHeight - 1.0) : 0.5 * cameraHeight;
   const double top = cameras.top() + (row + 0.5) * cameraHeight - 0.5 * height;
   return {cameras.left(), top, cameras.width(), height};
@@ -285,17 +284,17 @@ void paintTimeline(QPainter& painter, const TimelineModel& model, const Timeline
   painter.save();
   painter.setClipRect(rows.axis.united(rows.cameras).adjusted(-7, 0, 7, 2));
   paintAxis(painter, model, scale, rows, palette);
-  for (int k = 0; k < model.targets.size(); ++k) {
-    paintRibbon(painter, model, scale, rows.ribbon(k), static_cast<std::size_t>(k), palette);
+  for (int k = 0; k < model.targetNames.size(); ++k) {
+    paintRibbon(painter, model, scale, rows.ribbonArea(k), static_cast<std::size_t>(k), palette);
   }
-  if (model.targets.isEmpty() || model.records.empty()) {
+  if (model.targetNames.isEmpty() || model.records.empty()) {
     paintNothingTracked(painter, rows.ribbons, palette);
   }
   int row = 0;
-  for (int k = 0; k < model.cameras.size(); ++k) {
+  for (int k = 0; k < model.cameraNames.size(); ++k) {
     const auto camera = static_cast<std::size_t>(k);
     if (model.hasDropouts(camera)) {
-      paintDropouts(painter, model, scale, rows.camera(row++), camera, palette);
+      paintDropouts(painter, model, scale, rows.cameraArea(row++), camera, palette);
     }
   }
   paintForgottenFrames(painter, model, scale, rows, palette);

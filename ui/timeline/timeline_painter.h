@@ -32,8 +32,8 @@ struct TimelineRows {
   double ribbonHeight = 0.0;
   double cameraHeight = 0.0;
   bool camerasShareRow = false;
-  QRectF ribbon(int target) const;
-  QRectF camera(int row) const;
+  QRectF ribbonArea(int target) const;
+  QRectF cameraArea(int row) const;
 };
 
 /// Draws a timeline: the ribbons (bands that show the states of the targets), missing images,

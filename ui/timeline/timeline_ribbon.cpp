@@ -48,7 +48,7 @@ std::vector<Stretch> stretchesOf(const TimelineModel& model, const TimelineScale
   std::vector<Stretch> stretches;
   const auto& records = model.records;
   for (std::size_t k = 0; k < records.size(); ++k) {
-    const qint64 next = model.endOf(k);
+    const qint64 next = model.endFrameOf(k);
     if (static_cast<double>(next) < scale.begin() ||
         static_cast<double>(records[k].frame) > scale.end() ||
         target >= records[k].targets.size()) {

@@ -20,7 +20,7 @@ public:
     last_ = std::max(first, last);
     whole ? showAll() : keepInside();
   }
-  void setPixels(double left, double width) {
+  void setPixelRange(double left, double width) {
     left_ = left;
     width_ = std::max(1.0, width);
   }
@@ -41,7 +41,7 @@ public:
     begin_ = static_cast<double>(first_);
     length_ = static_cast<double>(last_ - first_ + 1);
   }
-  void show(qint64 first, qint64 last) {
+  void showFrames(qint64 first, qint64 last) {
     begin_ = static_cast<double>(first);
     length_ = static_cast<double>(last - first + 1);
     keepInside();

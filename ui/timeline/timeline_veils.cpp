@@ -53,8 +53,8 @@ void paintOldResults(QPainter& painter, const TimelineModel& model, const Timeli
     const double begin = std::max(rows.ribbons.left(), scale.x(static_cast<double>(range.first)));
     const double end =
         std::min(rows.ribbons.right(), scale.x(static_cast<double>(range.last) + 1.0));
-    for (int k = 0; k < model.targets.size() && begin < end; ++k) {
-      const QRectF ribbon = rows.ribbon(k);
+    for (int k = 0; k < model.targetNames.size() && begin < end; ++k) {
+      const QRectF ribbon = rows.ribbonArea(k);
       const QRectF area(begin, ribbon.top(), end - begin, ribbon.height());
       painter.fillRect(area, withAlpha(palette.color(QPalette::Base), kOldVeil));
       hatch(painter, area);

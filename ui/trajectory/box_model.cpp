@@ -31,7 +31,7 @@ void BoxModel::replaceFrom(std::size_t first, const std::vector<BoxSample>& samp
   }
 }
 
-void BoxModel::setNames(const QStringList& names) {
+void BoxModel::setTargetNames(const QStringList& names) {
   if (names != names_) {
     names_ = names;
     if (!samples_.empty()) {
@@ -60,23 +60,23 @@ QVariant BoxModel::data(const QModelIndex& index, int role) const {
   const BoxEstimate& estimate = sample.estimate;
   switch (index.column()) {
   case Time:
-    return tableText(sample.time, 3);
+    return tableNumberText(sample.time, 3);
   case Frame:
     return QString::number(sample.frame + 1); // people count from 1
   case Target:
     return names_.value(sample.target - 1, QString::number(sample.target));
   case X:
-    return tableText(estimate.box.center().x(), 1);
+    return tableNumberText(estimate.box.center().x(), 1);
   case Y:
-    return tableText(estimate.box.center().y(), 1);
+    return tableNumberText(estimate.box.center().y(), 1);
   case Width:
-    return tableText(estimate.box.width, 1);
+    return tableNumberText(estimate.box.width, 1);
   case Height:
-    return tableText(estimate.box.height, 1);
+    return tableNumberText(estimate.box.height, 1);
   case Similarity:
-    return tableText(estimate.similarity, 2);
+    return tableNumberText(estimate.similarity, 2);
   case Spread:
-    return tableText(estimate.spread, 1);
+    return tableNumberText(estimate.spread, 1);
   case Seen:
     return estimate.visible ? tr("● tracking") : tr("◌ hidden");
   default:

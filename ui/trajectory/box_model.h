@@ -23,7 +23,7 @@ public:
   /// Replaces all samples from index `first` on by `samples`.
   void replaceFrom(std::size_t first, const std::vector<BoxSample>& samples);
   /// Sets the target names, in target order.
-  void setNames(const QStringList& names);
+  void setTargetNames(const QStringList& names);
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

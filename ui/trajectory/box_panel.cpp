@@ -99,7 +99,7 @@ void BoxPanel::setSnapshot(const TrackSnapshotPtr& snapshot) {
   for (const TargetSnapshot& target : snapshot->targets) {
     names.append(QString::fromStdString(target.target.name));
   }
-  model_->setNames(names);
+  model_->setTargetNames(names);
 }
 
 QByteArray BoxPanel::csv() {

@@ -8,13 +8,13 @@ namespace dewpoint::ui {
 
 void MotionSeries::setTarget(const std::string& target, const std::vector<MotionLog::Row>& rows) {
   target_ = target;
-  series_.reset(kColumns);
+  series_.reset(kColumnCount);
   update(rows, 0);
 }
 
 void MotionSeries::clear() {
   target_.clear();
-  series_.reset(kColumns);
+  series_.reset(kColumnCount);
 }
 
 void MotionSeries::update(const std::vector<MotionLog::Row>& rows, std::size_t firstChangedRow) {
@@ -33,7 +33,7 @@ void MotionSeries::update(const std::vector<MotionLog::Row>& rows, std::size_t f
     if (sample.target == target_) {
       const float unknown = std::numeric_limits<float>::quiet_NaN();
       breakLineBefore(sample);
-      const std::array<float, kColumns> values{
+      const std::array<float, kColumnCount> values{
           static_cast<float>(rows[i].speed),
           sample.valid ? static_cast<float>(sample.position.z()) : unknown};
       series_.append({sample.frame, sample.frame, sample.time}, values);
@@ -48,7 +48,7 @@ void MotionSeries::breakLineBefore(const TrajectorySample& sample) {
   }
   const PlotSeries::Row last = series_.row(series_.size() - 1);
   if (isInterrupted(last.frame, sample.frame)) {
-    std::array<float, kColumns> unknown{};
+    std::array<float, kColumnCount> unknown{};
     unknown.fill(std::numeric_limits<float>::quiet_NaN());
     series_.append({last.iteration + 1, last.frame + 1, last.time}, unknown);
   }

@@ -12,11 +12,11 @@ namespace dewpoint::ui {
 /// Speed (m/s) and height (m) of one target over time, for use in plots.
 class MotionSeries {
 public:
-  static constexpr std::size_t kSpeed = 0; ///< column indices
-  static constexpr std::size_t kHeight = 1;
-  static constexpr std::size_t kColumns = 2;
+  static constexpr std::size_t kSpeedColumn = 0; ///< column indices
+  static constexpr std::size_t kHeightColumn = 1;
+  static constexpr std::size_t kColumnCount = 2;
 
-  MotionSeries() { series_.reset(kColumns); }
+  MotionSeries() { series_.reset(kColumnCount); }
 
   const PlotSeries& series() const { return series_; }
   /// Returns the target name, or an empty string while nothing has been tracked.

@@ -17,32 +17,33 @@ namespace dewpoint::ui {
 
 TrajectoryPanel* installTrajectory(const Workbench& bench, BirdsEyeView& birdsEye) {
   auto* panel = new TrajectoryPanel(bench.actions, bench.selection, &bench.window);
-  bench.docks.make({.name = QStringLiteral("trajectoryDock"),
-                    .title = [] { return TrajectoryPanel::tr("Trajectory"); },
-                    .content = panel,
-                    .area = DockArea::Plots,
-                    .rank = 1});
+  bench.docks.makeDock({.name = QStringLiteral("trajectoryDock"),
+                        .title = [] { return TrajectoryPanel::tr("Trajectory"); },
+                        .content = panel,
+                        .area = DockArea::Plots,
+                        .rank = 1});
   const SessionController& run = bench.session;
   QObject::connect(&run, &SessionController::runStarted, panel, [panel, &run] {
     const Session* session = run.session();
     panel->setSource([session](auto& generation, auto& position) {
       return session->samplesSince(generation, position);
     });
-    panel->boxes().setSource([session](auto& generation, auto& position) {
+    panel->boxPanel().setSource([session](auto& generation, auto& position) {
       return session->boxesSince(generation, position);
     });
   });
   QObject::connect(&run, &SessionController::runEnded, panel, [panel] {
     panel->setSource({});
-    panel->boxes().setSource({});
+    panel->boxPanel().setSource({});
   });
   bench.connectView(panel);
   QObject::connect(&run, &SessionController::iterationsLogged, panel, &TrajectoryPanel::refresh);
   QObject::connect(&bench.document, &Document::replaced, &panel->plots(), &PlotStack::showAll);
   QObject::connect(&run, &SessionController::restarting, &panel->plots(), &PlotStack::showAll);
-  QObject::connect(panel, &TrajectoryPanel::notice, &bench.messages, &MessageBar::showNotice);
+  QObject::connect(panel, &TrajectoryPanel::noticeRequested, &bench.messages,
+                   &MessageBar::showNotice);
   QObject::connect(panel, &TrajectoryPanel::highlightChanged, &birdsEye, &BirdsEyeView::highlight);
-  QObject::connect(&birdsEye, &BirdsEyeView::tailClicked, panel, &TrajectoryPanel::choosePosition);
+  QObject::connect(&birdsEye, &BirdsEyeView::pathClicked, panel, &TrajectoryPanel::choosePosition);
   return panel;
 }
 

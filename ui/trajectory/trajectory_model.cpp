@@ -66,7 +66,7 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
   const TrajectorySample& sample = row.sample;
   switch (index.column()) {
   case Time:
-    return tableText(sample.time, 3);
+    return tableNumberText(sample.time, 3);
   case Frame:
     return QString::number(sample.frame + 1); // people count from 1
   case Target:
@@ -82,11 +82,11 @@ QVariant TrajectoryModel::data(const QModelIndex& index, int role) const {
     return lengthNumber(positionSigma(sample, index.column() - SigmaX), LengthScale::Millimeters, 1,
                         NumberForm::Table);
   case Speed:
-    return tableText(row.speed, 2);
+    return tableNumberText(row.speed, 2);
   case Cameras:
     return QString::number(sample.cameraCount);
   case Existence:
-    return tableText(sample.existenceProbability, 2);
+    return tableNumberText(sample.existenceProbability, 2);
   case Held:
     return sample.corrected   ? tr("◆ corrected")
            : sample.ambiguous ? tr("◇ ambiguous")

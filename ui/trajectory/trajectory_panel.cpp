@@ -107,25 +107,26 @@ void TrajectoryPanel::makeTable() {
 void TrajectoryPanel::makePlots() {
   plots_->setObjectName(QStringLiteral("motionPlots"));
   plots_->setAxis(PlotAxis::Time);
-  plots_->setShown({QStringLiteral("speed"), QStringLiteral("height")});
+  plots_->setShownPlots({QStringLiteral("speed"), QStringLiteral("height")});
   onRetranslate(plots_, [this] {
     plots_->focusProxy()->setAccessibleName(tr("Speed and height over time"));
     plots_->setEmptyText(tr("Speed and height appear during tracking."));
-    plots_->setPlots({{QStringLiteral("speed"),
-                       tr("Speed"),
-                       PlotQuantity::Speed,
-                       {{tr("speed"), QStringLiteral("speed_m_s"), MotionSeries::kSpeed, 0}}},
-                      {QStringLiteral("height"),
-                       tr("Height"),
-                       PlotQuantity::Position,
-                       {{QStringLiteral("z"), QStringLiteral("z_m"), MotionSeries::kHeight, 2}}}});
+    plots_->setPlots(
+        {{QStringLiteral("speed"),
+          tr("Speed"),
+          PlotQuantity::Speed,
+          {{tr("speed"), QStringLiteral("speed_m_s"), MotionSeries::kSpeedColumn, 0}}},
+         {QStringLiteral("height"),
+          tr("Height"),
+          PlotQuantity::Position,
+          {{QStringLiteral("z"), QStringLiteral("z_m"), MotionSeries::kHeightColumn, 2}}}});
     updateSummary();
   });
   plots_->setSeries(&motion_.series());
 }
 
 void TrajectoryPanel::connectViews() {
-  plots_->link(selection_);
+  plots_->connectSelection(selection_);
   connect(gaps_, &GapList::gapChosen, this, [this](qint64 first, qint64 last) {
     selection_.selectRange(SelectedRange{first, last});
   });
@@ -244,7 +245,7 @@ void TrajectoryPanel::setTarget(const std::string& name) {
 void TrajectoryPanel::copyCsv() {
   if (pages_->currentWidget() == boxes_) {
     QGuiApplication::clipboard()->setText(QString::fromUtf8(boxes_->csv()));
-    Q_EMIT notice(tr("The boxes are on the clipboard as CSV."));
+    Q_EMIT noticeRequested(tr("The boxes are on the clipboard as CSV."));
     return;
   }
   fetch();
@@ -260,7 +261,7 @@ void TrajectoryPanel::copyCsv() {
     const int count = static_cast<int>(chosen.size());
     return [this, text, count] {
       QGuiApplication::clipboard()->setText(text);
-      Q_EMIT notice(tr("%n rows are on the clipboard as CSV.", nullptr, count));
+      Q_EMIT noticeRequested(tr("%n rows are on the clipboard as CSV.", nullptr, count));
     };
   });
 }

@@ -57,7 +57,7 @@ public:
   /// or, if `extend` is true, selects the range from the current frame to this frame.
   void choosePosition(int target, const Eigen::Vector3d& position, bool extend);
   /// Returns the panel with the bounding boxes, for methods that track boxes.
-  BoxPanel& boxes() { return *boxes_; }
+  BoxPanel& boxPanel() { return *boxes_; }
   PlotStack& plots() { return *plots_; }
   /// Copies the selected rows, or all rows if none are selected, to the clipboard. The text is
   /// prepared in another thread.
@@ -68,7 +68,7 @@ public:
   QSize sizeHint() const override { return {900, 240}; }
 
 Q_SIGNALS:
-  void notice(const QString& sentence);
+  void noticeRequested(const QString& sentence);
   /// Emitted when the user wants to remove this target's correction at this frame.
   void correctionRemovalRequested(qint64 frame, int target);
   /// Emitted with the positions in the selected range (meters), one list per uninterrupted part.
@@ -113,7 +113,7 @@ private:
   QTimer timer_;
   QElapsedTimer sinceRefresh_;
   double lastRefreshMs_ = 0.0;
-  LatestJob csv_{LatestJob::Superseded::Kept}; ///< prepares the clipboard text
+  LatestJob csv_{LatestJob::SupersededJob::Kept}; ///< prepares the clipboard text
 };
 
 } // namespace dewpoint::ui

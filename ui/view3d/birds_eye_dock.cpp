@@ -31,10 +31,11 @@ void showForMethod(const Workbench& bench, ViewDock* dock) {
 
 BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   auto* view = new BirdsEyeView(&bench.window);
-  ViewDock* dock = bench.docks.make({.name = QStringLiteral("birdsEyeDock"),
-                                     .title = [] { return BirdsEyeView::tr("Bird's-eye view"); },
-                                     .content = view,
-                                     .area = DockArea::Scene});
+  ViewDock* dock =
+      bench.docks.makeDock({.name = QStringLiteral("birdsEyeDock"),
+                            .title = [] { return BirdsEyeView::tr("Bird's-eye view"); },
+                            .content = view,
+                            .area = DockArea::Scene});
   bench.connectView(view);
   QObject::connect(&bench.document, &Document::replaced, view, &BirdsEyeView::resetForNewProject);
   QObject::connect(&bench.selection, &Selection::targetSelected, view,
@@ -49,10 +50,10 @@ BirdsEyeView* installBirdsEyeView(const Workbench& bench) {
   bench.onTriggered("actionLookFromAbove", view, [view] { view->lookFromAbove(); });
   bench.onTriggered("actionLookFromFront", view, [view] { view->lookFromFront(); });
   bench.onTriggered("actionLookFromSide", view, [view] { view->lookFromSide(); });
-  bench.onTriggered("actionLookFree", view, [view] { view->lookFree(); });
+  bench.onTriggered("actionLookFree", view, [view] { view->lookFreely(); });
   bench.onTriggered("actionFitScene", view, [view] { view->resetView(); });
   const auto update = [bench, dock] { showForMethod(bench, dock); };
-  QObject::connect(&bench.docks, &DockManager::laidOut, dock, update);
+  QObject::connect(&bench.docks, &DockManager::layoutChanged, dock, update);
   QObject::connect(&bench.document, &Document::methodChanged, dock, update);
   return view;
 }

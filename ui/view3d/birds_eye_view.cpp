@@ -26,7 +26,7 @@ namespace {
 constexpr double kClickPx = 4.0;      ///< a longer way of the pointer is a drag
 constexpr double kTailReachPx = 12.0; ///< a click this near is meant for the tail
 
-using Pointer = OffscreenVtk::Pointer;
+using PointerEvent = OffscreenVtk::PointerEvent;
 
 } // namespace
 
@@ -42,19 +42,19 @@ BirdsEyeView::BirdsEyeView(QWidget* parent)
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  connect(picture_.get(), &ScenePicture::drawing, this, &BirdsEyeView::updateScene);
-  connect(picture_.get(), &ScenePicture::drawn, this, [this] {
+  connect(picture_.get(), &ScenePicture::aboutToRender, this, &BirdsEyeView::updateScene);
+  connect(picture_.get(), &ScenePicture::rendered, this, [this] {
     people_.setSnapshot(snapshot_.get());
     inset_.setSnapshot(snapshot_);
   });
   connect(picture_.get(), &ScenePicture::unavailable, this, [this] { buttons_->setShown(false); });
   buttons_->setCurrent(scene_.view());
-  connect(buttons_, &ViewButtons::chosen, this, &BirdsEyeView::setView);
+  connect(buttons_, &ViewButtons::viewChosen, this, &BirdsEyeView::setView);
   connect(buttons_, &ViewButtons::fitRequested, this, &BirdsEyeView::resetView);
-  connect(handles_, &CameraHandles::chosen, this, &BirdsEyeView::cameraChosen);
-  connect(handles_, &CameraHandles::dragged, this, &BirdsEyeView::cameraDragged);
-  connect(handles_, &CameraHandles::aimed, this, &BirdsEyeView::cameraAimed);
-  connect(handles_, &CameraHandles::dropped, this, &BirdsEyeView::cameraDropped);
+  connect(handles_, &CameraHandles::cameraChosen, this, &BirdsEyeView::cameraChosen);
+  connect(handles_, &CameraHandles::cameraDragged, this, &BirdsEyeView::cameraDragged);
+  connect(handles_, &CameraHandles::cameraAimed, this, &BirdsEyeView::cameraAimed);
+  connect(handles_, &CameraHandles::cameraDropped, this, &BirdsEyeView::cameraDropped);
   retranslateUi();
   applyTheme();
 }
@@ -82,7 +82,7 @@ void BirdsEyeView::setSnapshot(const TrackSnapshotPtr& snapshot) {
 
 void BirdsEyeView::copyLook(const BirdsEyeView& other) {
   scene_.copyView(other.scene_, static_cast<double>(width()) / std::max(1, height()));
-  map_.set(other.map_.shared(), other.map_.options());
+  map_.setMap(other.map_.sharedMap(), other.map_.options());
   chosenTarget_ = other.chosenTarget_;
   buttons_->setCurrent(scene_.view());
   sceneStale_ = true;
@@ -94,7 +94,7 @@ Scene3d::View BirdsEyeView::currentView() const {
 }
 
 bool BirdsEyeView::hasImage() const {
-  return picture_->failure().empty();
+  return picture_->failureReason().empty();
 }
 
 QSize BirdsEyeView::sizeHint() const {
@@ -156,7 +156,7 @@ void BirdsEyeView::paintOver(QPainter& painter) const {
 }
 
 void BirdsEyeView::paintEvent(QPaintEvent*) {
-  if (hasImage() && !picture_->fits()) {
+  if (hasImage() && !picture_->fitsView()) {
     picture_->render();
   }
   QPainter painter(this);
@@ -164,7 +164,7 @@ void BirdsEyeView::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), palette().window());
     painter.setPen(palette().color(QPalette::WindowText));
     const QString text =
-        tr("3D view not available: %1").arg(QString::fromStdString(picture_->failure()));
+        tr("3D view not available: %1").arg(QString::fromStdString(picture_->failureReason()));
     painter.drawText(rect().adjusted(kSpacing, kSpacing, -kSpacing, -kSpacing),
                      Qt::AlignCenter | Qt::TextWordWrap, text);
     return;
@@ -209,13 +209,13 @@ void BirdsEyeView::applyTheme() {
 void BirdsEyeView::sendPointer(int what, QPointF position, Qt::KeyboardModifiers modifiers) {
   // The flat views stay flat: there, dragging moves instead of turning.
   const bool shift = scene_.view() != Scene3d::View::Free || modifiers.testFlag(Qt::ShiftModifier);
-  picture_->movePointer(static_cast<Pointer>(what), position, shift);
+  picture_->movePointer(static_cast<PointerEvent>(what), position, shift);
 }
 
 void BirdsEyeView::mousePressEvent(QMouseEvent* event) {
-  const auto press = event->button() == Qt::LeftButton     ? Pointer::LeftPress
-                     : event->button() == Qt::MiddleButton ? Pointer::MiddlePress
-                                                           : Pointer::RightPress;
+  const auto press = event->button() == Qt::LeftButton     ? PointerEvent::LeftPress
+                     : event->button() == Qt::MiddleButton ? PointerEvent::MiddlePress
+                                                           : PointerEvent::RightPress;
   pressed_ = event->position();
   if (event->button() == Qt::LeftButton && hasImage() && handles_->grab(event->position())) {
     return;
@@ -224,9 +224,9 @@ void BirdsEyeView::mousePressEvent(QMouseEvent* event) {
 }
 
 void BirdsEyeView::mouseReleaseEvent(QMouseEvent* event) {
-  const auto release = event->button() == Qt::LeftButton     ? Pointer::LeftRelease
-                       : event->button() == Qt::MiddleButton ? Pointer::MiddleRelease
-                                                             : Pointer::RightRelease;
+  const auto release = event->button() == Qt::LeftButton     ? PointerEvent::LeftRelease
+                       : event->button() == Qt::MiddleButton ? PointerEvent::MiddleRelease
+                                                             : PointerEvent::RightRelease;
   if (event->button() == Qt::LeftButton && handles_->isDragging()) {
     handles_->drop();
     return;
@@ -253,7 +253,7 @@ void BirdsEyeView::clickTail(QPointF position, bool extend) {
                                          ViewProjection(*this, scene_).toRenderedImage(position),
                                          kTailReachPx * devicePixelRatioF());
   if (found) {
-    Q_EMIT tailClicked(found->target, found->position, extend);
+    Q_EMIT pathClicked(found->target, found->position, extend);
   }
 }
 
@@ -262,7 +262,7 @@ void BirdsEyeView::mouseMoveEvent(QMouseEvent* event) {
     handles_->drag(event->position());
     return;
   }
-  sendPointer(static_cast<int>(Pointer::Move), event->position(), event->modifiers());
+  sendPointer(static_cast<int>(PointerEvent::Move), event->position(), event->modifiers());
 }
 
 void BirdsEyeView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -298,11 +298,11 @@ void BirdsEyeView::keyPressEvent(QKeyEvent* event) {
 }
 
 void BirdsEyeView::setCameraHandles(std::vector<CameraHandle> handles, int chosen) {
-  handles_->set(std::move(handles), chosen);
+  handles_->setHandles(std::move(handles), chosen);
 }
 
 void BirdsEyeView::showMap(std::shared_ptr<const RigMap> map, const MapOptions& look) {
-  if (map_.set(std::move(map), look)) {
+  if (map_.setMap(std::move(map), look)) {
     requestRendering();
   }
 }
@@ -328,11 +328,11 @@ bool BirdsEyeView::event(QEvent* event) {
 
 void BirdsEyeView::setChosenTarget(int target) {
   chosenTarget_ = target;
-  scene_.choose(target);
+  scene_.setChosenTarget(target);
   requestRendering();
 }
 
-void BirdsEyeView::setPlacing(bool placing, double floor) {
+void BirdsEyeView::setPlacingPeople(bool placing, double floor) {
   placing_ = placing;
   floor_ = floor;
   if (placing && (scene_.view() == Scene3d::View::Front || scene_.view() == Scene3d::View::Side)) {

@@ -43,7 +43,7 @@ public:
   /// the view is hidden.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Shows the whole scene of another project in perspective, regardless of the previous view.
-  void resetForNewProject() { lookFree(); }
+  void resetForNewProject() { lookFreely(); }
   /// Highlights part of a trajectory, given as lists of positions (meters). An empty list removes
   /// the highlight.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
@@ -76,24 +76,24 @@ public:
   void setChosenTarget(int target);
   /// Sets whether each target's highest-weight particle is shown.
   void setBestParticleShown(bool shown) {
-    scene_.showBest(shown);
+    scene_.setBestShown(shown);
     requestRendering();
   }
   /// Sets whether lines of sight from the cameras to the estimates are shown.
   void setRaysShown(bool shown) {
-    scene_.showRays(shown);
+    scene_.setRaysShown(shown);
     sceneStale_ = true;
     requestRendering();
   }
   /// Sets whether camera images are shown in the scene.
   void setImagesShown(bool shown) {
-    scene_.showImages(shown);
+    scene_.setImagesShown(shown);
     sceneStale_ = true;
     requestRendering();
   }
   /// Sets the placing mode, in which a click on the floor emits `floorClicked()`. `floor` is the
   /// floor height, world z in meters.
-  void setPlacing(bool placing, double floor = 0.0);
+  void setPlacingPeople(bool placing, double floor = 0.0);
 
   /// Copies the appearance of another view, to draw the same scene elsewhere: the layers, the map,
   /// the selected target and the point of view (`Scene3d::copyView()`), but not the snapshot, the
@@ -119,7 +119,7 @@ public Q_SLOTS:
   void lookFromAbove() { setView(Scene3d::View::Above); }
   void lookFromFront() { setView(Scene3d::View::Front); }
   void lookFromSide() { setView(Scene3d::View::Side); }
-  void lookFree() { setView(Scene3d::View::Free); }
+  void lookFreely() { setView(Scene3d::View::Free); }
   /// Fits the current view to the whole scene.
   void resetView();
 
@@ -127,7 +127,7 @@ Q_SIGNALS:
   void viewChanged(dewpoint::ui::Scene3d::View view);
   /// Emitted after a click on a target's tail (its drawn recent path), with the closest position in
   /// the tail (meters). `extend`: Shift was held down.
-  void tailClicked(int target, const Eigen::Vector3d& position, bool extend);
+  void pathClicked(int target, const Eigen::Vector3d& position, bool extend);
   /// Emitted after a click on the floor in placing mode, with world x and y in meters.
   void floorClicked(const Eigen::Vector2d& position);
   /// Emitted after a click on a person, with the person's index among the targets.

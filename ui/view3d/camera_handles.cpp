@@ -27,7 +27,7 @@ double distance(QPointF a, QPointF b) {
 CameraHandles::CameraHandles(QWidget& view, Scene3d& scene)
     : QObject(&view), view_(view), scene_(scene) {}
 
-void CameraHandles::set(std::vector<CameraHandle> handles, int chosen) {
+void CameraHandles::setHandles(std::vector<CameraHandle> handles, int chosen) {
   handles_ = std::move(handles);
   chosen_ = chosen;
   if (handles_.empty()) {
@@ -54,27 +54,28 @@ bool CameraHandles::grab(QPointF position) {
     }
   }
   if (drag_) {
-    scene_.keepCamera(); // the picture must not move under the hand
-    Q_EMIT chosen(drag_->camera);
+    scene_.holdView(); // the picture must not move under the hand
+    Q_EMIT cameraChosen(drag_->camera);
     view_.update();
   }
   return drag_.has_value();
 }
 
 void CameraHandles::drag(QPointF position) {
-  const QPointF way = (position - drag_->from) * view_.devicePixelRatioF();
+  const QPointF way = (position - drag_->startPosition) * view_.devicePixelRatioF();
   const Eigen::Vector2d place =
-      scene_.projectToImage(drag_->start) + Eigen::Vector2d(way.x(), -way.y());
-  const Eigen::Vector3d there = scene_.unproject(place, drag_->start);
+      scene_.projectToImage(drag_->startPoint) + Eigen::Vector2d(way.x(), -way.y());
+  const Eigen::Vector3d there = scene_.unproject(place, drag_->startPoint);
   if (!there.allFinite()) {
     return;
   }
-  drag_->isTarget ? Q_EMIT aimed(drag_->camera, there) : Q_EMIT dragged(drag_->camera, there);
+  drag_->isTarget ? Q_EMIT cameraAimed(drag_->camera, there)
+                  : Q_EMIT cameraDragged(drag_->camera, there);
 }
 
 void CameraHandles::drop() {
   drag_.reset();
-  Q_EMIT dropped();
+  Q_EMIT cameraDropped();
   view_.update();
 }
 

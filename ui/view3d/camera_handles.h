@@ -30,7 +30,7 @@ public:
   CameraHandles(QWidget& view, Scene3d& scene);
 
   /// Sets the handles. If the list is empty, no camera can be dragged.
-  void set(std::vector<CameraHandle> handles, int chosen);
+  void setHandles(std::vector<CameraHandle> handles, int chosen);
   /// Starts to drag the handle at a position in the view. Returns false if there is no handle.
   bool grab(QPointF position);
   bool isDragging() const { return drag_.has_value(); }
@@ -40,21 +40,21 @@ public:
 
 Q_SIGNALS:
   /// Emitted when the user pressed the handle of a camera.
-  void chosen(int camera);
-  /// dragged() is emitted while a camera is dragged to this world position (meters), aimed() while
-  /// the point at which the camera looks is dragged. In the views from above, from the front and
-  /// from the side, the drag stays in the plane of the view; in the 3D view, it is parallel to the
-  /// image plane.
-  void dragged(int camera, const Eigen::Vector3d& center);
-  void aimed(int camera, const Eigen::Vector3d& target);
-  void dropped();
+  void cameraChosen(int camera);
+  /// cameraDragged() is emitted while a camera is dragged to this world position (meters),
+  /// cameraAimed() while the point at which the camera looks is dragged. In the views from above,
+  /// from the front and from the side, the drag stays in the plane of the view; in the 3D view, it
+  /// is parallel to the image plane.
+  void cameraDragged(int camera, const Eigen::Vector3d& center);
+  void cameraAimed(int camera, const Eigen::Vector3d& target);
+  void cameraDropped();
 
 private:
   struct Drag {
     int camera;
     bool isTarget;
-    Eigen::Vector3d start;
-    QPointF from;
+    Eigen::Vector3d startPoint;
+    QPointF startPosition;
   };
 
   QWidget& view_;

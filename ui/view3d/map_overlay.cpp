@@ -13,7 +13,7 @@
 
 namespace dewpoint::ui {
 
-bool MapOverlay::set(std::shared_ptr<const RigMap> map, const MapOptions& look) {
+bool MapOverlay::setMap(std::shared_ptr<const RigMap> map, const MapOptions& look) {
   if (map == nullptr && map_ == nullptr) {
     return false;
   }
@@ -33,7 +33,7 @@ QString MapOverlay::textAt(const ViewProjection& projection, QPointF position) c
   if (map_ == nullptr || stale_) {
     return {};
   }
-  const auto place = scene_.positionInLayer(projection.toRenderedImage(position));
+  const auto place = scene_.positionInMapLayer(projection.toRenderedImage(position));
   const auto cell = place ? cellAt(map_->grid, *place) : std::nullopt;
   if (!cell) {
     return {};

@@ -21,9 +21,9 @@ public:
   explicit MapOverlay(Scene3d& scene) : scene_(scene) {}
 
   /// Sets the map, or removes it if `map` is null. Returns false if nothing changes.
-  bool set(std::shared_ptr<const RigMap> map, const MapOptions& look);
+  bool setMap(std::shared_ptr<const RigMap> map, const MapOptions& look);
   const RigMap* map() const { return map_.get(); }
-  std::shared_ptr<const RigMap> shared() const { return map_; }
+  std::shared_ptr<const RigMap> sharedMap() const { return map_; }
   const MapOptions& options() const { return options_; }
   /// Shows the newest map in the scene. Call this before rendering, so that only the last of
   /// several maps is drawn.

@@ -63,7 +63,7 @@ public:
 
   bool start();
   QImage render(QSize size);
-  void sendPointerEvent(Pointer event, QPoint position, bool shift, bool control);
+  void sendPointerEvent(PointerEvent event, QPoint position, bool shift, bool control);
 
   std::string reason;
 
@@ -170,35 +170,35 @@ QImage OffscreenVtk::Context::readBack(QSize size) {
   return picture.mirrored();
 }
 
-void OffscreenVtk::Context::sendPointerEvent(Pointer event, QPoint position, bool shift,
+void OffscreenVtk::Context::sendPointerEvent(PointerEvent event, QPoint position, bool shift,
                                              bool control) {
   interactor_->SetEventInformationFlipY(position.x(), position.y(), control ? 1 : 0, shift ? 1 : 0);
   switch (event) {
-  case Pointer::Move:
+  case PointerEvent::Move:
     interactor_->MouseMoveEvent();
     break;
-  case Pointer::LeftPress:
+  case PointerEvent::LeftPress:
     interactor_->LeftButtonPressEvent();
     break;
-  case Pointer::LeftRelease:
+  case PointerEvent::LeftRelease:
     interactor_->LeftButtonReleaseEvent();
     break;
-  case Pointer::MiddlePress:
+  case PointerEvent::MiddlePress:
     interactor_->MiddleButtonPressEvent();
     break;
-  case Pointer::MiddleRelease:
+  case PointerEvent::MiddleRelease:
     interactor_->MiddleButtonReleaseEvent();
     break;
-  case Pointer::RightPress:
+  case PointerEvent::RightPress:
     interactor_->RightButtonPressEvent();
     break;
-  case Pointer::RightRelease:
+  case PointerEvent::RightRelease:
     interactor_->RightButtonReleaseEvent();
     break;
-  case Pointer::WheelUp:
+  case PointerEvent::WheelUp:
     interactor_->MouseWheelForwardEvent();
     break;
-  case Pointer::WheelDown:
+  case PointerEvent::WheelDown:
     interactor_->MouseWheelBackwardEvent();
     break;
   }
@@ -221,7 +221,7 @@ QImage OffscreenVtk::render(QSize size) {
   return context_->render(size);
 }
 
-void OffscreenVtk::sendPointerEvent(Pointer event, QPoint position, bool shift, bool control) {
+void OffscreenVtk::sendPointerEvent(PointerEvent event, QPoint position, bool shift, bool control) {
   context_->sendPointerEvent(event, position, shift, control);
 }
 

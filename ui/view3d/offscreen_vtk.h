@@ -19,7 +19,7 @@ namespace dewpoint::ui {
 /// only in the GUI thread. This header includes no VTK or OpenGL headers.
 class OffscreenVtk {
 public:
-  enum class Pointer {
+  enum class PointerEvent {
     Move,
     LeftPress,
     LeftRelease,
@@ -46,7 +46,7 @@ public:
 
   /// Passes a mouse event to the trackball camera. `position` is in device pixels from the top left
   /// corner.
-  void sendPointerEvent(Pointer event, QPoint position, bool shift, bool control);
+  void sendPointerEvent(PointerEvent event, QPoint position, bool shift, bool control);
   /// Function that is called when the user has moved the view with the mouse.
   std::function<void()> onCameraMoved;
 

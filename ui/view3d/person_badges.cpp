@@ -42,9 +42,9 @@ int PersonBadges::personAt(const ViewProjection& projection, QPointF position) c
 void PersonBadges::paint(QPainter& painter, const QWidget& view, const ViewProjection& projection,
                          int chosen) const {
   for (const Badge& badge : badges_) {
-    paintBadge(painter, badge.identity,
-               projection.toWidget(badge.position) - QPointF(0.0, kBesidePx), QRectF(view.rect()),
-               badge.identity - 1 == chosen);
+    paintIdentityBadge(painter, badge.identity,
+                       projection.toWidget(badge.position) - QPointF(0.0, kBesidePx),
+                       QRectF(view.rect()), badge.identity - 1 == chosen);
   }
 }
 

@@ -85,11 +85,11 @@ bool SceneInset::isTooSmall(const TargetSnapshot& target) const {
     return false;
   }
   const Eigen::Vector3d mean = positionOf(target.estimate)->mean;
-  return scene_.isInFront(mean) && 2.0 * scene_.logicalPixels(mean, *reach) < kSmallCloudPx;
+  return scene_.isInFront(mean) && 2.0 * scene_.lengthInLogicalPixels(mean, *reach) < kSmallCloudPx;
 }
 
-int SceneInset::target(const QWidget& view, int chosen) const {
-  if (!snapshot_ || !hasRoom(view)) {
+int SceneInset::targetToEnlarge(const QWidget& view, int chosen) const {
+  if (!snapshot_ || !fitsInView(view)) {
     return -1;
   }
   const auto& targets = snapshot_->targets;
@@ -101,7 +101,7 @@ int SceneInset::target(const QWidget& view, int chosen) const {
   return found == targets.end() ? -1 : int(found - targets.begin());
 }
 
-bool SceneInset::hasRoom(const QWidget& view) {
+bool SceneInset::fitsInView(const QWidget& view) {
   return view.width() >= kLeastWidth && view.height() >= kLeastHeight;
 }
 
@@ -126,7 +126,7 @@ int SceneInset::coveredCount(const QWidget& view, const QRectF& box) const {
 }
 
 QRectF SceneInset::shownArea(const QWidget& view, int chosen) const {
-  if (target(view, chosen) < 0) {
+  if (targetToEnlarge(view, chosen) < 0) {
     return {};
   }
   const QRectF below = area(view);
@@ -136,7 +136,7 @@ QRectF SceneInset::shownArea(const QWidget& view, int chosen) const {
 }
 
 void SceneInset::paint(QPainter& painter, const QWidget& view, int chosen) const {
-  const int index = target(view, chosen);
+  const int index = targetToEnlarge(view, chosen);
   if (index < 0) {
     return;
   }
@@ -150,7 +150,7 @@ void SceneInset::paint(QPainter& painter, const QWidget& view, int chosen) const
   const bool dark = isDarkPalette(palette);
   const QColor ground = palette.color(QPalette::Base);
   const QColor ink = palette.color(QPalette::Text);
-  const QColor color = toColor(scene_.colorOf(static_cast<std::size_t>(index)));
+  const QColor color = toQColor(scene_.colorOf(static_cast<std::size_t>(index)));
   const QRectF box = shownArea(view, chosen);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -24,9 +24,9 @@ public:
   /// Returns the index of the target to enlarge: the selected target `chosen`, or else the first
   /// target whose cloud is too small to see. Returns -1 if there is none, or if the view has no
   /// room for an inset.
-  int target(const QWidget& view, int chosen) const;
+  int targetToEnlarge(const QWidget& view, int chosen) const;
   /// Returns whether the view is large enough for an inset.
-  static bool hasRoom(const QWidget& view);
+  static bool fitsInView(const QWidget& view);
   /// Returns the usual area of the inset, at the lower right, in view pixels.
   static QRectF area(const QWidget& view);
   /// Returns the area where the inset is painted, in view pixels; empty if there is no inset.

@@ -31,7 +31,7 @@ void ScenePicture::start() {
     return;
   }
   vtk_->onCameraMoved = [this] {
-    scene_.keepCamera();
+    scene_.holdView();
     request();
   };
 }
@@ -40,7 +40,7 @@ void ScenePicture::prepare() {
   start();
   if (vtk_) {
     constexpr QSize kSmall(64, 64);
-    scene_.prepareFrame(kSmall.width(), kSmall.height());
+    scene_.prepareRendering(kSmall.width(), kSmall.height());
     vtk_->render(kSmall);
   }
 }
@@ -61,13 +61,13 @@ void ScenePicture::render() {
   if (vtk_) {
     QElapsedTimer clock;
     clock.start();
-    Q_EMIT drawing();
+    Q_EMIT aboutToRender();
     const QSize pixels = size();
     scene_.setPixelRatio(view_.devicePixelRatioF());
-    scene_.prepareFrame(pixels.width(), pixels.height());
+    scene_.prepareRendering(pixels.width(), pixels.height());
     image_ = vtk_->render(pixels);
     image_.setDevicePixelRatio(view_.devicePixelRatioF());
-    Q_EMIT drawn();
+    Q_EMIT rendered();
     renderMs_ = clock.elapsed();
     sinceDrawn_.start();
   }
@@ -78,12 +78,12 @@ QSize ScenePicture::size() const {
   return (QSizeF(view_.size()) * view_.devicePixelRatioF()).toSize().expandedTo(QSize(1, 1));
 }
 
-bool ScenePicture::fits() const {
+bool ScenePicture::fitsView() const {
   return image_.size() == size() &&
          qFuzzyCompare(image_.devicePixelRatio(), view_.devicePixelRatioF());
 }
 
-void ScenePicture::movePointer(OffscreenVtk::Pointer what, QPointF position, bool shift) {
+void ScenePicture::movePointer(OffscreenVtk::PointerEvent what, QPointF position, bool shift) {
   if (vtk_) {
     vtk_->sendPointerEvent(what, (position * view_.devicePixelRatioF()).toPoint(), shift, false);
   }

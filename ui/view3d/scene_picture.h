@@ -19,7 +19,7 @@ namespace dewpoint::ui {
 
 /// Rendered image of a scene for a view. It is drawn at its own rate: at most about 15 times per
 /// second, using at most half of the time of one processor. Without OpenGL, there is no image, and
-/// `failure()` gives the reason.
+/// `failureReason()` gives the reason.
 class ScenePicture : public QObject {
   Q_OBJECT
 public:
@@ -37,22 +37,22 @@ public:
   /// Returns the image, or null if nothing has been rendered.
   const QImage& image() const { return image_; }
   /// Returns whether the image has the size of the view.
-  bool fits() const;
+  bool fitsView() const;
   /// Returns whether the image is outdated.
   bool isStale() const { return stale_; }
   bool isUpToDate() const { return !stale_ && !timer_.isActive(); }
   /// Returns the reason why there is no 3D view; empty if the view works, and before the first
   /// attempt to draw.
-  const std::string& failure() const { return failure_; }
+  const std::string& failureReason() const { return failure_; }
 
   /// Passes a mouse event to the trackball camera. `position` is in view coordinates.
-  void movePointer(OffscreenVtk::Pointer what, QPointF position, bool shift);
+  void movePointer(OffscreenVtk::PointerEvent what, QPointF position, bool shift);
 
 Q_SIGNALS:
   /// Emitted before the image is rendered. The receiver must now update the scene.
-  void drawing();
+  void aboutToRender();
   /// Emitted after the image was rendered.
-  void drawn();
+  void rendered();
   /// Emitted if there is no usable OpenGL.
   void unavailable();
 

@@ -30,7 +30,7 @@ ViewButtons::ViewButtons(QWidget& view) : QObject(&view), view_(view) {
   for (std::size_t i = 0; i < kViews.size(); ++i) {
     buttons_[i] = pictureButton(view, names[i]);
     buttons_[i]->setCheckable(true);
-    connect(buttons_[i], &QToolButton::clicked, this, [this, i] { Q_EMIT chosen(kViews[i]); });
+    connect(buttons_[i], &QToolButton::clicked, this, [this, i] { Q_EMIT viewChosen(kViews[i]); });
   }
   fit_ = pictureButton(view, QStringLiteral("fitSceneButton"));
   connect(fit_, &QToolButton::clicked, this, &ViewButtons::fitRequested);
@@ -51,7 +51,7 @@ void ViewButtons::moveToCorner() {
   int x = kSpacing;
   int above = kSpacing; // the lower border of the view
   const double end =
-      SceneInset::hasRoom(view_) ? SceneInset::area(view_).left() : view_.width() - kSpacing;
+      SceneInset::fitsInView(view_) ? SceneInset::area(view_).left() : view_.width() - kSpacing;
   const auto put = [&](QToolButton* button) {
     const QSize size = button->sizeHint();
     if (x > kSpacing && x + size.width() > end) { // words are long in some languages

@@ -27,7 +27,7 @@ public:
   void retranslateUi();
 
 Q_SIGNALS:
-  void chosen(dewpoint::ui::Scene3d::View view);
+  void viewChosen(dewpoint::ui::Scene3d::View view);
   void fitRequested();
 
 private:

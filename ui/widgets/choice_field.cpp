@@ -12,7 +12,7 @@
 
 namespace dewpoint::ui {
 
-QComboBox* makeChoice(const char* name, QWidget* parent) {
+QComboBox* makeChoiceField(const char* name, QWidget* parent) {
   auto* choice = new QComboBox(parent);
   choice->setObjectName(QLatin1String(name));
   makeNarrow(*choice);

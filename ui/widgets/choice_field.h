@@ -15,7 +15,7 @@ class QWidget;
 namespace dewpoint::ui {
 
 /// Creates a combo box with this object name. It may be narrower than its longest text.
-QComboBox* makeChoice(const char* name, QWidget* parent);
+QComboBox* makeChoiceField(const char* name, QWidget* parent);
 
 /// Adds the rotations of images, 0 to 270 degrees. Their data is the angle in degrees, as in
 /// ProjectCamera::rotateDegrees.

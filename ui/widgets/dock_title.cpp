@@ -121,7 +121,7 @@ void DockTitle::setReason(const QString& reason) {
   showReason(reason, false);
 }
 
-void DockTitle::setReasonAlone(const QString& reason) {
+void DockTitle::setOnlyReason(const QString& reason) {
   showReason(reason, true);
 }
 

@@ -26,7 +26,7 @@ public:
   /// Sets the reason for the state, in a few words. An empty string removes it.
   void setReason(const QString& reason);
   /// Shows a reason instead of the state, in the color used for a target that is not seen.
-  void setReasonAlone(const QString& reason);
+  void setOnlyReason(const QString& reason);
   /// Adds a widget (a small tool button) before the button that floats the dock.
   void addTool(QWidget* tool);
   /// Sets whether the dock fills the window.

@@ -88,7 +88,7 @@ void MessageBar::dismiss() {
   }
 }
 
-void MessageBar::forget(bool notices) {
+void MessageBar::removeOldMessages(bool notices) {
   if (isVisible() && answers_.empty() && (severity_ != Severity::Information || notices)) {
     dismiss();
   }

@@ -51,11 +51,11 @@ public:
   void dismiss();
   /// Removes the current error or warning, for example because other work has begun. If `notices`
   /// is true, also removes a notice. Questions stay.
-  void forget(bool notices);
-  /// Adds a message to recent() without showing it, because it is shown elsewhere.
+  void removeOldMessages(bool notices);
+  /// Adds a message to `recentMessages()` without showing it, because it is shown elsewhere.
   void record(const QString& text, Severity severity);
   /// Returns the last messages of this window (at most 1000), oldest first, each with its time.
-  const QStringList& recent() const { return recent_; }
+  const QStringList& recentMessages() const { return recent_; }
 
 Q_SIGNALS:
   /// Emitted with the text of every message and question, including messages that are only

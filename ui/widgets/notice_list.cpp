@@ -92,9 +92,9 @@ void NoticeList::refresh() {
   QStringList lines = notices_;
   lines.removeIf([this](const QString& notice) { return hidden_.contains(notice); });
   const QString all = lines.join(QLatin1Char('\n'));
-  const auto more = static_cast<int>(lines.size() - kMaxLines);
+  const auto more = static_cast<int>(lines.size() - kMaxNoticeLines);
   if (more > 0) {
-    lines.resize(kMaxLines);
+    lines.resize(kMaxNoticeLines);
     lines += tr("and %n more notice(s)", nullptr, more);
   }
   text_->setText(lines.join(QLatin1Char('\n')));

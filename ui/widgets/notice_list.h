@@ -19,7 +19,7 @@ class NoticeList : public QFrame {
 public:
   /// Maximum number of lines. If there are more notices, the last line states how many, and the
   /// tooltip lists all notices.
-  static constexpr qsizetype kMaxLines = 4;
+  static constexpr qsizetype kMaxNoticeLines = 4;
 
   explicit NoticeList(QWidget* parent = nullptr);
 

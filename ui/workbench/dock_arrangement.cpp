@@ -16,38 +16,38 @@ std::vector<ViewDock*> DockArrangement::docks() const {
   return {found.begin(), found.end()};
 }
 
-std::vector<ViewDock*> DockArrangement::at(DockArea place) const {
+std::vector<ViewDock*> DockArrangement::docksAt(DockArea place) const {
   std::vector<ViewDock*> found = docks();
   std::erase_if(found, [place](const ViewDock* dock) { return dock->area() != place; });
   std::ranges::stable_sort(found, {}, &ViewDock::rank);
   return found;
 }
 
-ViewDock* DockArrangement::first(DockArea place) const {
-  const std::vector<ViewDock*> found = at(place);
+ViewDock* DockArrangement::firstDockAt(DockArea place) const {
+  const std::vector<ViewDock*> found = docksAt(place);
   return found.empty() ? nullptr : found.front();
 }
 
-void DockArrangement::place() {
+void DockArrangement::placeDocks() {
   for (ViewDock* dock : docks()) {
     dock->setFloating(false);
     window_.removeDockWidget(dock); // or splits and tabs would build on what was
   }
-  const auto below = at(DockArea::Plots);
+  const auto below = docksAt(DockArea::Plots);
   window_.addDockWidget(Qt::BottomDockWidgetArea, below.front());
   ViewDock* last = below.front();
-  for (ViewDock* dock : at(DockArea::Timeline)) {
+  for (ViewDock* dock : docksAt(DockArea::Timeline)) {
     window_.splitDockWidget(last, dock, Qt::Vertical);
     last = dock;
   }
   for (std::size_t i = 1; i < below.size(); ++i) {
     window_.tabifyDockWidget(below.front(), below[i]);
   }
-  ViewDock* scene = first(DockArea::Scene);
+  ViewDock* scene = firstDockAt(DockArea::Scene);
   placeCameras(scene);
-  const auto inspector = at(DockArea::Inspector);
+  const auto inspector = docksAt(DockArea::Inspector);
   window_.splitDockWidget(scene, inspector.front(), Qt::Horizontal);
-  for (ViewDock* dock : at(DockArea::History)) { // before there are tabs
+  for (ViewDock* dock : docksAt(DockArea::History)) { // before there are tabs
     window_.splitDockWidget(inspector.front(), dock, Qt::Vertical);
   }
   // One tab for each kind of thing that can be looked into.
@@ -58,14 +58,14 @@ void DockArrangement::place() {
 
 void DockArrangement::placeCameras(ViewDock* scene) {
   window_.addDockWidget(Qt::LeftDockWidgetArea, scene);
-  const std::vector<ViewDock*> cameras = at(DockArea::Cameras);
+  const std::vector<ViewDock*> cameras = docksAt(DockArea::Cameras);
   if (cameras.empty()) {
     return;
   }
   // Cameras stand to the left of the scene, in as many columns as show the largest images.
   const std::size_t count = cameras.size();
   if (cameraColumns_ < 1 || cameraColumns_ > static_cast<int>(count)) {
-    cameraColumns_ = cameraGrid(shares().cameras).columns;
+    cameraColumns_ = cameraGrid(shares().cameraAreaSize).columnCount;
   }
   const auto columns = static_cast<std::size_t>(cameraColumns_);
   window_.removeDockWidget(scene);
@@ -80,56 +80,58 @@ void DockArrangement::placeCameras(ViewDock* scene) {
 }
 
 ViewShares DockArrangement::shares() const {
-  return viewSharesOf(window_, at(DockArea::Inspector), *first(DockArea::Scene),
-                      *first(DockArea::Timeline));
+  return viewSharesOf(window_, docksAt(DockArea::Inspector), *firstDockAt(DockArea::Scene),
+                      *firstDockAt(DockArea::Timeline));
 }
 
 ImageGrid DockArrangement::cameraGrid(const QSize& room) const {
-  const auto cameras = at(DockArea::Cameras);
+  const auto cameras = docksAt(DockArea::Cameras);
   return bestImageGrid(imageAspectsOf(document_.project(), cameras.size()), room,
                        cameras.front()->title().sizeHint().height(), cameraColumns_);
 }
 
 int DockArrangement::bestCameraColumns() const {
-  return at(DockArea::Cameras).empty() ? cameraColumns_ : cameraGrid(shares().cameras).columns;
+  return docksAt(DockArea::Cameras).empty() ? cameraColumns_
+                                            : cameraGrid(shares().cameraAreaSize).columnCount;
 }
 
 void DockArrangement::distributeSizes() {
   const ViewShares all = shares();
-  ViewDock* scene = first(DockArea::Scene);
-  const std::vector<ViewDock*> cameras = at(DockArea::Cameras);
+  ViewDock* scene = firstDockAt(DockArea::Scene);
+  const std::vector<ViewDock*> cameras = docksAt(DockArea::Cameras);
   QList<QDockWidget*> row;
   QList<int> widths;
-  int left = window_.width() - all.inspector - kDockSeparator;
+  int left = window_.width() - all.inspectorWidth - kDockSeparator;
   if (!cameras.empty()) {
-    const ImageGrid grid = cameraGrid(all.cameras);
+    const ImageGrid grid = cameraGrid(all.cameraAreaSize);
     // No wider than the images can use, if something else can.
     const int least = cameras.size() > 1 ? all.minimumCameraWidth : 0;
-    const int wanted = all.scene == 0 ? all.cameras.width()
-                                      : std::min(all.cameras.width(),
-                                                 std::max(least, qCeil(grid.maximumUsefulWidth)));
+    const int wanted =
+        all.sceneWidth == 0
+            ? all.cameraAreaSize.width()
+            : std::min(all.cameraAreaSize.width(), std::max(least, qCeil(grid.maximumUsefulWidth)));
     for (std::size_t column = 0; column < grid.columnShares.size(); ++column) {
       row.push_back(cameras[column]);
       widths.push_back(std::max(1, qRound(wanted * grid.columnShares[column])));
     }
-    left -= wanted + kDockSeparator * grid.columns;
+    left -= wanted + kDockSeparator * grid.columnCount;
   }
-  if (all.scene > 0) {
+  if (all.sceneWidth > 0) {
     row.push_back(scene);
     widths.push_back(std::max(1, left));
   }
-  row.push_back(first(DockArea::Inspector));
-  widths.push_back(all.inspector);
+  row.push_back(firstDockAt(DockArea::Inspector));
+  widths.push_back(all.inspectorWidth);
   window_.resizeDocks(row, widths, Qt::Horizontal);
-  window_.resizeDocks({first(DockArea::Plots), first(DockArea::Timeline)},
-                      {all.plots, all.timeline}, Qt::Vertical);
+  window_.resizeDocks({firstDockAt(DockArea::Plots), firstDockAt(DockArea::Timeline)},
+                      {all.plotHeight, all.timelineHeight}, Qt::Vertical);
   if (!cameras.empty()) {
-    distributeCameras(cameraGrid(all.cameras), all.cameras.height());
+    distributeCameras(cameraGrid(all.cameraAreaSize), all.cameraAreaSize.height());
   }
 }
 
 void DockArrangement::distributeCameras(const ImageGrid& grid, int height) {
-  const std::vector<ViewDock*> cameras = at(DockArea::Cameras);
+  const std::vector<ViewDock*> cameras = docksAt(DockArea::Cameras);
   QList<int> heights;
   for (const double share : grid.heightShares) {
     heights.push_back(std::max(1, qRound(height * share)));

@@ -23,15 +23,15 @@ public:
   /// Returns all docks, in the order of the window's children.
   std::vector<ViewDock*> docks() const;
   /// Returns the docks at one position, ordered by rank.
-  std::vector<ViewDock*> at(DockArea place) const;
+  std::vector<ViewDock*> docksAt(DockArea place) const;
   /// Returns the first dock at a position, or null if there is none.
-  ViewDock* first(DockArea place) const;
+  ViewDock* firstDockAt(DockArea place) const;
 
   /// Removes all docks from the window and adds them at their default positions.
-  void place();
+  void placeDocks();
   /// Returns the number of columns of camera views, or 0 if they have not been placed yet.
   int cameraColumns() const { return cameraColumns_; }
-  /// Sets the number of columns that the next `place()` uses.
+  /// Sets the number of columns that the next `placeDocks()` uses.
   void setCameraColumns(int columns) { cameraColumns_ = columns; }
   /// Returns the number of columns with which the images are largest. If there are no cameras,
   /// returns the current number.

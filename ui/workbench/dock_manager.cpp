@@ -33,14 +33,14 @@ DockManager::DockManager(QMainWindow& window, Document& document, const SessionC
   window_.installEventFilter(this);
 }
 
-ViewDock* DockManager::make(const DockDeclaration& declaration) {
+ViewDock* DockManager::makeDock(const DockDeclaration& declaration) {
   auto* dock = new ViewDock(declaration, &window_);
   connect(dock, &ViewDock::maximizeRequested, this, [this, dock] { toggleMaximized(dock); });
   const auto movedByUser = [this] {
     suitsSize_ = suitsSize_ && arranging_;
-    heightsBelow_.forget();
+    heightsBelow_.forgetHeights();
   };
-  connect(dock, &QDockWidget::visibilityChanged, &heightsBelow_, &HeldHeights::forget);
+  connect(dock, &QDockWidget::visibilityChanged, &heightsBelow_, &HeldHeights::forgetHeights);
   connect(dock, &QDockWidget::dockLocationChanged, this, movedByUser);
   connect(dock, &QDockWidget::visibilityChanged, this, &DockManager::distributeDockSizesSoon);
   connect(dock, &QDockWidget::topLevelChanged, this, [this, movedByUser] {
@@ -48,7 +48,7 @@ ViewDock* DockManager::make(const DockDeclaration& declaration) {
       QMetaObject::invokeMethod(
           this,
           [this] {
-            ViewDock* inspector = arrangement_.first(DockArea::Inspector);
+            ViewDock* inspector = arrangement_.firstDockAt(DockArea::Inspector);
             window_.resizeDocks({inspector}, {inspector->minimumSizeHint().width()},
                                 Qt::Horizontal);
           },
@@ -73,13 +73,13 @@ void DockManager::remove(ViewDock* dock) {
   std::erase_if(hiddenBeforeMaximized_, [dock](const auto& one) { return one.first == dock; });
   window_.removeDockWidget(dock);
   delete dock;
-  names_->showSoon();
+  names_->updateNamesSoon();
 }
 
-bool DockManager::isBehind(const QWidget* widget) {
+bool DockManager::isBehindOtherDocks(const QWidget* widget) {
   for (; widget != nullptr; widget = widget->parentWidget()) {
     const auto* dock = qobject_cast<const ViewDock*>(widget);
-    if (dock != nullptr && dock->isBehind()) {
+    if (dock != nullptr && dock->isBehindOtherDocks()) {
       return true;
     }
   }
@@ -97,12 +97,12 @@ void DockManager::layOut() {
     rearrange(arrangement_.cameraColumns());
     return;
   }
-  Q_EMIT laidOut();
+  Q_EMIT layoutChanged();
 }
 
 void DockManager::reset() {
   document_.setLayout({});
-  for (ViewDock* camera : arrangement_.at(DockArea::Cameras)) {
+  for (ViewDock* camera : arrangement_.docksAt(DockArea::Cameras)) {
     camera->setHiddenByUser(false);
   }
   layOut();
@@ -133,10 +133,10 @@ int DockManager::restore(const QByteArray& layout) {
 
 void DockManager::arrange() {
   const bool before = std::exchange(arranging_, true);
-  arrangement_.place();
+  arrangement_.placeDocks();
   showViews(session_.isRunning());
-  arrangement_.first(DockArea::Inspector)->raise();
-  arrangement_.first(DockArea::Plots)->raise();
+  arrangement_.firstDockAt(DockArea::Inspector)->raise();
+  arrangement_.firstDockAt(DockArea::Plots)->raise();
   arranging_ = before;
   distributeDockSizesSoon();
 }
@@ -144,7 +144,8 @@ void DockManager::arrange() {
 void DockManager::rearrange(int columns) {
   std::vector<ViewDock*> inFront = docks();
   std::vector<ViewDock*> hidden = inFront;
-  std::erase_if(inFront, [](const ViewDock* dock) { return dock->isHidden() || dock->isBehind(); });
+  std::erase_if(
+      inFront, [](const ViewDock* dock) { return dock->isHidden() || dock->isBehindOtherDocks(); });
   std::erase_if(hidden, [](const ViewDock* dock) { return !dock->isHidden(); });
   arrangement_.setCameraColumns(columns);
   arrange();
@@ -154,7 +155,7 @@ void DockManager::rearrange(int columns) {
   for (ViewDock* dock : inFront) {
     dock->raise();
   }
-  Q_EMIT laidOut();
+  Q_EMIT layoutChanged();
 }
 
 void DockManager::distributeDockSizesSoon() {
@@ -185,7 +186,7 @@ void DockManager::lockLowerDockHeights(bool locked) {
   if (suitsSize_ || maximized_ != nullptr) {
     return;
   }
-  locked ? heightsBelow_.hold() : heightsBelow_.release();
+  locked ? heightsBelow_.holdHeights() : heightsBelow_.releaseHeights();
 }
 
 bool DockManager::eventFilter(QObject* watched, QEvent* event) {
@@ -194,7 +195,7 @@ bool DockManager::eventFilter(QObject* watched, QEvent* event) {
   }
   switch (event->type()) {
   case QEvent::Resize:
-    heightsBelow_.forget();
+    heightsBelow_.forgetHeights();
     [[fallthrough]];
   case QEvent::Show:
   case QEvent::LanguageChange: // the names of tabs have other widths
@@ -205,7 +206,7 @@ bool DockManager::eventFilter(QObject* watched, QEvent* event) {
     separator_ = window_.childAt(static_cast<QMouseEvent*>(event)->position().toPoint()) == nullptr;
     break;
   case QEvent::MouseButtonRelease:
-    heightsBelow_.forget();
+    heightsBelow_.forgetHeights();
     break;
   case QEvent::MouseMove:
     suitsSize_ =

@@ -30,13 +30,13 @@ public:
   DockManager(QMainWindow& window, Document& document, const SessionController& session,
               QObject* parent = nullptr);
 
-  ViewDock* make(const DockDeclaration& declaration);
+  ViewDock* makeDock(const DockDeclaration& declaration);
   /// Removes a dock and its view from the window permanently.
   void remove(ViewDock* dock);
   /// Returns all docks, in the order of the window's children.
   std::vector<ViewDock*> docks() const { return arrangement_.docks(); }
   /// Returns whether a widget is in a dock of which no part is visible.
-  static bool isBehind(const QWidget* widget);
+  static bool isBehindOtherDocks(const QWidget* widget);
 
   /// Applies the default arrangement, followed by the document's layout if it has one.
   void layOut();
@@ -65,13 +65,13 @@ public:
   void toggleMaximized(ViewDock* dock);
   void restoreMaximized();
   /// Returns the dock that fills the window, or null if there is none.
-  ViewDock* maximized() const { return maximized_; }
+  ViewDock* maximizedDock() const { return maximized_; }
 
 Q_SIGNALS:
   void dockMade(ViewDock* dock);
   /// Emitted when the docks have been arranged again. Modes such as calibration must then show
   /// their docks.
-  void laidOut();
+  void layoutChanged();
   /// viewsAboutToChange() is emitted before the views are shown (true) or replaced by a page
   /// (false), viewsShown() afterward.
   void viewsAboutToChange(bool shown);

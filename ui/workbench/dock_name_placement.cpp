@@ -15,12 +15,12 @@ DockNamePlacement::DockNamePlacement(QMainWindow& window, QObject* parent)
     : QObject(parent), window_(window) {}
 
 void DockNamePlacement::addDock(ViewDock* dock) {
-  connect(dock, &QDockWidget::dockLocationChanged, this, &DockNamePlacement::showSoon);
-  connect(dock, &QDockWidget::topLevelChanged, this, &DockNamePlacement::showSoon);
-  connect(dock, &QDockWidget::visibilityChanged, this, &DockNamePlacement::showSoon);
+  connect(dock, &QDockWidget::dockLocationChanged, this, &DockNamePlacement::updateNamesSoon);
+  connect(dock, &QDockWidget::topLevelChanged, this, &DockNamePlacement::updateNamesSoon);
+  connect(dock, &QDockWidget::visibilityChanged, this, &DockNamePlacement::updateNamesSoon);
 }
 
-void DockNamePlacement::showSoon() {
+void DockNamePlacement::updateNamesSoon() {
   if (!std::exchange(isScheduled_, true)) {
     QMetaObject::invokeMethod(this, &DockNamePlacement::show, Qt::QueuedConnection);
   }

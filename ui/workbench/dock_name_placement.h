@@ -20,7 +20,7 @@ public:
   /// Starts to manage where the name of this dock is shown.
   void addDock(ViewDock* dock);
   /// Updates all docks once the layout has settled.
-  void showSoon();
+  void updateNamesSoon();
 
 private:
   void show();

@@ -20,7 +20,7 @@ void freeHeight(QDockWidget& dock) {
 
 HeldHeights::HeldHeights(QMainWindow& window, QObject* parent) : QObject(parent), window_(window) {}
 
-void HeldHeights::hold() {
+void HeldHeights::holdHeights() {
   if (heights_.empty()) {
     for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
       if (window_.dockWidgetArea(dock) == Qt::BottomDockWidgetArea && !dock->isFloating() &&
@@ -45,7 +45,7 @@ void HeldHeights::hold() {
   }
 }
 
-void HeldHeights::release() {
+void HeldHeights::releaseHeights() {
   window_.layout()->activate();
   for (const auto& [dock, height] : heights_) {
     if (dock != nullptr) {

@@ -26,7 +26,7 @@ std::vector<std::size_t> viewsOf(std::size_t column, std::size_t columns, std::s
 ImageGrid imageGridOf(std::span<const double> aspects, const QSizeF& room, double title,
                       int columns) {
   ImageGrid grid;
-  grid.columns = columns;
+  grid.columnCount = columns;
   grid.heightShares.resize(aspects.size());
   const auto count = static_cast<std::size_t>(columns);
   for (std::size_t column = 0; column < count; ++column) {
@@ -51,7 +51,7 @@ ImageGrid imageGridOf(std::span<const double> aspects, const QSizeF& room, doubl
     for (const std::size_t k : views) {
       const double width = std::min(room.width() * grid.columnShares[column],
                                     high * grid.heightShares[k] * aspects[k]);
-      grid.area += width * width / aspects[k];
+      grid.imageArea += width * width / aspects[k];
     }
   }
   return grid;
@@ -62,10 +62,10 @@ ImageGrid bestImageGrid(std::span<const double> aspects, const QSizeF& room, dou
   const int most = static_cast<int>(aspects.size());
   const bool stays = current >= 1 && current <= most;
   ImageGrid best = imageGridOf(aspects, room, title, stays ? current : 1);
-  const double least = stays ? best.area * kWorthMoving : 0.0;
+  const double least = stays ? best.imageArea * kWorthMoving : 0.0;
   for (int columns = 1; columns <= most; ++columns) {
     ImageGrid other = imageGridOf(aspects, room, title, columns);
-    if (other.area > kBetter * best.area && other.area > least) {
+    if (other.imageArea > kBetter * best.imageArea && other.imageArea > least) {
       best = std::move(other);
     }
   }

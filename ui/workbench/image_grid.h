@@ -14,8 +14,8 @@ namespace dewpoint::ui {
 /// Within a column, all images have the same width. The columns have widths at which all are
 /// equally high.
 struct ImageGrid {
-  int columns = 1;
-  double area = 0.0; ///< area covered by images, in square units of the available room
+  int columnCount = 1;
+  double imageArea = 0.0; ///< area covered by images, in square units of the available room
   double maximumUsefulWidth = 0.0;  ///< width beyond which no image grows
   std::vector<double> columnShares; ///< fraction of the width, one per column; the sum is 1
   std::vector<double> heightShares; ///< fraction of the column height, one per view

@@ -52,7 +52,7 @@ public:
   /// Shows or hides the dock, and stores this as the user's choice.
   void setShownByUser(bool wanted);
   /// Returns whether no part of the dock is visible, because it is behind another tab or hidden.
-  bool isBehind() const { return behind_; }
+  bool isBehindOtherDocks() const { return behind_; }
   /// Shows the dock in front of the docks that are tabbed with it, and stores as the user's choice
   /// that it is shown.
   void bringToFront();

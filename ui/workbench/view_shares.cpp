@@ -56,21 +56,22 @@ ViewShares viewSharesOf(const QMainWindow& window, const std::vector<ViewDock*>&
   ViewShares shares;
   for (const ViewDock* dock : inspectors) {
     const int least = std::max(dock->minimumWidth(), dock->minimumSizeHint().width());
-    shares.inspector = std::max(shares.inspector, dock->isHidden() ? 0 : least);
+    shares.inspectorWidth = std::max(shares.inspectorWidth, dock->isHidden() ? 0 : least);
   }
-  shares.inspector = std::max(shares.inspector, widthOfTabs(window, inspectors));
-  shares.scene = scene.isHidden() ? 0
-                                  : std::max(scene.minimumSizeHint().width(),
-                                             window.width() * kLeastOfScenePercent / 100);
-  shares.plots = window.height() * kPlotsPercent / 100;
-  shares.timeline = window.height() < kSmallHeight ? timeline.minimumSizeHint().height()
-                                                   : timeline.sizeHint().height();
+  shares.inspectorWidth = std::max(shares.inspectorWidth, widthOfTabs(window, inspectors));
+  shares.sceneWidth = scene.isHidden() ? 0
+                                       : std::max(scene.minimumSizeHint().width(),
+                                                  window.width() * kLeastOfScenePercent / 100);
+  shares.plotHeight = window.height() * kPlotsPercent / 100;
+  shares.timelineHeight = window.height() < kSmallHeight ? timeline.minimumSizeHint().height()
+                                                         : timeline.sizeHint().height();
   shares.minimumCameraWidth = window.width() * kLeastOfCamerasPercent / 100;
-  shares.cameras = QSize(window.width() - shares.inspector - kDockSeparator - shares.scene -
-                             (shares.scene > 0 ? kDockSeparator : 0),
-                         window.height() - heightAroundViews(window) - shares.plots -
-                             shares.timeline - 2 * kDockSeparator)
-                       .expandedTo({1, 1});
+  shares.cameraAreaSize =
+      QSize(window.width() - shares.inspectorWidth - kDockSeparator - shares.sceneWidth -
+                (shares.sceneWidth > 0 ? kDockSeparator : 0),
+            window.height() - heightAroundViews(window) - shares.plotHeight -
+                shares.timelineHeight - 2 * kDockSeparator)
+          .expandedTo({1, 1});
   return shares;
 }
 

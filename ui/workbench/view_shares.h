@@ -19,12 +19,12 @@ class ViewDock;
 
 /// Sizes of each kind of view for a given window size, in pixels. Camera images have priority.
 struct ViewShares {
-  QSize cameras;              ///< maximum size of all camera views together
+  QSize cameraAreaSize;       ///< maximum size of all camera views together
   int minimumCameraWidth = 0; ///< minimum width for two or more cameras
-  int inspector = 0;          ///< width
-  int scene = 0;              ///< width of the scene; 0 if it is hidden
-  int plots = 0;              ///< height
-  int timeline = 0;           ///< height
+  int inspectorWidth = 0;     ///< width
+  int sceneWidth = 0;         ///< width of the scene; 0 if it is hidden
+  int plotHeight = 0;         ///< height
+  int timelineHeight = 0;     ///< height
 };
 
 /// Approximate width of the separator between two docks, pixels.

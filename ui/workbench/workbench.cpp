@@ -53,7 +53,7 @@ void Workbench::requireRun(std::initializer_list<ActionId> ids,
   update();
 }
 
-void Workbench::present(QWidget* dialog) {
+void Workbench::presentDialog(QWidget* dialog) {
   dialog->show();
   dialog->raise();
   dialog->activateWindow();

@@ -44,7 +44,7 @@ struct Workbench {
   /// true. `suits` is called again when a run begins or ends, and when the method changes.
   void requireRun(std::initializer_list<ActionId> ids, const std::function<bool()>& suits) const;
   /// Shows a dialog in front of the window.
-  static void present(QWidget* dialog);
+  static void presentDialog(QWidget* dialog);
 
   /// Connects a view to the snapshots: calls view->setSnapshot(const TrackSnapshotPtr&) with each
   /// new snapshot, and with null when there is nothing to show.

@@ -71,11 +71,11 @@ void CalibrationTest::theViewBeforeComesBack() {
   const auto toggle = [this] { QTest::keyClick(window_.get(), Qt::Key_C); };
   toggle();
   parameters->raise();
-  QVERIFY(waitFor([&] { return !parameters->isBehind(); }));
+  QVERIFY(waitFor([&] { return !parameters->isBehindOtherDocks(); }));
   toggle();
-  QVERIFY(waitFor([&] { return parameters->isBehind(); }));
+  QVERIFY(waitFor([&] { return parameters->isBehindOtherDocks(); }));
   toggle();
-  QVERIFY(waitFor([&] { return !parameters->isBehind(); }));
+  QVERIFY(waitFor([&] { return !parameters->isBehindOtherDocks(); }));
 }
 
 void CalibrationTest::theGridFollowsTheMouse() {

@@ -273,7 +273,7 @@ void CorrectionTest::itIsMarkedRemovedAndUndone() {
   QVERIFY(areCorrected({kCorrectedFrame}));
   QVERIFY(timeline.isCorrected(0, kCorrectedFrame));
   QVERIFY(!timeline.isCorrected(0, kCorrectedFrame + 1));
-  QVERIFY(timeline.describe(kCorrectedFrame).contains(QStringLiteral("corrected")));
+  QVERIFY(timeline.descriptionOf(kCorrectedFrame).contains(QStringLiteral("corrected")));
   QVERIFY(stateIs("corrected"));
   QVERIFY(shows(kCorrectedFrame));
   action("actionRemoveCorrection")->trigger();

@@ -51,7 +51,7 @@ TEST(VideoPicture, AreasCoverTheImageWithoutOverlap) {
     for (std::size_t k = 0; k < count; ++k) {
       look.views.push_back(camerasWith({4.0 / 3.0}).front());
     }
-    const auto areas = videoAreas(look);
+    const auto areas = videoViewAreas(look);
     ASSERT_EQ(areas.size(), count);
     QRegion covered;
     int pixels = 0;
@@ -87,7 +87,7 @@ TEST(VideoPicture, ShowsEachCameraInItsArea) {
   const VideoLayout look = plainLook(2, {256, 96});
   const QImage picture = videoPicture(look, plainFrame(2), {});
   ASSERT_EQ(picture.size(), look.size);
-  const auto areas = videoAreas(look);
+  const auto areas = videoViewAreas(look);
   EXPECT_EQ(qGreen(picture.pixel(areas[0].center())), 60);
   EXPECT_EQ(qGreen(picture.pixel(areas[1].center())), 120);
 }
@@ -118,15 +118,15 @@ TEST(VideoPicture, TheStampNamesRecordingFrameAndTime) {
   VideoLayout look;
   look.recording = QStringLiteral("take-003");
   // Frame 12 counted from 0; the window counts from 1.
-  EXPECT_EQ(videoStamp(look, plainFrame(1)), QStringLiteral("take-003 · Frame 13 · 0.400 s"));
+  EXPECT_EQ(videoStampText(look, plainFrame(1)), QStringLiteral("take-003 · Frame 13 · 0.400 s"));
   look.recording.clear();
-  EXPECT_EQ(videoStamp(look, plainFrame(1)), QStringLiteral("Frame 13 · 0.400 s"));
+  EXPECT_EQ(videoStampText(look, plainFrame(1)), QStringLiteral("Frame 13 · 0.400 s"));
 }
 
 TEST(VideoPicture, SaysThatAnImageIsMissing) {
   const VideoLayout look = plainLook(2, {640, 240});
   const QImage picture = videoPicture(look, plainFrame(1), {}); // of two cameras
-  const QRect area = videoAreas(look)[1];
+  const QRect area = videoViewAreas(look)[1];
   const QImage blank = [&] {
     QImage ground(area.size(), QImage::Format_RGB32);
     ground.fill(imageBackgroundColor(look.palette));
@@ -140,7 +140,7 @@ TEST(VideoScene, IsDrawnAsLargeAsTheTimeAllows) {
   const QSize wanted(1280, 720);
   const auto ms = [](double pixels) { return 1.0 + 1e-5 * pixels; };
   const auto sizeFor = [&](double most) {
-    return affordableSize(wanted, 5e3, ms(5e3), 8e4, ms(8e4), most);
+    return largestSizeInTime(wanted, 5e3, ms(5e3), 8e4, ms(8e4), most);
   };
   EXPECT_EQ(sizeFor(40.0), wanted);
   const QSize smaller = sizeFor(5.0);
@@ -148,7 +148,7 @@ TEST(VideoScene, IsDrawnAsLargeAsTheTimeAllows) {
   EXPECT_NEAR(static_cast<double>(smaller.width()) / smaller.height(), 16.0 / 9.0, 0.02);
   EXPECT_EQ(sizeFor(0.5), QSize(320, 180)); // never smaller than a quarter
   // A measurement that is no slower for more pixels is due to something else.
-  EXPECT_EQ(affordableSize(wanted, 5e3, 3.0, 8e4, 2.0, 40.0), wanted);
+  EXPECT_EQ(largestSizeInTime(wanted, 5e3, 3.0, 8e4, 2.0, 40.0), wanted);
 }
 
 } // namespace

@@ -59,7 +59,7 @@ void FindingFaultsTest::aGoodProjectHasNoProblems() {
   click(find<QPushButton>("checkCopy"));
   QVERIFY(QApplication::clipboard()->text().startsWith(
       QLatin1String(levelName(dialog->findings().front().level()))));
-  QSignalSpy checked(dialog, &ProjectCheckDialog::checked);
+  QSignalSpy checked(dialog, &ProjectCheckDialog::checkEnded);
   find<QCheckBox>("checkEveryFrame")->setChecked(true);
   click(find<QPushButton>("checkAgain"));
   QVERIFY(dialog->isRunning());
@@ -91,7 +91,7 @@ void FindingFaultsTest::theSelfTestGoesIntoTheReport() {
   action("actionReportProblem")->trigger();
   auto* report = find<ProblemReport>("problemReport");
   QVERIFY(report->text().contains(QStringLiteral("Self-test:\n(not run)")));
-  QSignalSpy tested(report, &ProblemReport::tested);
+  QSignalSpy tested(report, &ProblemReport::selfTestEnded);
   click(find<QPushButton>("problemTest"));
   QVERIFY(!find<QPushButton>("problemCopy")->isEnabled());
   QVERIFY(tested.wait(kTimeoutMs));
@@ -105,7 +105,7 @@ void FindingFaultsTest::theSelfTestGoesIntoTheReport() {
 void FindingFaultsTest::theSelfTestCanBeCanceled() {
   action("actionReportProblem")->trigger();
   auto* report = find<ProblemReport>("problemReport");
-  QSignalSpy tested(report, &ProblemReport::tested);
+  QSignalSpy tested(report, &ProblemReport::selfTestEnded);
   auto* button = find<QPushButton>("problemTest");
   const QString before = button->text();
   click(button);
@@ -124,9 +124,9 @@ void FindingFaultsTest::aCrashIsReportedOnce() {
                           "SIGSEGV of window " + std::to_string(k)));
   }
   CrashReports reports(window_->workbench(), folder);
-  QSignalSpy searched(&reports, &CrashReports::searched);
-  QVERIFY(searched.wait(kTimeoutMs));
-  QVERIFY(searched.first().first().toBool());
+  QSignalSpy searchEnded(&reports, &CrashReports::searchEnded);
+  QVERIFY(searchEnded.wait(kTimeoutMs));
+  QVERIFY(searchEnded.first().first().toBool());
   QVERIFY(waitFor([&] { return messageText().contains(QStringLiteral("unexpectedly")); }));
   click(find<QPushButton>("messageAnswer0"));
   QVERIFY(
@@ -135,7 +135,7 @@ void FindingFaultsTest::aCrashIsReportedOnce() {
   const auto left = std::filesystem::directory_iterator(folder);
   QCOMPARE(std::distance(begin(left), end(left)), 5);
   CrashReports later(window_->workbench(), folder);
-  QSignalSpy again(&later, &CrashReports::searched);
+  QSignalSpy again(&later, &CrashReports::searchEnded);
   QVERIFY(again.wait(kTimeoutMs));
   QVERIFY(!again.first().first().toBool());
 }
@@ -147,8 +147,8 @@ void FindingFaultsTest::otherQuestionsAreAskedAgainAfterwards() {
   MessageBar& messages = window_->workbench().messages;
   messages.showLastingQuestion(QStringLiteral("Recover?"), {{QStringLiteral("Yes"), [] {}}});
   CrashReports reports(window_->workbench(), folder);
-  QSignalSpy searched(&reports, &CrashReports::searched);
-  QVERIFY(searched.wait(kTimeoutMs));
+  QSignalSpy searchEnded(&reports, &CrashReports::searchEnded);
+  QVERIFY(searchEnded.wait(kTimeoutMs));
   QVERIFY(messageText().contains(QStringLiteral("unexpectedly")));
   messages.showLastingQuestion(QStringLiteral("Calibrate?"), {{QStringLiteral("Yes"), [] {}}});
   messages.dismiss();

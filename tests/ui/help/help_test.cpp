@@ -79,7 +79,7 @@ void HelpTest::everyViewHasAPageThatIsThere() {
 
 void HelpTest::f1OpensThePageOfTheViewInUse() {
   QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-  QCOMPARE(manualPageInUse(window_->workbench()), QStringLiteral("quick-start.md"));
+  QCOMPARE(manualPageForFocusedView(window_->workbench()), QStringLiteral("quick-start.md"));
   openDemo();
   find<QWidget>("plotStack")->setFocus();
   QTest::keyClick(window_.get(), Qt::Key_F1);

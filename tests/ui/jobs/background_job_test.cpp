@@ -24,7 +24,8 @@ namespace {
 constexpr int kTimeoutMs = DEWPOINT_PATIENCE_MS;
 
 bool allEnded() {
-  return QTest::qWaitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }, kTimeoutMs);
+  return QTest::qWaitFor([] { return waitForDetachedJobs(std::chrono::milliseconds(0)); },
+                         kTimeoutMs);
 }
 
 } // namespace
@@ -104,7 +105,7 @@ void BackgroundJobTest::whoeverDropsItDoesNotWait() {
   }));
   QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 1; }, kTimeoutMs));
   job.reset();
-  QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));
+  QVERIFY(!waitForDetachedJobs(std::chrono::milliseconds(0)));
   gate->open();
   QVERIFY(allEnded());
   QCoreApplication::processEvents();
@@ -127,15 +128,15 @@ struct SlowToGo {
 
 void BackgroundJobTest::whoeverDropsWhatWaitsDoesNotWait() {
   const auto gate = std::make_shared<Gate>();
-  std::unique_ptr<SlowToGo, DetachedDelete> one(new SlowToGo(gate));
-  std::shared_ptr<SlowToGo> other(new SlowToGo(gate), DetachedDelete());
+  std::unique_ptr<SlowToGo, DetachedDeleter> one(new SlowToGo(gate));
+  std::shared_ptr<SlowToGo> other(new SlowToGo(gate), DetachedDeleter());
   const auto copy = std::make_unique<std::shared_ptr<SlowToGo>>(other);
   one.reset();
   other.reset();
   QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 1; }, kTimeoutMs));
   copy->reset(); // the last owner
   QVERIFY(QTest::qWaitFor([&] { return gate->waiting() == 2; }, kTimeoutMs));
-  QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));
+  QVERIFY(!waitForDetachedJobs(std::chrono::milliseconds(0)));
   gate->open();
   QVERIFY(allEnded());
 }
@@ -166,8 +167,8 @@ void BackgroundJobTest::abandonedItMakesRoom() {
 
 void BackgroundJobTest::ofThoseThatWaitOnlyTheNewestIsBegun() {
   const auto gate = std::make_shared<Gate>();
-  LatestJob job(LatestJob::Superseded::Kept);
-  QSignalSpy idle(&job, &LatestJob::idle);
+  LatestJob job(LatestJob::SupersededJob::Kept);
+  QSignalSpy idle(&job, &LatestJob::becameIdle);
   std::vector<int> done;
   for (const int number : {1, 2, 3}) {
     job.start([gate, number, &done](const BackgroundJob::Progress&) {
@@ -184,8 +185,8 @@ void BackgroundJobTest::ofThoseThatWaitOnlyTheNewestIsBegun() {
 
 void BackgroundJobTest::whatIsOvertakenIsDroppedOrKept() {
   const auto gate = std::make_shared<Gate>();
-  LatestJob job(LatestJob::Superseded::Dropped);
-  QSignalSpy idle(&job, &LatestJob::idle);
+  LatestJob job(LatestJob::SupersededJob::Dropped);
+  QSignalSpy idle(&job, &LatestJob::becameIdle);
   std::vector<int> done;
   const auto order = [&](int number) {
     job.start([gate, number, &done](const BackgroundJob::Progress&) {
@@ -206,7 +207,7 @@ void BackgroundJobTest::whatIsOvertakenIsDroppedOrKept() {
 
 void BackgroundJobTest::whatDoesNotNoticeIsLeftBehind() {
   const auto gate = std::make_shared<Gate>(); // stays closed
-  LatestJob job(LatestJob::Superseded::Dropped);
+  LatestJob job(LatestJob::SupersededJob::Dropped);
   bool done = false;
   job.start([gate](const BackgroundJob::Progress&) -> std::function<void()> {
     gate->pass();

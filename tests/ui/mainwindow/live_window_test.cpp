@@ -36,7 +36,7 @@ double difference(QWidget& view, const cv::Mat& picture) {
   const QSize size = QSize(picture.cols, picture.rows).scaled(view.size(), Qt::KeepAspectRatio);
   const QPoint corner((view.width() - size.width()) / 2, (view.height() - size.height()) / 2);
   const QImage expected =
-      toImage(picture).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+      toQImage(picture).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   double sum = 0.0;
   for (int y = 0; y < size.height(); ++y) {
     for (int x = 0; x < size.width(); ++x) {
@@ -211,7 +211,7 @@ void LiveWindowTest::noticesStayAsLongAsTheirCauses() {
   QVERIFY(waitFor([&] { return hidden->isVisible(); }));
   QTest::mouseClick(hidden, Qt::LeftButton);
   QVERIFY(waitFor([&] { return text->isVisible() && !hidden->isVisible(); }));
-  const QStringList& recent = window_->workbench().messages.recent();
+  const QStringList& recent = window_->workbench().messages.recentMessages();
   QVERIFY(recent.filter(QStringLiteral("camera 1")).size() > 0);
   QVERIFY(recent.filter(QStringLiteral("camera 2")).size() > 0);
   action("actionCloseProject")->trigger();

@@ -100,7 +100,7 @@ void MainWindowTest::playsTheDemoAndHolds() {
   }));
   QCOMPARE(shown().rig->size(), std::size_t{2}); // the demo: Barrera's two cameras
   QVERIFY(label("cameraDock0TitleState").contains(QStringLiteral("tracking")));
-  QVERIFY(find<PlotPanel>("plotPanel")->shownIterations() > 0);
+  QVERIFY(find<PlotPanel>("plotPanel")->shownIterationCount() > 0);
 }
 
 void MainWindowTest::playAndPauseByMouseAndKey() {

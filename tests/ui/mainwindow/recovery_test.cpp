@@ -163,7 +163,7 @@ void RecoveryTest::aWindowThatTakesLongToDieIsNotForgotten() {
   QVERIFY(living.tryLock(0));
   window_->enableRecovery(place("left"));
   RecoveryOffer& offer = lookOften();
-  QSignalSpy looks(&offer, &RecoveryOffer::searched);
+  QSignalSpy looks(&offer, &RecoveryOffer::searchEnded);
   QVERIFY(waitFor([&] { return looks.count() >= 2; }));
   QVERIFY(messageText().isEmpty());
   living.unlock();

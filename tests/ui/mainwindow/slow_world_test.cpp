@@ -135,7 +135,7 @@ void SlowWorldTest::cleanup() {
   disk_->open();
   stream_->open();
   window_.reset();
-  QVERIFY(waitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }));
+  QVERIFY(waitFor([] { return waitForDetachedJobs(std::chrono::milliseconds(0)); }));
 }
 
 std::filesystem::path SlowWorldTest::demoFile(const char* name) const {
@@ -267,8 +267,8 @@ void SlowWorldTest::aBoardThatIsLookedForHoldsNobodyUp() {
   QVERIFY(calibrator->isGuiding());
   calibrator.reset();
   // What was shown is looked at to the end, by a thread that nobody waits for, and wakes nobody.
-  QVERIFY(!waitForDetached(std::chrono::milliseconds(0)));
-  QVERIFY(waitFor([] { return waitForDetached(std::chrono::milliseconds(0)); }));
+  QVERIFY(!waitForDetachedJobs(std::chrono::milliseconds(0)));
+  QVERIFY(waitFor([] { return waitForDetachedJobs(std::chrono::milliseconds(0)); }));
 }
 
 void SlowWorldTest::recentProjectsAreOfferedUntilTheDiskAnswers() {

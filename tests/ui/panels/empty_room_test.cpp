@@ -65,7 +65,7 @@ void EmptyRoomTest::cleanup() {
 }
 
 void EmptyRoomTest::takeAtTheGate() {
-  panel()->taker().setWriter([gate = gate_](const auto&... order) {
+  panel()->backgroundImageTaker().setWriter([gate = gate_](const auto&... order) {
     gate->pass();
     return saveBackgroundImage(order...);
   });
@@ -107,7 +107,7 @@ void EmptyRoomTest::theEmptyRoomIsAStepThatCanBeUndone() {
 }
 
 void EmptyRoomTest::aPictureThatCannotBeWrittenIsSaid() {
-  panel()->taker().setWriter([](const auto&...) -> Result<std::filesystem::path> {
+  panel()->backgroundImageTaker().setWriter([](const auto&...) -> Result<std::filesystem::path> {
     return failure(ErrorCode::FileUnwritable, "desk-empty-right.png", "", "the disk is full");
   });
   take()->click();

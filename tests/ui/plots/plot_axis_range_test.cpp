@@ -40,27 +40,27 @@ void PlotAxisRangeTest::init() {
 }
 
 void PlotAxisRangeTest::aShortRunGrowsIntoTheLeastRange() {
-  QCOMPARE(range_.shown(nullptr), Range(0.0, 60.0));
+  QCOMPARE(range_.shownRange(nullptr), Range(0.0, 60.0));
   run(10);
-  QCOMPARE(range_.shown(&series_), Range(0.0, 60.0));
+  QCOMPARE(range_.shownRange(&series_), Range(0.0, 60.0));
   run(100);
-  QCOMPARE(range_.shown(&series_), Range(0.0, 100.0));
+  QCOMPARE(range_.shownRange(&series_), Range(0.0, 100.0));
   QVERIFY(range_.showsAll());
 }
 
 void PlotAxisRangeTest::aPartStaysWithinTheRun() {
   run(100);
-  range_.show(&series_, -20.0, 10.0); // 30 wide, moved to the beginning
-  QCOMPARE(range_.shown(&series_), Range(0.0, 30.0));
-  range_.show(&series_, 50.0, 50.5); // 4 iterations are the least that can be read
-  QCOMPARE(range_.shown(&series_), Range(50.0, 54.0));
-  range_.show(&series_, -50.0, 200.0); // more than there is
+  range_.showRange(&series_, -20.0, 10.0); // 30 wide, moved to the beginning
+  QCOMPARE(range_.shownRange(&series_), Range(0.0, 30.0));
+  range_.showRange(&series_, 50.0, 50.5); // 4 iterations are the least that can be read
+  QCOMPARE(range_.shownRange(&series_), Range(50.0, 54.0));
+  range_.showRange(&series_, -50.0, 200.0); // more than there is
   QVERIFY(range_.showsAll());
 }
 
 void PlotAxisRangeTest::aPartAtTheEndGoesAlong() {
   run(100);
-  range_.show(&series_, 80.0, 100.0);
+  range_.showRange(&series_, 80.0, 100.0);
   run(130);
   QCOMPARE(range_.advance(&series_), Range(110.0, 130.0));
   run(140);
@@ -69,26 +69,26 @@ void PlotAxisRangeTest::aPartAtTheEndGoesAlong() {
 
 void PlotAxisRangeTest::aPartInThePastStays() {
   run(100);
-  range_.show(&series_, 20.0, 40.0);
+  range_.showRange(&series_, 20.0, 40.0);
   run(200);
   QCOMPARE(range_.advance(&series_), Range(20.0, 40.0));
 }
 
 void PlotAxisRangeTest::anotherAxisShowsAll() {
   run(100);
-  range_.show(&series_, 20.0, 40.0);
+  range_.showRange(&series_, 20.0, 40.0);
   QVERIFY(!range_.setAxis(PlotAxis::Iterations));
   QVERIFY(!range_.showsAll());
   QVERIFY(range_.setAxis(PlotAxis::Time));
-  QCOMPARE(range_.shown(&series_), Range(0.0, 10.0)); // seconds
+  QCOMPARE(range_.shownRange(&series_), Range(0.0, 10.0)); // seconds
 }
 
 void PlotAxisRangeTest::aRunThatWentBackBeforeThePartIsSeenWhole() {
   run(10);
-  range_.show(&series_, 20.0, 40.0); // where the run has not been yet
+  range_.showRange(&series_, 20.0, 40.0); // where the run has not been yet
   QCOMPARE(range_.advance(&series_), Range(20.0, 40.0));
   run(200);
-  range_.show(&series_, 120.0, 160.0);
+  range_.showRange(&series_, 120.0, 160.0);
   series_.removeFrom(140); // the part still begins within the run
   QCOMPARE(range_.advance(&series_), Range(120.0, 160.0));
   series_.removeFrom(100);

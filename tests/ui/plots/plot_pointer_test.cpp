@@ -94,7 +94,7 @@ void PlotPointerTest::initTestCase() {
       action("actionNextFrame")->trigger();
     }
   }
-  QVERIFY(waitFor([this] { return plots().drawnPoints() > 0 && plots().isDrawn(); }));
+  QVERIFY(waitFor([this] { return plots().drawnPointCount() > 0 && plots().isDrawn(); }));
   QVERIFY(draws(*window_));
 }
 

@@ -47,14 +47,15 @@ private:
         return false;
       }
     }
-    return waitFor([this] { return panel().shownIterations() == shown().iterations; });
+    return waitFor([this] { return panel().shownIterationCount() == shown().iterations; });
   }
 };
 
 void PlotsOfABeginningTest::init() {
   makeWindow({.size = {1400, 900}, .theme = Theme::Light, .play = false});
   open(); // and the first frame is tracked
-  QVERIFY(waitFor([this] { return shown().iterations == 1 && panel().shownIterations() == 1; }));
+  QVERIFY(
+      waitFor([this] { return shown().iterations == 1 && panel().shownIterationCount() == 1; }));
   QVERIFY(draws(*window_));
 }
 
@@ -73,7 +74,7 @@ void PlotsOfABeginningTest::noPlotIsCut() {
     for (const bool atEnd : {false, true}) {
       QVERIFY(waitFor([&] {
         bar->setValue(atEnd ? bar->maximum() : 0);
-        return plots().isDrawn() && plots().cutPlots().isEmpty() &&
+        return plots().isDrawn() && plots().partlyVisiblePlots().isEmpty() &&
                !plots().fullyVisiblePlots().isEmpty();
       }));
     }
@@ -100,13 +101,13 @@ void PlotsOfABeginningTest::axisStaysWhileThePlotsScroll() {
     bar->setValue(value);
     const QRect place(strip().mapTo(&plots(), QPoint()), strip().size());
     QVERIFY(strip().isVisible() && plots().rect().contains(place));
-    QVERIFY2(strip().labels().size() >= 2, qPrintable(strip().labels().join(u' ')));
+    QVERIFY2(strip().tickLabels().size() >= 2, qPrintable(strip().tickLabels().join(u' ')));
   }
 }
 
 void PlotsOfABeginningTest::oneIterationIsADot() {
-  QCOMPARE(panel().shownIterations(), 1);
-  QVERIFY(waitFor([this] { return plots().drawnPoints() > 0; }));
+  QCOMPARE(panel().shownIterationCount(), 1);
+  QVERIFY(waitFor([this] { return plots().drawnPointCount() > 0; }));
   QVERIFY(plots().hasDots());
   QVERIFY(runsTo(40));
   QVERIFY(waitFor([this] { return !plots().hasDots(); })); // a line says it
@@ -121,11 +122,11 @@ void PlotsOfABeginningTest::iterationsOfAFrameConverge() {
     QVERIFY(waitFor([&] { return shown().iterations > before; }));
   }
   QVERIFY(waitFor([this] { return panel().convergence().isVisible(); }));
-  QCOMPARE(panel().convergence().iterations(), std::size_t{5});
+  QCOMPARE(panel().convergence().iterationCount(), std::size_t{5});
   QCOMPARE(panel().convergence().stack().visiblePlots(), QStringList{"convergence"});
   // One more frame: it is its own; long after, there is nothing to be shown.
   QVERIFY(runsTo(shown().iterations + 1));
-  QCOMPARE(panel().convergence().iterations(), std::size_t{1});
+  QCOMPARE(panel().convergence().iterationCount(), std::size_t{1});
   QVERIFY(runsTo(shown().iterations + 14));
   QVERIFY(waitFor([this] { return panel().convergence().isHidden(); }));
 }

@@ -85,7 +85,7 @@ void PlotsTest::initTestCase() {
       action("actionNextFrame")->trigger();
     }
   }
-  QVERIFY(waitFor([this] { return plots().drawnPoints() > 0; }));
+  QVERIFY(waitFor([this] { return plots().drawnPointCount() > 0; }));
 }
 
 void PlotsTest::cleanupTestCase() {
@@ -109,7 +109,7 @@ void PlotsTest::openTrajectory() {
 
 void PlotsTest::curvesHaveTheRun() {
   const qint64 iterations = window_->shown()->iterations;
-  QCOMPARE(window_->findChild<PlotPanel*>()->shownIterations(), static_cast<int>(iterations));
+  QCOMPARE(window_->findChild<PlotPanel*>()->shownIterationCount(), static_cast<int>(iterations));
   // As in the desk's plan of the window; the demo knows its truth.
   QCOMPARE(plots().visiblePlots(),
            (QStringList{"position", "spread", "sampleSize", "likelihood", "error"}));
@@ -157,7 +157,7 @@ void PlotsTest::ticksAreWrittenAsTheyAre() {
 }
 
 void PlotsTest::pointerShowsOneFrameInAllViews() {
-  QSignalSpy hovered(&plots(), &PlotStack::hovered);
+  QSignalSpy hovered(&plots(), &PlotStack::frameHovered);
   point(at(0.1));
   point(at(0.3));
   QVERIFY(waitFor([&] { return !hovered.isEmpty(); }));
@@ -171,7 +171,7 @@ void PlotsTest::pointerShowsOneFrameInAllViews() {
   auto* timeline = window_->findChild<Timeline*>(QStringLiteral("timeline"));
   const QImage with = timeline->grab().toImage();
   const QPoint there = timeline->positionOf(frame + 1);
-  timeline->setHovered(-1);
+  timeline->setHoveredFrame(-1);
   const QImage without = timeline->grab().toImage();
   int changed = 0;
   for (int x = 0; x < with.width(); ++x) {
@@ -352,7 +352,7 @@ void PlotsTest::picturesCanBeRead() {
   QTemporaryDir folder;
   auto* panel = window_->findChild<PlotPanel*>();
   const QString svg = folder.filePath(QStringLiteral("plots.svg"));
-  QSignalSpy saved(panel, &PlotPanel::notice);
+  QSignalSpy saved(panel, &PlotPanel::noticeRequested);
   panel->savePicture(svg);
   QVERIFY(waitFor([&] { return saved.size() == 1; }));
   QSvgRenderer renderer(svg);
@@ -381,7 +381,7 @@ void PlotsTest::restartBeginsAnew() {
   QVERIFY(waitFor([this] { return window_->shown()->iterations == 0; }));
   action("actionNextFrame")->trigger();
   QVERIFY(waitFor([this] { return table().model()->rowCount() == 1; }));
-  QCOMPARE(window_->findChild<PlotPanel*>()->shownIterations(),
+  QCOMPARE(window_->findChild<PlotPanel*>()->shownIterationCount(),
            static_cast<int>(window_->shown()->iterations));
 }
 

@@ -34,13 +34,13 @@ void PreferencesTest::atFirstThereIsNone() {
   QVERIFY(!preferences.shownPlots());
   QVERIFY(preferences.plotsOverTime());
   const BoardPreferences otherwise{QStringLiteral("some board"), 1, false, true, 0.25, 0.5};
-  const BoardPreferences board = preferences.board(otherwise);
+  const BoardPreferences board = preferences.boardPreferences(otherwise);
   QCOMPARE(board.board, otherwise.board);
   QCOMPARE(board.lensModel, 1);
-  QVERIFY(!board.lenses);
-  QVERIFY(board.positions);
-  QCOMPARE(board.lensAccuracy, 0.25);
-  QCOMPARE(board.positionAccuracy, 0.5);
+  QVERIFY(!board.calibratesIntrinsics);
+  QVERIFY(board.calibratesPositions);
+  QCOMPARE(board.intrinsicsAccuracyPx, 0.25);
+  QCOMPARE(board.positionAccuracyMeters, 0.5);
 }
 
 /// The keys and forms of the versions before there was this class.
@@ -71,13 +71,13 @@ void PreferencesTest::whatEarlierVersionsWroteIsRead() {
   QCOMPARE(preferences.shortcut(QStringLiteral("actionRestart")), std::optional(QKeySequence()));
   QCOMPARE(preferences.shownPlots(), std::optional(QStringList{QStringLiteral("error")}));
   QVERIFY(!preferences.plotsOverTime());
-  const BoardPreferences board = preferences.board({});
+  const BoardPreferences board = preferences.boardPreferences({});
   QCOMPARE(board.board, QStringLiteral("chessboard 9 6 0.03"));
   QCOMPARE(board.lensModel, 2);
-  QVERIFY(!board.lenses);
-  QVERIFY(board.positions);
-  QCOMPARE(board.lensAccuracy, 0.3);
-  QCOMPARE(board.positionAccuracy, 0.001);
+  QVERIFY(!board.calibratesIntrinsics);
+  QVERIFY(board.calibratesPositions);
+  QCOMPARE(board.intrinsicsAccuracyPx, 0.3);
+  QCOMPARE(board.positionAccuracyMeters, 0.001);
 }
 
 void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
@@ -85,7 +85,7 @@ void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
   before.setTheme(Theme::Light);
   before.setLanguage(QStringLiteral("ja"));
   before.setWindowGeometry("geometry");
-  before.setFilterThreads(3);
+  before.setFilterThreadCount(3);
   before.setShortcut(QStringLiteral("actionPlay"), QKeySequence(Qt::Key_X));
   before.setShortcut(QStringLiteral("actionRestart"), QKeySequence(Qt::Key_Y));
   before.setShortcut(QStringLiteral("actionRestart"), std::nullopt); // as declared again
@@ -124,15 +124,15 @@ void PreferencesTest::recentProjectsAreTheNewestThatAreThere() {
   QCOMPARE(preferences.recentProjects().size(), 10);
   RecentProjects offered;
   offered.checkFiles();
-  QCOMPARE(offered.files(), preferences.recentProjects());
+  QCOMPARE(offered.openableFiles(), preferences.recentProjects());
   QVERIFY(QFile::remove(newestFirst.at(4)));
   offered.checkFiles();
-  QVERIFY(QTest::qWaitFor([&] { return !offered.files().contains(newestFirst.at(4)); },
+  QVERIFY(QTest::qWaitFor([&] { return !offered.openableFiles().contains(newestFirst.at(4)); },
                           DEWPOINT_PATIENCE_MS));
-  QCOMPARE(offered.files().size(), 9);
+  QCOMPARE(offered.openableFiles().size(), 9);
   QVERIFY(QFile(newestFirst.at(4)).open(QIODevice::WriteOnly)); // it is back
   offered.checkFiles();
-  QVERIFY(QTest::qWaitFor([&] { return offered.files() == preferences.recentProjects(); },
+  QVERIFY(QTest::qWaitFor([&] { return offered.openableFiles() == preferences.recentProjects(); },
                           DEWPOINT_PATIENCE_MS));
   preferences.clearRecentProjects();
   QVERIFY(preferences.recentProjects().isEmpty());

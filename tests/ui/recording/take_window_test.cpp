@@ -205,7 +205,7 @@ void TakeWindowTest::aTakeBeginsBeforeItsStart() {
   find<QSpinBox>("takePreRoll")->setValue(2);
   find<QDialog>("takeDialog")->accept();
   QCOMPARE(Preferences().preRollSeconds(), 2);
-  const auto& feeds = window_->workbench().session.feeds();
+  const auto& feeds = window_->workbench().session.encodedFeeds();
   QVERIFY(waitFor([&] {
     return std::ranges::all_of(feeds,
                                [](const auto& feed) { return feed->preRoll().images >= 20; });
@@ -295,9 +295,9 @@ void TakeWindowTest::recordingsHaveNoButton() {
 }
 
 void TakeWindowTest::durationsAreShownAsOnAClock() {
-  QCOMPARE(clockText(7.9), QStringLiteral("0:07"));
-  QCOMPARE(clockText(754.0), QStringLiteral("12:34"));
-  QCOMPARE(clockText(3723.0), QStringLiteral("1:02:03"));
+  QCOMPARE(minutesAndSecondsText(7.9), QStringLiteral("0:07"));
+  QCOMPARE(minutesAndSecondsText(754.0), QStringLiteral("12:34"));
+  QCOMPARE(minutesAndSecondsText(3723.0), QStringLiteral("1:02:03"));
 }
 
 DEWPOINT_WINDOW_TEST(TakeWindowTest)

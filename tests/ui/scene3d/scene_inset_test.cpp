@@ -54,7 +54,7 @@ private Q_SLOTS:
     none->targets.clear();
     view_->setSnapshot(hidden); // and it is framed like the others
     view_->currentImage();
-    QCOMPARE(view_->cloudInset().target(*view_, -1), -1);
+    QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, -1), -1);
     const QImage seen = view_->currentImage();
     view_->setSnapshot(none);
     QCOMPARE(view_->currentImage(), seen);

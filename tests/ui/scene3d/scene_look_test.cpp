@@ -129,9 +129,9 @@ private Q_SLOTS:
       return std::abs(qGray(seen.pixel(x, y)) - qGray(bare.pixel(x, y))) > 25;
     };
     // The cloud is 0.08 m about the middle; the ball reaches three times as far.
-    const double reach = ratio * view_->scene().logicalPixels(kBall, 0.1);
+    const double reach = ratio * view_->scene().lengthInLogicalPixels(kBall, 0.1);
     QVERIFY(countPixels(seen, at(seen, kBall), reach, stands) > 100);
-    QCOMPARE(view_->cloudInset().target(*view_, -1), -1);
+    QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, -1), -1);
   }
 
   void aTinyCloudIsEnlargedInACorner() {
@@ -139,8 +139,8 @@ private Q_SLOTS:
     scatter(snapshot->targets[0], 0.0004);
     view_->setSnapshot(snapshot);
     const QImage with = view_->currentImage();
-    QCOMPARE(view_->cloudInset().target(*view_, -1), 0);
-    QCOMPARE(view_->cloudInset().target(*view_, 0), 0);
+    QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, -1), 0);
+    QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, 0), 0);
     const double ratio = view_->devicePixelRatioF();
     const QPointF middle = SceneInset::area(*view_).center() * ratio;
     // Particles of the target's color about the middle of the inset.
@@ -150,10 +150,10 @@ private Q_SLOTS:
     const auto large = std::make_shared<TrackSnapshot>(*snapshot);
     view_->setSnapshot(large);
     view_->currentImage();
-    QCOMPARE(view_->cloudInset().target(*view_, -1), -1);
+    QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, -1), -1);
     view_->setSnapshot(TrackSnapshotPtr{});
     view_->currentImage();
-    QCOMPARE(view_->cloudInset().target(*view_, -1), -1);
+    QCOMPARE(view_->cloudInset().targetToEnlarge(*view_, -1), -1);
   }
 
   void linesOfSightEndWhereACameraDoesNotSee() {
@@ -328,16 +328,16 @@ private Q_SLOTS:
       path.add(snapshot);
       path.add(snapshot); // shown once more, of the same iteration
     }
-    QCOMPARE(path.of(0).size(), MeanPath::kMaxPositions);
-    QCOMPARE(path.of(0).back().x(), 0.70);
+    QCOMPARE(path.positionsOf(0).size(), MeanPath::kMaxPositions);
+    QCOMPARE(path.positionsOf(0).back().x(), 0.70);
     snapshot.iterations = 1; // restarted
     path.add(snapshot);
-    QCOMPARE(path.of(0).size(), std::size_t{1});
+    QCOMPARE(path.positionsOf(0).size(), std::size_t{1});
     snapshot.iterations = 2;
     sphere.valid = true;
     path.add(snapshot);
-    QVERIFY(path.of(0).empty());
-    QVERIFY(path.of(7).empty());
+    QVERIFY(path.positionsOf(0).empty());
+    QVERIFY(path.positionsOf(7).empty());
   }
 
   void theWayOfTheMeanIsDrawn() {

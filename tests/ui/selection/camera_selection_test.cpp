@@ -193,7 +193,7 @@ void CameraSelectionTest::imagesAreCalledLikeTheirCameras() {
   };
   for (CameraView* view : {&left, &right}) {
     pick.attach(view == &left ? 0 : 1, view);
-    person.attach(view == &left ? 0 : 1, view);
+    person.attachView(view == &left ? 0 : 1, view);
   }
   QVERIFY(isCalled(left, QStringLiteral("Image of left: ")));
   QVERIFY(isCalled(right, QStringLiteral("Image of camera 2: ")));

@@ -45,7 +45,7 @@ private Q_SLOTS:
 private:
   /// Tracks the first frames, and pauses.
   void trackSome(Again again = Again::Quick);
-  ResultRefresher& results() { return window_->workbench().session.results(); }
+  ResultRefresher& results() { return window_->workbench().session.resultRefresher(); }
   bool areOld(const std::vector<ResultRange>& frames) {
     return waitFor([&] { return results().oldResults().frames == frames; });
   }
@@ -104,14 +104,14 @@ void SettingsChangeTest::whatIsSlowIsMarkedAndOffered() {
   auto* timeline = find<Timeline>("timeline");
   QVERIFY(window_->document().setParameter("particles", before + 100.0));
   QVERIFY(areOld({{0, kTrackedAtFirst - 1}}));
-  QVERIFY(timeline->model().isOld(5));
+  QVERIFY(timeline->model().hasOldResult(5));
   QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("earlier settings")); }));
   QVERIFY(action("actionTrackAgain")->isEnabled());
   // The old settings are back: so is the old run, and nothing is to be done.
   window_->document().undoStack()->undo();
   QVERIFY(areOld({}));
   QVERIFY(waitFor([this] { return messageText().isEmpty(); }));
-  QVERIFY(!timeline->model().isOld(5));
+  QVERIFY(!timeline->model().hasOldResult(5));
   QVERIFY(!action("actionTrackAgain")->isEnabled());
   window_->document().undoStack()->redo();
   QVERIFY(waitFor([this] { return messageText().contains(QStringLiteral("earlier settings")); }));

@@ -317,7 +317,7 @@ void NewPageTest::connectedCamerasAreStoredWithTheirIdentities() {
   std::optional<Project> made;
   connect(&page, &ui::NewProjectPage::created, this,
           [&](const Project& project) { made = project; });
-  page.begin({});
+  page.startNewProject({});
   page.addConnectedCameras();
   auto* create = page.findChild<QPushButton*>(QStringLiteral("newCreate"));
   QVERIFY(waitFor([&] { return create->isEnabled(); }));

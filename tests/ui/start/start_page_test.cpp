@@ -140,13 +140,13 @@ void StartPageTest::recentProjectsShowWhatTheyAre() {
   action("actionCloseProject")->trigger();
   auto* list = find<QListWidget>("startRecent");
   const auto* projects = window_->findChild<RecentProjects*>();
-  QVERIFY(waitFor([&] { return !projects->all().at(0).thumbnail.isNull(); }));
-  QCOMPARE(projects->all().at(0).file, desk);
-  QVERIFY(projects->all().at(0).changed.isValid());
+  QVERIFY(waitFor([&] { return !projects->allProjects().at(0).thumbnail.isNull(); }));
+  QCOMPARE(projects->allProjects().at(0).file, desk);
+  QVERIFY(projects->allProjects().at(0).lastModified.isValid());
   QCOMPARE(list->count(), 2);
   QVERIFY(list->item(0)->flags().testFlag(Qt::ItemIsEnabled));
   QVERIFY(!list->item(1)->flags().testFlag(Qt::ItemIsEnabled)); // its file is gone
-  QCOMPARE(projects->files(), QStringList{desk});
+  QCOMPARE(projects->openableFiles(), QStringList{desk});
 }
 
 DEWPOINT_WINDOW_TEST(StartPageTest)

@@ -52,7 +52,7 @@ TEST(QuantityText, AnAccuracyHasTwoDigits) {
   EXPECT_EQ(lengthText(0.0031, LengthForm::TwoDigits), QStringLiteral("3.1 mm"));
   EXPECT_EQ(lengthText(0.0123, LengthForm::TwoDigits), QStringLiteral("12 mm"));
   EXPECT_EQ(lengthText(1.23, LengthForm::TwoDigits), QStringLiteral("1.2 m"));
-  EXPECT_EQ(digitsText(0.0, 2), QStringLiteral("0"));
+  EXPECT_EQ(significantDigitsText(0.0, 2), QStringLiteral("0"));
   EXPECT_EQ(ratioText(100.0), QStringLiteral("100"));
   EXPECT_EQ(ratioText(1.0833), QStringLiteral("1.08"));
   EXPECT_EQ(percentAccuracyText(0.001), QStringLiteral("0.10"));

@@ -32,10 +32,10 @@ TEST(ReasonText, PixelsAreRoundedAndNeverZero) {
 }
 
 TEST(ReasonText, AnImageSaysThatTheTargetIsHiddenInIt) {
-  EXPECT_EQ(cameraReasonHereText({CameraStatus::Hidden, 0.0}).toStdString(), "hidden here");
-  EXPECT_EQ(cameraReasonHereText({CameraStatus::OutOfView, 0.0}).toStdString(),
+  EXPECT_EQ(cameraReasonTextInImage({CameraStatus::Hidden, 0.0}).toStdString(), "hidden here");
+  EXPECT_EQ(cameraReasonTextInImage({CameraStatus::OutOfView, 0.0}).toStdString(),
             "not in this image");
-  EXPECT_EQ(cameraReasonHereText({CameraStatus::Dark, 0.0}).toStdString(), "too dark");
+  EXPECT_EQ(cameraReasonTextInImage({CameraStatus::Dark, 0.0}).toStdString(), "too dark");
   EXPECT_EQ(cameraBlindText({CameraStatus::Hidden, 0.0}).toStdString(), "◌ hidden here");
   EXPECT_TRUE(isBlind({CameraStatus::OutOfView, 0.0}));
   EXPECT_FALSE(isBlind({CameraStatus::PartlyHidden, 0.0}));

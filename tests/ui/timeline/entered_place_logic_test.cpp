@@ -7,7 +7,7 @@ namespace dewpoint::tests {
 namespace {
 
 std::optional<EnteredPosition> enteredIn(const char* text, QLocale::Language language) {
-  return enteredPosition(QString::fromUtf8(text), QLocale(language));
+  return parseEnteredPosition(QString::fromUtf8(text), QLocale(language));
 }
 
 std::optional<EnteredPosition> enteredInEnglish(const char* text) {

@@ -15,11 +15,11 @@ constexpr QSize kTimelineSize(400, 120);
 
 TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
   TimelineModel model;
-  model.targets = {QStringLiteral("green ball"), QStringLiteral("box")};
-  model.colors = {{.learnedColors = ColorRange{108.0, 132.0, 0.4, 0.6, 0.4, 0.6}}, {}};
+  model.targetNames = {QStringLiteral("green ball"), QStringLiteral("box")};
+  model.colorSources = {{.learnedColors = ColorRange{108.0, 132.0, 0.4, 0.6, 0.4, 0.6}}, {}};
   TimelineScale scale;
   scale.setExtent(0, 49);
-  scale.setPixels(100.0, 300.0);
+  scale.setPixelRange(100.0, 300.0);
   const TimelineRows rows(kTimelineSize, 2, 0, 16.0, 100.0, false);
   for (const bool dark : {false, true}) {
     const QPalette palette = themePalette(dark);
@@ -28,9 +28,9 @@ TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
     QPainter painter(&picture);
     paintTimeline(painter, model, scale, rows, Selection(), -1, palette);
     painter.end();
-    const auto colors = targetColors(model.colors, displayGround(palette));
+    const auto colors = targetColors(model.colorSources, displayGroundOf(palette));
     for (int k = 0; k < 2; ++k) {
-      const QPoint chip(3, qRound(rows.ribbon(k).center().y()));
+      const QPoint chip(3, qRound(rows.ribbonArea(k).center().y()));
       EXPECT_EQ(picture.pixelColor(chip).rgb(), colors[static_cast<std::size_t>(k)].rgb()) << k;
     }
     EXPECT_GT(colors[0].green(), colors[0].red()); // as it was learned
@@ -39,15 +39,11 @@ TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
 
 TEST(TimelineFooter, SaysOnlyWhatIsTrackedAgain) {
   TimelineModel model;
-  model.targets = {QStringLiteral("ball")};
-  model.history = {.firstFrame = 0,
-                   .lastFrame = 49,
-                   .newestTrackedFrame = 33,
-                   .memoryBytes = 62U << 20U,
-                   .maxMemoryBytes = 512U << 20U};
+  model.targetNames = {QStringLiteral("ball")};
+  model.history = {.firstFrame = 0, .lastFrame = 49, .newestTrackedFrame = 33, .memoryBytes = 62U << 20U, .maxMemoryBytes = 512U << 20U};
   TimelineScale scale;
   scale.setExtent(0, 49);
-  scale.setPixels(100.0, 300.0);
+  scale.setPixelRange(100.0, 300.0);
   const QPalette palette = themePalette(false);
   const auto hasText = [&] {
     const TimelineRows rows(kTimelineSize, 1, 0, 16.0, 100.0, model.rerun.has_value());

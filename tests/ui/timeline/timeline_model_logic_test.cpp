@@ -18,8 +18,8 @@ FrameRecord record(std::int64_t frame, TargetStatus status = TargetStatus::Held)
 
 TimelineModel modelOf(const std::vector<std::int64_t>& frames) {
   TimelineModel model;
-  model.targets = {QStringLiteral("ball")};
-  model.cameras = {QStringLiteral("left"), QStringLiteral("right")};
+  model.targetNames = {QStringLiteral("ball")};
+  model.cameraNames = {QStringLiteral("left"), QStringLiteral("right")};
   std::vector<FrameRecord> records;
   for (const std::int64_t frame : frames) {
     records.push_back(record(frame));
@@ -39,15 +39,15 @@ TEST(TimelineModel, AFrameThatComesAgainReplacesWhatFollowedIt) {
 
 TEST(TimelineModel, SkippedFramesBelongToTheRecordBeforeThem) {
   const TimelineModel model = modelOf({0, 1, 9, 18, 40});
-  EXPECT_EQ(model.endOf(1), 9);  // eight skipped: a live camera does that
-  EXPECT_EQ(model.endOf(2), 18); // in coarse steps as before
-  EXPECT_EQ(model.endOf(3), 19); // 22 frames were never tracked (twice 9 would be 18)
-  EXPECT_EQ(model.endOf(4), 41); // the newest
-  EXPECT_EQ(model.at(5)->frame, 1);
-  EXPECT_EQ(model.at(30), nullptr);
-  EXPECT_EQ(model.at(40)->frame, 40);
-  EXPECT_EQ(model.at(41), nullptr); // not tracked yet
-  EXPECT_EQ(TimelineModel().at(0), nullptr);
+  EXPECT_EQ(model.endFrameOf(1), 9);  // eight skipped: a live camera does that
+  EXPECT_EQ(model.endFrameOf(2), 18); // in coarse steps as before
+  EXPECT_EQ(model.endFrameOf(3), 19); // 22 frames were never tracked (twice 9 would be 18)
+  EXPECT_EQ(model.endFrameOf(4), 41); // the newest
+  EXPECT_EQ(model.recordAt(5)->frame, 1);
+  EXPECT_EQ(model.recordAt(30), nullptr);
+  EXPECT_EQ(model.recordAt(40)->frame, 40);
+  EXPECT_EQ(model.recordAt(41), nullptr); // not tracked yet
+  EXPECT_EQ(TimelineModel().recordAt(0), nullptr);
 }
 
 TEST(TimelineModel, SaysWhichTargetWasCorrectedAndWhere) {
@@ -58,8 +58,8 @@ TEST(TimelineModel, SaysWhichTargetWasCorrectedAndWhere) {
   EXPECT_TRUE(model.isCorrected(0, 1));
   EXPECT_FALSE(model.isCorrected(1, 1));
   EXPECT_FALSE(model.isCorrected(0, 2));
-  EXPECT_TRUE(model.describe(1).contains(QStringLiteral("corrected")));
-  EXPECT_FALSE(model.describe(2).contains(QStringLiteral("corrected")));
+  EXPECT_TRUE(model.descriptionOf(1).contains(QStringLiteral("corrected")));
+  EXPECT_FALSE(model.descriptionOf(2).contains(QStringLiteral("corrected")));
 }
 
 TEST(TimelineModel, TheNearestMarkerInEitherDirectionIsTheNextOne) {
@@ -114,10 +114,10 @@ TEST(TimelineModel, AFrameIsDescribedWithTargetAndReason) {
   lost.targets[0].existenceProbability = 0.1F;
   lost.targets[0].cameraReports = {{CameraStatus::Hidden, 0.0}, {CameraStatus::None, 0.0}};
   model.append({lost}, false);
-  EXPECT_EQ(model.describe(1), QStringLiteral("Frame 2, 0.04 s\nball ● tracking (0.99)"));
-  const QString text = model.describe(2);
+  EXPECT_EQ(model.descriptionOf(1), QStringLiteral("Frame 2, 0.04 s\nball ● tracking (0.99)"));
+  const QString text = model.descriptionOf(2);
   EXPECT_TRUE(text.endsWith(QStringLiteral("lost (0.10) – left: hidden"))) << text.toStdString();
-  EXPECT_TRUE(model.describe(5).endsWith(QStringLiteral("not tracked")));
+  EXPECT_TRUE(model.descriptionOf(5).endsWith(QStringLiteral("not tracked")));
 }
 
 TEST(TimelineModel, AFrameTellsWhichCamerasHadAProblem) {
@@ -126,8 +126,8 @@ TEST(TimelineModel, AFrameTellsWhichCamerasHadAProblem) {
   without.cameraProblems = std::make_shared<const std::vector<Error>>(
       std::vector<Error>{{ErrorCode::ConnectionLost, "/dev/video0", "camera 'left'", "unplugged"}});
   model.append({without}, false);
-  EXPECT_FALSE(model.describe(0).contains(QStringLiteral("left")));
-  const QString text = model.describe(1);
+  EXPECT_FALSE(model.descriptionOf(0).contains(QStringLiteral("left")));
+  const QString text = model.descriptionOf(1);
   EXPECT_TRUE(text.contains(QStringLiteral("camera 'left'"))) << text.toStdString();
   EXPECT_TRUE(text.contains(QStringLiteral("unplugged"))) << text.toStdString();
 }

@@ -15,7 +15,7 @@ constexpr int kFrames = 50;
 /// A ribbon of frames that all have this status, 10 pixels each.
 QImage ribbonOf(TargetStatus status, float existence = 0.99F, bool dark = false) {
   TimelineModel model;
-  model.targets = {QStringLiteral("ball")};
+  model.targetNames = {QStringLiteral("ball")};
   std::vector<FrameRecord> records(kFrames);
   for (int k = 0; k < kFrames; ++k) {
     records[static_cast<std::size_t>(k)].frame = k;
@@ -26,7 +26,7 @@ QImage ribbonOf(TargetStatus status, float existence = 0.99F, bool dark = false)
   model.append(records, true);
   TimelineScale scale;
   scale.setExtent(0, kFrames - 1);
-  scale.setPixels(0.0, 10.0 * kFrames);
+  scale.setPixelRange(0.0, 10.0 * kFrames);
   QImage picture(10 * kFrames, kHeight, QImage::Format_RGB32);
   QPainter painter(&picture);
   paintRibbon(painter, model, scale, QRectF(picture.rect()), 0, themePalette(dark));

@@ -9,7 +9,7 @@ namespace {
 /// 100 frames over 200 pixels, from pixel 10 on.
 TimelineScale hundredFrames() {
   TimelineScale scale;
-  scale.setPixels(10.0, 200.0);
+  scale.setPixelRange(10.0, 200.0);
   scale.setExtent(0, 99);
   return scale;
 }
@@ -31,7 +31,7 @@ TEST(TimelineScale, ALongerRunIsFollowedWhileAllIsShown) {
   scale.setExtent(0, 199);
   EXPECT_TRUE(scale.showsAll());
   EXPECT_DOUBLE_EQ(scale.end(), 200.0);
-  scale.show(50, 99);
+  scale.showFrames(50, 99);
   scale.setExtent(0, 399); // what was chosen stays
   EXPECT_DOUBLE_EQ(scale.begin(), 50.0);
   EXPECT_DOUBLE_EQ(scale.end(), 100.0);
@@ -53,7 +53,7 @@ TEST(TimelineScale, ZoomKeepsWhatIsUnderThePointer) {
 
 TEST(TimelineScale, ScrollingEndsAtTheEnds) {
   TimelineScale scale = hundredFrames();
-  scale.show(20, 39);
+  scale.showFrames(20, 39);
   scale.scroll(-100.0);
   EXPECT_DOUBLE_EQ(scale.begin(), 0.0);
   scale.scroll(1000.0);
@@ -63,7 +63,7 @@ TEST(TimelineScale, ScrollingEndsAtTheEnds) {
 
 TEST(TimelineScale, RevealScrollsAsLittleAsNeeded) {
   TimelineScale scale = hundredFrames();
-  scale.show(40, 59);
+  scale.showFrames(40, 59);
   scale.reveal(50);
   EXPECT_DOUBLE_EQ(scale.begin(), 40.0); // it is there
   scale.reveal(70);
@@ -76,7 +76,7 @@ TEST(TimelineScale, RevealScrollsAsLittleAsNeeded) {
 
 TEST(TimelineScale, FewFramesAreNotCutFurther) {
   TimelineScale scale;
-  scale.setPixels(0.0, 100.0);
+  scale.setPixelRange(0.0, 100.0);
   scale.setExtent(5, 7);
   scale.zoom(4.0, 50.0);
   EXPECT_TRUE(scale.showsAll());

@@ -137,7 +137,7 @@ void TimelineTest::aNewNameIsShownAtOnceWhileLookingBack() {
     project.targets.front().name = "renamed";
   }));
   const QString name = QStringLiteral("renamed");
-  QVERIFY(waitFor([&] { return timeline_->model().targets == QStringList{name}; }));
+  QVERIFY(waitFor([&] { return timeline_->model().targetNames == QStringList{name}; }));
   QVERIFY(waitFor([&] { return find<QLabel>("plotTarget")->text() == name; }));
   QVERIFY(showsFrame(12));
   QVERIFY(shown().isPast);

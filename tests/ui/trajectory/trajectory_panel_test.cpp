@@ -110,7 +110,7 @@ void TrajectoryPanelTest::follow(const std::vector<TrajectorySample>& samples) {
 
 void TrajectoryPanelTest::speedHeightAndGaps() {
   follow(circle(100));
-  panel_->plots().setHovered(20);
+  panel_->plots().setHoveredFrame(20);
   const QString words = panel_->plots().valuesText();
   // 2 rad/s on 1 m; the straight line over five frames of an arc is 0.25 % short: 1.99498 m/s.
   QVERIFY2(words.contains(QStringLiteral("1.99 m/s")), qPrintable(words));
@@ -252,17 +252,17 @@ void TrajectoryPanelTest::timeShowsTheLastIterationOfAFrame() {
   const auto line = series.line(0, PlotAxis::Time, 0.0, 9.0, 300);
   QCOMPARE(line.values.size(), std::size_t{10});
   QCOMPARE(line.values[4], 14.0); // frame 4: iterations 12, 13, 14
-  QCOMPARE(series.row(*series.nearest(PlotAxis::Time, 4.1)).iteration, 14);
-  QCOMPARE(series.row(*series.atFrame(4)).iteration, 14);
+  QCOMPARE(series.row(*series.nearestRow(PlotAxis::Time, 4.1)).iteration, 14);
+  QCOMPARE(series.row(*series.rowAtFrame(4)).iteration, 14);
 }
 
 void TrajectoryPanelTest::longRunsAreDrawnFromFewPoints() {
   PlotStack stack;
   stack.setPlots(runPlots({QStringLiteral("left"), QStringLiteral("right")}));
-  stack.setShown({QStringLiteral("spread"), QStringLiteral("sampleSize"),
-                  QStringLiteral("likelihood"), QStringLiteral("error")});
+  stack.setShownPlots({QStringLiteral("spread"), QStringLiteral("sampleSize"),
+                       QStringLiteral("likelihood"), QStringLiteral("error")});
   PlotSeries series;
-  series.reset(runPlotColumns(2));
+  series.reset(runPlotColumnCount(2));
   IterationRecord record;
   record.cameras.resize(2);
   for (std::int64_t i = 0; i < 40000; ++i) {
@@ -279,26 +279,26 @@ void TrajectoryPanelTest::longRunsAreDrawnFromFewPoints() {
     for (CameraEvidence& camera : record.cameras) {
       camera = {true, -20.0 + wave, 0.9, 1.0};
     }
-    appendTo(series, record);
+    appendIteration(series, record);
   }
   stack.setSeries(&series);
   stack.resize(1400, 240);
   stack.show();
   QVERIFY(QTest::qWaitForWindowExposed(&stack));
-  QVERIFY(waitFor([&] { return stack.drawnPoints() > 0; }));
+  QVERIFY(waitFor([&] { return stack.drawnPointCount() > 0; }));
   // Eight curves, two points for each of at most 1400 pixels, and one beyond either end.
-  QVERIFY(stack.drawnPoints() <= 8 * (2 * 1400 + 4));
+  QVERIFY(stack.drawnPointCount() <= 8 * (2 * 1400 + 4));
   stack.showAll();
   stack.showAll();
-  qInfo("40,000 iterations, %d points: %.1f ms per drawing", stack.drawnPoints(),
+  qInfo("40,000 iterations, %d points: %.1f ms per drawing", stack.drawnPointCount(),
         stack.lastDrawingMs());
   // A short run is drawn more smoothly.
-  stack.setShown({QStringLiteral("position"), QStringLiteral("spread"),
-                  QStringLiteral("sampleSize"), QStringLiteral("likelihood")});
+  stack.setShownPlots({QStringLiteral("position"), QStringLiteral("spread"),
+                       QStringLiteral("sampleSize"), QStringLiteral("likelihood")});
   series.removeFrom(700);
   stack.showAll();
   stack.showAll();
-  qInfo("700 iterations, %d points: %.1f ms per drawing", stack.drawnPoints(),
+  qInfo("700 iterations, %d points: %.1f ms per drawing", stack.drawnPointCount(),
         stack.lastDrawingMs());
 }
 

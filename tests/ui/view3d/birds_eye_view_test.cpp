@@ -124,13 +124,13 @@ private Q_SLOTS:
     QVERIFY(std::abs(found.center.x() - expected.x()) < 2.5 * view_->devicePixelRatioF());
     QVERIFY(std::abs(found.center.y() - expected.y()) < 2.5 * view_->devicePixelRatioF());
     // From the side, the floor has no places to click.
-    view_->setPlacing(true);
+    view_->setPlacingPeople(true);
     QCOMPARE(view_->currentView(), Scene3d::View::Above);
   }
 
   void darkAndFreeDiffer() {
     view_->setSnapshot(ballSnapshot());
-    view_->lookFree();
+    view_->lookFreely();
     const QImage light = view_->currentImage();
     keep(light, "free");
     QPalette dark;
@@ -298,7 +298,7 @@ private Q_SLOTS:
 
   void orbitingTurnsTheFreeView() {
     view_->setSnapshot(ballSnapshot());
-    view_->lookFree();
+    view_->lookFreely();
     const QImage before = view_->currentImage();
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, {300, 200});
     QTest::mouseMove(view_.get(), {380, 230});
@@ -354,20 +354,20 @@ private Q_SLOTS:
     QVERIFY(qRed(colorAt(1.45, -1.45)) > qBlue(colorAt(1.45, -1.45)) + 40);
     const QRgb blank = colorAt(-1.45, 1.45);
     QVERIFY(std::abs(qBlue(blank) - qRed(blank)) < 30);
-    const auto west = scene.positionInLayer(scene.projectToImage({-1.45, -1.45, 0.0}));
+    const auto west = scene.positionInMapLayer(scene.projectToImage({-1.45, -1.45, 0.0}));
     QVERIFY(west.has_value());
     QCOMPARE(cellAt(map->grid, *west), std::optional<std::size_t>(0));
-    look.volume = true;
+    look.volumeShown = true;
     view_->showMap(map, look);
     QVERIFY(differentPixels(view_->currentImage(), picture) > 1000);
     view_->showMap(nullptr, look);
     (void)view_->currentImage();
-    QVERIFY(!scene.positionInLayer({0.0, 0.0}));
+    QVERIFY(!scene.positionInMapLayer({0.0, 0.0}));
   }
 
   void withoutOpenGlTheWidgetStillWorks() {
     view_->setSnapshot(ballSnapshot());
-    view_->lookFree();
+    view_->lookFreely();
     QTest::mouseClick(view_.get(), Qt::LeftButton, {}, {100, 100});
     QTest::keyClick(view_.get(), Qt::Key_Plus);
     const QImage shown = view_->grab().toImage();

@@ -55,11 +55,11 @@ TEST_F(NoticeListTest, HiddenNoticesAreCountedAndAReturningOneIsShown) {
 
 TEST_F(NoticeListTest, MoreThanFitAreCountedInTheLastLine) {
   QStringList many;
-  for (int k = 0; k < NoticeList::kMaxLines + 3; ++k) {
+  for (int k = 0; k < NoticeList::kMaxNoticeLines + 3; ++k) {
     many += QStringLiteral("notice %1").arg(k);
   }
   list_.setNotices(many);
-  EXPECT_EQ(text().split(QLatin1Char('\n')).size(), NoticeList::kMaxLines + 1);
+  EXPECT_EQ(text().split(QLatin1Char('\n')).size(), NoticeList::kMaxNoticeLines + 1);
   EXPECT_TRUE(text().contains(QLatin1Char('3')));
   EXPECT_EQ(list_.findChild<QLabel*>(QStringLiteral("noticesText"))->toolTip(),
             many.join(QLatin1Char('\n')));

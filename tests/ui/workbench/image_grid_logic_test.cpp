@@ -15,10 +15,10 @@ constexpr double kTitle = 26.0;
 
 TEST(ImageGrid, TwoImagesStandAsTheyAreLargest) {
   const std::array<double, 2> wide{kWide, kWide};
-  EXPECT_EQ(bestImageGrid(wide, {400.0, 700.0}, kTitle).columns, 1);  // a narrow column
-  EXPECT_EQ(bestImageGrid(wide, {1000.0, 560.0}, kTitle).columns, 2); // would be letterboxed
-  const std::array<double, 2> upright{kWide, 1.0 / kWide};            // the demo's
-  EXPECT_EQ(bestImageGrid(upright, {900.0, 560.0}, kTitle).columns, 2);
+  EXPECT_EQ(bestImageGrid(wide, {400.0, 700.0}, kTitle).columnCount, 1);  // a narrow column
+  EXPECT_EQ(bestImageGrid(wide, {1000.0, 560.0}, kTitle).columnCount, 2); // would be letterboxed
+  const std::array<double, 2> upright{kWide, 1.0 / kWide};                // the demo's
+  EXPECT_EQ(bestImageGrid(upright, {900.0, 560.0}, kTitle).columnCount, 2);
 }
 
 TEST(ImageGrid, ImagesOfARowAreEquallyHighAndFillIt) {
@@ -26,13 +26,13 @@ TEST(ImageGrid, ImagesOfARowAreEquallyHighAndFillIt) {
   const ImageGrid grid = imageGridOf(aspects, {2000.0, 300.0 + kTitle}, kTitle, 2);
   EXPECT_NEAR(grid.columnShares[0] / grid.columnShares[1], kWide * kWide, 1e-12);
   EXPECT_NEAR(grid.maximumUsefulWidth, 300.0 * (kWide + 1.0 / kWide), 1e-9);
-  EXPECT_NEAR(grid.area, 300.0 * 300.0 * (kWide + 1.0 / kWide), 1e-6);
+  EXPECT_NEAR(grid.imageArea, 300.0 * 300.0 * (kWide + 1.0 / kWide), 1e-6);
   // Just as wide as is useful, nothing is left over, and half as wide, half as high.
   const ImageGrid full = imageGridOf(aspects, {grid.maximumUsefulWidth, 300.0 + kTitle}, kTitle, 2);
-  EXPECT_NEAR(full.area, grid.area, 1e-6);
+  EXPECT_NEAR(full.imageArea, grid.imageArea, 1e-6);
   const ImageGrid half =
       imageGridOf(aspects, {grid.maximumUsefulWidth / 2, 300.0 + kTitle}, kTitle, 2);
-  EXPECT_NEAR(half.area, grid.area / 4.0, 1e-6);
+  EXPECT_NEAR(half.imageArea, grid.imageArea / 4.0, 1e-6);
 }
 
 TEST(ImageGrid, SharesAddUp) {
@@ -52,7 +52,7 @@ TEST(ImageGrid, SharesAddUp) {
 
 TEST(ImageGrid, NineCamerasTile) {
   const std::vector<double> aspects(9, kWide);
-  EXPECT_EQ(bestImageGrid(aspects, {900.0, 700.0}, kTitle).columns, 3);
+  EXPECT_EQ(bestImageGrid(aspects, {900.0, 700.0}, kTitle).columnCount, 3);
 }
 
 TEST(ImageGrid, TheGridThereIsStaysUntilAnotherIsWorthIt) {
@@ -60,22 +60,22 @@ TEST(ImageGrid, TheGridThereIsStaysUntilAnotherIsWorthIt) {
   // Somewhere between tall and wide, one column and two cover the same.
   const auto room = [](double width) { return QSizeF(width, 600.0); };
   double width = 300.0;
-  while (bestImageGrid(aspects, room(width), kTitle).columns == 1) {
+  while (bestImageGrid(aspects, room(width), kTitle).columnCount == 1) {
     width += 1.0;
   }
-  EXPECT_EQ(bestImageGrid(aspects, room(width), kTitle, 1).columns, 1);
-  EXPECT_EQ(bestImageGrid(aspects, room(width - 2.0), kTitle, 2).columns, 2);
-  EXPECT_EQ(bestImageGrid(aspects, room(2.0 * width), kTitle, 1).columns, 2);
-  EXPECT_EQ(bestImageGrid(aspects, room(width / 2.0), kTitle, 2).columns, 1);
+  EXPECT_EQ(bestImageGrid(aspects, room(width), kTitle, 1).columnCount, 1);
+  EXPECT_EQ(bestImageGrid(aspects, room(width - 2.0), kTitle, 2).columnCount, 2);
+  EXPECT_EQ(bestImageGrid(aspects, room(2.0 * width), kTitle, 1).columnCount, 2);
+  EXPECT_EQ(bestImageGrid(aspects, room(width / 2.0), kTitle, 2).columnCount, 1);
   // Of more columns than there are images by now nothing can be kept.
-  EXPECT_EQ(bestImageGrid(std::array{kWide}, room(width), kTitle, 2).columns, 1);
+  EXPECT_EQ(bestImageGrid(std::array{kWide}, room(width), kTitle, 2).columnCount, 1);
 }
 
 TEST(ImageGrid, WithoutRoomThereIsAGridAllTheSame) {
   const std::array<double, 3> aspects{kWide, kWide, kWide};
   const ImageGrid grid = bestImageGrid(aspects, {0.0, 10.0}, kTitle);
-  EXPECT_EQ(grid.columns, 1);
-  EXPECT_EQ(grid.area, 0.0);
+  EXPECT_EQ(grid.columnCount, 1);
+  EXPECT_EQ(grid.imageArea, 0.0);
 }
 
 } // namespace

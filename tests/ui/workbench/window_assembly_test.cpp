@@ -70,7 +70,7 @@ std::map<QString, QRect> WindowAssemblyTest::places() const {
   std::map<QString, QRect> found;
   for (const ViewDock* one : window_->workbench().docks.docks()) {
     if (!one->isHidden()) {
-      found[one->objectName()] = one->isBehind() ? QRect() : one->geometry();
+      found[one->objectName()] = one->isBehindOtherDocks() ? QRect() : one->geometry();
     }
   }
   return found;
@@ -196,13 +196,13 @@ void WindowAssemblyTest::theRequestComesBackWithWhatItOpened() {
   std::vector<QString> notes;
   connect(&loader, &ProjectLoader::opened, this,
           [&](const OpenRequest& request, const std::shared_ptr<SessionInputs>& inputs) {
-            notes.push_back(request.note + QString::fromStdString(inputs->project.scene));
+            notes.push_back(request.message + QString::fromStdString(inputs->project.scene));
           });
-  loader.open({.source = std::filesystem::path("still"), .note = QStringLiteral("first ")});
-  loader.open({.source = std::filesystem::path("fast"), .note = QStringLiteral("second ")});
+  loader.open({.source = std::filesystem::path("still"), .message = QStringLiteral("first ")});
+  loader.open({.source = std::filesystem::path("fast"), .message = QStringLiteral("second ")});
   loader.open({.source = std::filesystem::path("jump"), .keepHistory = true});
   QVERIFY(loader.isReopening());
-  loader.open({.source = std::filesystem::path("smooth"), .note = QStringLiteral("last ")});
+  loader.open({.source = std::filesystem::path("smooth"), .message = QStringLiteral("last ")});
   QVERIFY(!loader.isReopening());
   QTRY_VERIFY_WITH_TIMEOUT(!loader.isOpening(), kTimeoutMs);
   // Of those asked for meanwhile, the last: with its own meaning.
@@ -219,8 +219,8 @@ void WindowAssemblyTest::viewsAreToldInOrder() {
   const auto tell = [&](const char* what) {
     return [&told, what] { told << QLatin1String(what); };
   };
-  connect(&session, &SessionController::replacing, this, tell("replacing"));
-  connect(&session, &SessionController::replaced, this, tell("replaced"));
+  connect(&session, &SessionController::documentReplacing, this, tell("replacing"));
+  connect(&session, &SessionController::documentReplaced, this, tell("replaced"));
   connect(&session, &SessionController::runStarted, this, tell("started"));
   connect(&session, &SessionController::framesLogged, this, tell("frames"));
   connect(&session, &SessionController::snapshotChanged, this,
@@ -237,7 +237,7 @@ void WindowAssemblyTest::viewsAreToldInOrder() {
   told.clear();
   session.close();
   QCOMPARE(told, QStringList({"ended", "nothing", "closed"}));
-  QVERIFY(!session.isRunning() && session.shown() == nullptr);
+  QVERIFY(!session.isRunning() && session.shownSnapshot() == nullptr);
   QVERIFY(document.project().cameras.empty());
 }
 
@@ -249,7 +249,7 @@ void WindowAssemblyTest::closingBeforeTheRunBeginsKeepsItFromBeginning() {
   QSignalSpy started(&session, &SessionController::runStarted);
   QSignalSpy closed(&session, &SessionController::closed);
   // Between the document's change and the run's beginning lies a turn of the event loop.
-  connect(&session, &SessionController::replaced, &session, [&session] {
+  connect(&session, &SessionController::documentReplaced, &session, [&session] {
     QMetaObject::invokeMethod(&session, &SessionController::close, Qt::QueuedConnection);
   });
   session.open({.source = std::filesystem::path("still")});

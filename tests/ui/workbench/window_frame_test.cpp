@@ -63,7 +63,7 @@ private:
 std::map<QString, QRect> WindowFrameTest::places() const {
   std::map<QString, QRect> found;
   for (const ViewDock* one : window_->workbench().docks.docks()) {
-    if (!one->isHidden() && !one->isBehind()) {
+    if (!one->isHidden() && !one->isBehindOtherDocks()) {
       found[one->objectName()] = one->geometry();
     }
   }
@@ -379,7 +379,7 @@ void WindowFrameTest::theSeverityOfAMessageIsSeen() {
   const auto error = looks();
   QVERIFY(notice.first != warning.first && warning.first != error.first);
   QVERIFY(notice.second != warning.second && warning.second != error.second);
-  QVERIFY(messages.recent().last().endsWith(QStringLiteral("a")));
+  QVERIFY(messages.recentMessages().last().endsWith(QStringLiteral("a")));
 }
 
 DEWPOINT_WINDOW_TEST(WindowFrameTest)

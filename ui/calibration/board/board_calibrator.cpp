@@ -52,7 +52,7 @@ QString BoardCalibrator::nameOf(std::size_t camera) const {
 
 void BoardCalibrator::setRequest(const BoardGuideRequest& request) {
   request_ = request;
-  Preferences().setBoard(preferences());
+  Preferences().setBoardPreferences(preferences());
   if (watching_) {
     startGuidance(); // what was taken is of another board, or for another lens
   }
@@ -70,17 +70,17 @@ BoardPreferences BoardCalibrator::preferences() const {
 
 void BoardCalibrator::loadPreferences() {
   BoardPreferences atFirst = preferences();
-  atFirst.lenses = true;
-  atFirst.positions = true;
-  const BoardPreferences kept = Preferences().board(atFirst);
+  atFirst.calibratesIntrinsics = true;
+  atFirst.calibratesPositions = true;
+  const BoardPreferences kept = Preferences().boardPreferences(atFirst);
   if (const auto board = parseBoard(kept.board.toStdString())) {
     request_.board.board = *board;
   }
   request_.board.model = static_cast<IntrinsicsModel>(std::clamp(kept.lensModel, 0, 2));
-  request_.goal.estimatesLenses = kept.lenses;
-  request_.goal.estimatesPoses = kept.positions || !request_.goal.estimatesLenses;
-  request_.lensGuidance.requestedProjectionPx = kept.lensAccuracy;
-  request_.requiredPositionSigma = kept.positionAccuracy;
+  request_.goal.estimatesLenses = kept.calibratesIntrinsics;
+  request_.goal.estimatesPoses = kept.calibratesPositions || !request_.goal.estimatesLenses;
+  request_.lensGuidance.requestedProjectionPx = kept.intrinsicsAccuracyPx;
+  request_.requiredPositionSigma = kept.positionAccuracyMeters;
 }
 
 void BoardCalibrator::setSnapshot(const TrackSnapshotPtr& snapshot) {

@@ -164,7 +164,7 @@ private:
   BackgroundJob* writer_;
   JobMailbox mailbox_; ///< results from the thread of `watch_`
   /// Guide whose thread may outlive the window.
-  std::unique_ptr<BoardGuideThread, DetachedDelete> watch_;
+  std::unique_ptr<BoardGuideThread, DetachedDeleter> watch_;
 };
 
 } // namespace dewpoint::ui

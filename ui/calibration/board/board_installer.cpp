@@ -26,7 +26,7 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
   QObject::connect(&cameras, &CameraDocks::viewCreated, board,
                    [board](int camera, CameraView* view) { new BoardLayer(camera, view, *board); });
   QObject::connect(board, &BoardCalibrator::playRequested, &bench.session, [run = &bench.session] {
-    if (run->shown() && !run->isPlaying()) {
+    if (run->shownSnapshot() && !run->isPlaying()) {
       run->play();
     }
   });

@@ -21,7 +21,7 @@ template <class Dialog, class... Parts> void open(const Workbench& bench, Parts&
     QObject::connect(dialog, &ExchangeDialog::failed, &bench.messages, &MessageBar::showError);
     QObject::connect(dialog, &ExchangeDialog::done, &bench.messages, &MessageBar::showNotice);
   }
-  Workbench::present(dialog);
+  Workbench::presentDialog(dialog);
 }
 
 } // namespace

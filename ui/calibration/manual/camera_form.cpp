@@ -28,22 +28,22 @@ CameraForm::CameraForm(ManualCalibration& manual, QWidget* parent)
 
 void CameraForm::createWidgets() {
   cameraLabel_ = new QLabel(this);
-  camera_ = makeChoice("handCamera", this);
+  camera_ = makeChoiceField("handCamera", this);
   camera_->setModel(&manual_.cameras());
   positionLabel_ = new QLabel(this);
-  unit_ = makeChoice("handUnit", this);
+  unit_ = makeChoiceField("handUnit", this);
   aimLabel_ = new QLabel(this);
-  aimMode_ = makeChoice("handAimMode", this);
+  aimMode_ = makeChoiceField("handAimMode", this);
   lensLabel_ = new QLabel(this);
-  lensMode_ = makeChoice("handLensMode", this);
+  lensMode_ = makeChoiceField("handLensMode", this);
   lens_ = makeNumberField(QStringLiteral("handLens"), {}, this);
   dragLabel_ = new QLabel(this);
-  dragMode_ = makeChoice("handDragMode", this);
+  dragMode_ = makeChoiceField("handDragMode", this);
   fitFocal_ = new QCheckBox(this);
   fitFocal_->setObjectName(QStringLiteral("handFocalMay"));
   keysLabel_ = new QLabel(this);
-  keyMode_ = makeChoice("handKeyMode", this);
-  keyFrame_ = makeChoice("handKeyFrame", this);
+  keyMode_ = makeChoiceField("handKeyMode", this);
+  keyFrame_ = makeChoiceField("handKeyFrame", this);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(6);

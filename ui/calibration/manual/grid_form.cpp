@@ -45,7 +45,7 @@ void GridForm::createWidgets() {
   edges_ = new QCheckBox(this);
   edges_->setObjectName(QStringLiteral("gridEdges"));
   compareLabel_ = new QLabel(this);
-  compare_ = makeChoice("gridCompare", this);
+  compare_ = makeChoiceField("gridCompare", this);
   flip_ = new QPushButton(this);
   flip_->setObjectName(QStringLiteral("gridFlip"));
   auto* grid = new QGridLayout(this);

@@ -89,7 +89,7 @@ private:
   EdgeSource edgesSource_;         ///< input of `edges_`
   EdgeSource requestedEdges_;      ///< input that `edgeJob_` is processing or will process
   QImage edges_;
-  LatestJob edgeJob_{LatestJob::Superseded::Kept};
+  LatestJob edgeJob_{LatestJob::SupersededJob::Kept};
 };
 
 } // namespace dewpoint::ui

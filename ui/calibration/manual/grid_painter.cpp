@@ -169,10 +169,9 @@ void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacemen
   for (const bool halo : {true, false}) {
     for (const auto& [role, path] : paths) {
       const Stroke stroke = strokeOf(role);
-      painter.strokePath(path, halo ? QPen(haloPen(stroke.width, kGridHalo).color(),
-                                           stroke.width + kGridHalo.extra)
-                                    : QPen(stroke.color, stroke.width));
-    }
+      painter.strokePath(path,halo ? QPen(haloPen(stroke.width, kGridHalo).color(), stroke.width + kGridHalo.extraWidthPx)
+               : QPen(stroke.color, stroke.width));
+          }
   }
   paintLabels(painter, grid, placement, lines);
   painter.restore();

@@ -89,7 +89,7 @@ void RigPlanner::setMapShown(bool shown) {
 }
 
 void RigPlanner::limitHeight() {
-  look_.height = std::clamp(look_.height, volume_.min().z(), volume_.max().z());
+  look_.layerHeight = std::clamp(look_.layerHeight, volume_.min().z(), volume_.max().z());
 }
 
 void RigPlanner::setMapOptions(const MapOptions& look) {

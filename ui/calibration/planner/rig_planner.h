@@ -109,7 +109,7 @@ private:
   };
   std::optional<MapRequest> lastRequest_;
   std::shared_ptr<RigMapper> mapper_; ///< used by one job at a time
-  LatestJob mapping_{LatestJob::Superseded::Kept};
+  LatestJob mapping_{LatestJob::SupersededJob::Kept};
   BackgroundJob search_;
   std::shared_ptr<const RigMap> map_;
   MapOptions look_;

@@ -115,14 +115,14 @@ void UncertaintyMapForm::connectFields() {
   connect(good_, &QDoubleSpinBox::valueChanged, this,
           edit([](MapOptions& look, double value) { look.goodSigma = fromMillimeters(value); }));
   connect(slice_, &QCheckBox::toggled, this,
-          edit([](MapOptions& look, bool shown) { look.slice = shown; }));
+          edit([](MapOptions& look, bool shown) { look.layerShown = shown; }));
   connect(volume_, &QCheckBox::toggled, this,
-          edit([](MapOptions& look, bool shown) { look.volume = shown; }));
+          edit([](MapOptions& look, bool shown) { look.volumeShown = shown; }));
   connect(height_, &QDoubleSpinBox::valueChanged, this,
-          edit([](MapOptions& look, double value) { look.height = value; }));
+          edit([](MapOptions& look, double value) { look.layerHeight = value; }));
   connect(heightSlider_, &QSlider::valueChanged, this, edit([this](MapOptions& look, int step) {
             const double low = plan_.volume().min().z();
-            look.height = low + (plan_.volume().max().z() - low) * step / kHeightSteps;
+            look.layerHeight = low + (plan_.volume().max().z() - low) * step / kHeightSteps;
           }));
   connect(pixel_, &QDoubleSpinBox::valueChanged, &plan_, &RigPlanner::setPixelSigma);
 }
@@ -205,15 +205,15 @@ void UncertaintyMapForm::refresh() {
   const MapOptions& look = plan_.mapOptions();
   const Eigen::AlignedBox3d& box = plan_.volume();
   tick(*shown_, plan_.isMapShown());
-  tick(*slice_, look.slice);
-  tick(*volume_, look.volume);
+  tick(*slice_, look.layerShown);
+  tick(*volume_, look.volumeShown);
   quantity_->setCurrentIndex(look.quantity == MapQuantity::CameraCount ? 1 : 0);
   showValue(*good_, inMillimeters(look.goodSigma));
   showValue(*pixel_, plan_.pixelSigma());
-  showValue(*height_, look.height);
+  showValue(*height_, look.layerHeight);
   {
     const QSignalBlocker quiet(heightSlider_);
-    const double share = (look.height - box.min().z()) / box.sizes().z();
+    const double share = (look.layerHeight - box.min().z()) / box.sizes().z();
     heightSlider_->setValue(static_cast<int>(std::lround(kHeightSteps * share)));
   }
   for (int k = 0; k < 3; ++k) {

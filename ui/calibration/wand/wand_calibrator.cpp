@@ -125,7 +125,7 @@ void WandCalibrator::startWaving() {
   }
   stopWaving();
   touchedInstants_.clear(); // they belong to what was collected before
-  collector_.reset(new WandCollector(project().cameras.size(), *colors), DetachedDelete());
+  collector_.reset(new WandCollector(project().cameras.size(), *colors), DetachedDeleter());
   waving_ = session;
   session->setFrameTap(
       [collector = collector_](const FrameSetPtr& frames) { collector->offer(frames); });

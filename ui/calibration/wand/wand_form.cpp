@@ -46,17 +46,17 @@ WandForm::WandForm(WandCalibrator& calibrator, QWidget* parent)
 
 void WandForm::createWidgets() {
   kindLabel_ = new QLabel(this);
-  kind_ = makeChoice("wandKind", this);
+  kind_ = makeChoiceField("wandKind", this);
   ballLabel_ = new QLabel(this);
-  ball_ = makeChoice("wandBall", this);
+  ball_ = makeChoiceField("wandBall", this);
   otherLabel_ = new QLabel(this);
-  other_ = makeChoice("wandOther", this);
+  other_ = makeChoiceField("wandOther", this);
   ball_->setModel(&calibrator_.targets());
   other_->setModel(&calibrator_.targets());
   lengthLabel_ = new QLabel(this);
   length_ = makeNumberField(QStringLiteral("wandLength"), {0.1, 1e4, 1.0, 2}, this);
   sizeLabel_ = new QLabel(this);
-  size_ = makeChoice("wandSize", this);
+  size_ = makeChoiceField("wandSize", this);
   distanceLabel_ = new QLabel(this);
   distance_ = makeNumberField(QStringLiteral("wandDistance"), {0.1, 1e5, 1.0, 2}, this);
   initialErrorLabel_ = new QLabel(this);

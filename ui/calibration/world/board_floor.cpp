@@ -13,7 +13,8 @@ namespace dewpoint::ui {
 namespace {
 
 BoardDescription board() {
-  return parseBoard(Preferences().board({}).board.toStdString()).value_or(BoardDescription());
+  return parseBoard(Preferences().boardPreferences({}).board.toStdString())
+      .value_or(BoardDescription());
 }
 
 } // namespace

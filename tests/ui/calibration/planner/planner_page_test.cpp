@@ -143,15 +143,15 @@ void PlannerPageTest::theMapFollowsEveryMove() {
 void PlannerPageTest::layerAndVolumeAreSet() {
   showMap();
   find<QDoubleSpinBox>("mapHeight")->setValue(0.1);
-  QCOMPARE(view().mapOptions().height, 0.1);
+  QCOMPARE(view().mapOptions().layerHeight, 0.1);
   find<QSlider>("mapHeightSlider")->setValue(0);
-  QCOMPARE(view().mapOptions().height, plan().volume().min().z());
+  QCOMPARE(view().mapOptions().layerHeight, plan().volume().min().z());
   find<QDoubleSpinBox>("mapHeight")->setValue(900.0); // kept within the volume
-  QCOMPARE(view().mapOptions().height, plan().volume().max().z());
+  QCOMPARE(view().mapOptions().layerHeight, plan().volume().max().z());
   auto* volume = find<QCheckBox>("mapVolume");
-  const bool was = view().mapOptions().volume;
+  const bool was = view().mapOptions().volumeShown;
   volume->click();
-  QCOMPARE(view().mapOptions().volume, !was);
+  QCOMPARE(view().mapOptions().volumeShown, !was);
   Q_EMIT find<QComboBox>("mapQuantity")->activated(1);
   QVERIFY(view().mapOptions().quantity == MapQuantity::CameraCount);
   const Eigen::AlignedBox3d room = plan().volume();
@@ -252,9 +252,9 @@ void PlannerPageTest::draggingStaysFluid() {
   connect(&plan(), &RigPlanner::mapChanged, this, [&] { ++maps; });
   for (const bool volume : {false, true}) {
     MapOptions look = plan().mapOptions();
-    look.volume = volume;
+    look.volumeShown = volume;
     plan().setMapOptions(look);
-    QVERIFY(waitFor([&] { return view().mapOptions().volume == volume && view().isDrawn(); }));
+    QVERIFY(waitFor([&] { return view().mapOptions().volumeShown == volume && view().isDrawn(); }));
     // The least of some: what else the machine does comes and goes.
     double shown = 1e9, drawn = 1e9;
     for (int k = 0; k < 15; ++k) {

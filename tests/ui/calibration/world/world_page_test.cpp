@@ -160,7 +160,8 @@ void WorldPageTest::markingEndsWithThePage() {
   QVERIFY(overlay(0)->isVisible());
   QTest::keyClick(overlay(0), Qt::Key_Escape);
   QVERIFY(!overlay(0)->isVisible());
-  Q_EMIT window_->workbench().docks.laidOut(); // whoever arranges views did not ask to mark points
+  Q_EMIT window_->workbench()
+      .docks.layoutChanged(); // whoever arranges views did not ask to mark points
   QVERIFY(!overlay(0)->isVisible());
   press("worldMark");
   QVERIFY(overlay(0)->isVisible());
