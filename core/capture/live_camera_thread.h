@@ -30,7 +30,7 @@ public:
   /// Returns the number of notifications so far.
   std::uint64_t notifyCount() const;
   /// Waits until there have been more than `known` notifications, or until the deadline.
-  void waitBeyond(std::uint64_t known, Clock::time_point deadline);
+  void waitForNotifyAfter(std::uint64_t known, Clock::time_point deadline);
 
 private:
   mutable std::mutex mutex_;
@@ -95,12 +95,12 @@ private:
     mutable std::mutex mutex; ///< guards all members below
     std::condition_variable_any changed;
     bool connected = false;
-    bool everDelivered = false;
+    bool hasDelivered = false;
     bool hasGrabbed = false; ///< the current connection has delivered an image
     bool finished = false;
     Clock::time_point
-        openingSince{}; ///< start of the current connection attempt, while not connected
-    Clock::time_point lastGrab{};
+        openingStartTime{}; ///< start of the current connection attempt, while not connected
+    Clock::time_point lastGrabTime{};
     std::optional<Error> problem;
     std::string remark; ///< of the stream that is open
     ImageHealth health;

@@ -96,9 +96,9 @@ double LiveFrameSource::framesPerSecond() const {
 void LiveFrameSource::collect() {
   for (std::size_t k = 0; k < cameras_.size(); ++k) {
     const double rate = cameras_[k].framesPerSecond();
-    pairing_.setExpected(k, cameras_[k].isDelivering(),
-                         rate > 0.0 ? timeStamp(1.0 / rate) : TimeStamp{},
-                         timeStamp(cameras_[k].latency()));
+    pairing_.setExpectedTiming(k, cameras_[k].isDelivering(),
+                               rate > 0.0 ? timeStamp(1.0 / rate) : TimeStamp{},
+                               timeStamp(cameras_[k].latency()));
     for (FramePtr& frame : cameras_[k].takeFrames()) {
       pairing_.add(k, inTime(std::move(frame), delays_[k]));
     }
@@ -116,7 +116,7 @@ std::optional<std::vector<FramePtr>> LiveFrameSource::awaited(Clock::time_point 
       return std::nullopt;
     }
     const auto due = pairing_.due();
-    wakeSignal_->waitBeyond(notifyCount, due ? std::min(zero_ + *due, deadline) : deadline);
+    wakeSignal_->waitForNotifyAfter(notifyCount, due ? std::min(zero_ + *due, deadline) : deadline);
   }
 }
 

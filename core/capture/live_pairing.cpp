@@ -39,8 +39,8 @@ LivePairing::LivePairing(const std::vector<TimeStamp>& delays) {
   }
 }
 
-void LivePairing::setExpected(std::size_t camera, bool delivers, TimeStamp interval,
-                              TimeStamp latency) {
+void LivePairing::setExpectedTiming(std::size_t camera, bool delivers, TimeStamp interval,
+                                    TimeStamp latency) {
   cameras_[camera].delivers = delivers;
   cameras_[camera].latency = latency;
   cameras_[camera].interval = interval;

@@ -33,7 +33,8 @@ public:
   /// Sets whether a camera is expected to deliver frames, its frame interval (0 if unknown), and
   /// its latency. The latency is the time from the reported capture of an image to its arrival, not
   /// including the camera's delay. It is 0 if the time of arrival is used as the capture time.
-  void setExpected(std::size_t camera, bool delivers, TimeStamp interval, TimeStamp latency = {});
+  void setExpectedTiming(std::size_t camera, bool delivers, TimeStamp interval,
+                         TimeStamp latency = {});
   /// Adds a frame of a camera. Drops the frame if it is older than the last group taken.
   void add(std::size_t camera, FramePtr frame);
 

@@ -252,7 +252,7 @@ void EvidenceCollector::takeSamples(std::int64_t views) {
   }
   if (before_ != nullptr && before_->views == views) {
     evidence_.target = before_->target;
-    evidence_.targetByColor = before_->targetByColor;
+    evidence_.targetColorsBySampleColor = before_->targetColorsBySampleColor;
     evidence_.targetWeight = before_->targetWeight;
     evidence_.typicalColor = before_->typicalColor;
     evidence_.typicalRanges = before_->typicalRanges;
@@ -289,8 +289,8 @@ void EvidenceCollector::divideColors(double weight) {
     for (const std::size_t sample : group) {
       addColors(samples_[sample], weight, counts);
     }
-    evidence_.targetByColor.push_back(counts.colors());
-    typical.push_back(fitRange(evidence_.targetByColor.back(), {}));
+    evidence_.targetColorsBySampleColor.push_back(counts.colors());
+    typical.push_back(fitRange(evidence_.targetColorsBySampleColor.back(), {}));
   }
   evidence_.typicalRanges = ColorRanges(std::move(typical));
 }

@@ -41,7 +41,7 @@ struct ColorEvidence {
   std::vector<WeightedHsiColor> target;
   /// `target`, split into one list for each separate color of the samples (groupSamplesByColor()).
   /// Empty if the samples have only one color.
-  std::vector<std::vector<WeightedHsiColor>> targetByColor;
+  std::vector<std::vector<WeightedHsiColor>> targetColorsBySampleColor;
   std::vector<WeightedHsiColor> rest;
   double targetWeight = 0.0;
   double restWeight = 0.0;

@@ -76,7 +76,7 @@ ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
                                           const std::vector<cv::Mat>& backgroundImages) {
   return assessColor(ranges, samples,
                      anyBackgroundImage(backgroundImages)
-                         ? withoutBackgroundColors(ranges, images, backgroundImages)
+                         ? suppressBackgroundColors(ranges, images, backgroundImages)
                          : images);
 }
 
@@ -87,7 +87,7 @@ Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& sa
   const ColorEvidence evidence = colorEvidence(samples, images, std::nullopt, undecided);
   return learnRanges(evidence).map([&](const ColorRanges& ranges) {
     const auto shown = anyBackgroundImage(backgroundImages)
-                           ? withoutBackgroundColors(ranges, images, backgroundImages)
+                           ? suppressBackgroundColors(ranges, images, backgroundImages)
                            : images;
     return LearnedColor{ranges[0], assessColor(ranges, samples, shown, evidence), ranges.others()};
   });

@@ -23,7 +23,7 @@ void TargetExposure::add(const BgrColor& color) {
   ++histogram[static_cast<std::size_t>(brightness) / kValuesPerBin];
   ++pixels;
   clipped += brightness == kClippedValue ? 1 : 0;
-  dark += brightness < kDarkest ? 1 : 0;
+  dark += brightness < kMinUsefulBrightness ? 1 : 0;
 }
 
 double TargetExposure::clippedShare() const {

@@ -21,7 +21,8 @@ enum class ExposureFault : std::uint8_t { None, Overexposed, TooDark };
 /// a color is lost as soon as one of its channels is clipped.
 struct TargetExposure {
   static constexpr std::size_t kBins = 32; ///< number of bins, of 8 brightness values each
-  static constexpr int kDarkest = 20;      ///< brightness below which a pixel has no useful color
+  static constexpr int kMinUsefulBrightness =
+      20; ///< brightness below which a pixel has no useful color
   /// If at least this fraction of the pixels is clipped, fault() returns Overexposed. Chosen by
   /// judgment: the highlights of a well exposed ball are smaller.
   static constexpr double kMaxClippedShare = 0.2;
@@ -32,7 +33,7 @@ struct TargetExposure {
   std::array<std::int64_t, kBins> histogram{}; ///< number of pixels by brightness
   std::int64_t pixels = 0;                     ///< number of all pixels
   std::int64_t clipped = 0;                    ///< number of pixels with a channel of 255
-  std::int64_t dark = 0; ///< number of pixels whose channels are all below kDarkest
+  std::int64_t dark = 0; ///< number of pixels whose channels are all below kMinUsefulBrightness
 
   /// Adds one pixel.
   void add(const BgrColor& color);

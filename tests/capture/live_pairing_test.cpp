@@ -60,7 +60,7 @@ Played play(const std::vector<Player>& players, double duration, TimeStamp each 
   }
   LivePairing pairing(delays);
   for (std::size_t k = 0; k < players.size(); ++k) {
-    pairing.setExpected(k, true, timeStamp(1.0 / players[k].rate));
+    pairing.setExpectedTiming(k, true, timeStamp(1.0 / players[k].rate));
   }
   Played played;
   played.sent = static_cast<std::int64_t>(arrivals.size());
@@ -154,8 +154,8 @@ TEST(LivePairing, TheLatencyOfReportedTimesIsWaitedFor) {
   constexpr TimeStamp kInterval = 33ms;
   constexpr TimeStamp kLatency = 150ms;
   LivePairing pairing({TimeStamp{}, TimeStamp{}});
-  pairing.setExpected(0, true, kInterval);
-  pairing.setExpected(1, true, kInterval, kLatency);
+  pairing.setExpectedTiming(0, true, kInterval);
+  pairing.setExpectedTiming(1, true, kInterval, kLatency);
   int complete = 0;
   for (TimeStamp now{}; now < kFrames * kInterval; now += 1ms) {
     if (now % kInterval == TimeStamp{}) {

@@ -113,14 +113,15 @@ TEST(LearnColor, AColorThatEverythingHasIsLeftOut) {
 TEST(ColorEvidence, OfSeveralColorsIsDividedTheSameFromWhatWasKnownBefore) {
   const Ball ball(cv::Scalar(40, 200, 220), {40, 120, 130});
   const auto first = color::colorEvidence(ball.clicks, {ball.image});
-  ASSERT_EQ(first.targetByColor.size(), 2U);
+  ASSERT_EQ(first.targetColorsBySampleColor.size(), 2U);
   ASSERT_EQ(first.typicalRanges.size(), 2U);
   const ColorRanges ranges = *learnRanges(first);
   const auto now = color::colorEvidence(ball.clicks, {ball.image}, ranges, first);
   const auto anew = color::colorEvidence(ball.clicks, {ball.image}, ranges);
   EXPECT_EQ(now.typicalRanges, anew.typicalRanges);
-  ASSERT_EQ(now.targetByColor.size(), 2U);
-  EXPECT_EQ(now.targetByColor[1].front().weight, anew.targetByColor[1].front().weight);
+  ASSERT_EQ(now.targetColorsBySampleColor.size(), 2U);
+  EXPECT_EQ(now.targetColorsBySampleColor[1].front().weight,
+            anew.targetColorsBySampleColor[1].front().weight);
   EXPECT_EQ(now.restWeight, anew.restWeight);
 }
 

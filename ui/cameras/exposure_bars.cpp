@@ -13,8 +13,8 @@ namespace {
 
 constexpr QSize kBarsSize(220, 44); ///< pixels; chosen: bars of 6 pixels, as tall as two lines
 constexpr double kBarGap = 1.0;     ///< pixels
-constexpr int kDarkBins =
-    TargetExposure::kDarkest * static_cast<int>(TargetExposure::kBins) / 256; ///< wholly too dark
+constexpr int kDarkBins = TargetExposure::kMinUsefulBrightness *
+                          static_cast<int>(TargetExposure::kBins) / 256; ///< wholly too dark
 
 } // namespace
 

@@ -78,7 +78,7 @@ int listSuite(const SuiteOptions& options) {
 }
 
 std::vector<Grade> gradesOf(const SuiteOptions& options) {
-  return gradesNamed(options.grades).value_or(std::vector<Grade>()); // names are checked
+  return gradesFromNames(options.grades).value_or(std::vector<Grade>()); // names are checked
 }
 
 /// Whether a name on the command line means a clip: it is the clip's own, or its family's.
@@ -193,7 +193,7 @@ std::vector<std::string> skippedOf(const SuiteResults& results, const SuiteCatal
 int conclude(const SuiteStore& store, const std::string& folder, bool isPart) {
   fmt::print("{} runs in {}; see report.html there.\n", store.results().size(), folder);
   for (const SkippedRun& run : store.skipped()) {
-    fmt::print(stderr, "dewpoint-cli: {}\n", skippedSentence(run));
+    fmt::print(stderr, "dewpoint-cli: {}\n", skippedRunDescription(run));
   }
   if (!store.skipped().empty()) {
     fmt::print(

@@ -77,7 +77,7 @@ private:
 /// Whether all streams have ended and none has come back.
 bool allEnded(const Feeds& feeds) {
   return std::ranges::all_of(feeds, [](const auto& feed) {
-    const auto since = feed->endedSince();
+    const auto since = feed->endTime();
     return since && RecordClock::now() - *since > kEndPatience;
   });
 }

@@ -288,7 +288,7 @@ void StreamRecording::Writer::writeTime(GstClockTime time) {
 GstBusSyncReply StreamRecording::Writer::onMessage(GstBus*, GstMessage* message, gpointer data) {
   auto& writer = **static_cast<std::shared_ptr<Writer>*>(data);
   if (GST_MESSAGE_TYPE(message) == GST_MESSAGE_ERROR) {
-    writer.setProblem(writer.files.video, gstReasonOf(message));
+    writer.setProblem(writer.files.video, gstMessageErrorText(message));
   } else if (GST_MESSAGE_TYPE(message) == GST_MESSAGE_EOS) {
     std::scoped_lock lock(writer.mutex);
     writer.hasEnded = true;
@@ -346,7 +346,7 @@ RecordedCounts StreamRecording::counts() const {
   std::scoped_lock lock(writer_->mutex);
   const Writer& writer = *writer_;
   counts.images = writer.written;
-  counts.preRollImages = writer.preRoll;
+  counts.preRollImageCount = writer.preRoll;
   counts.isChanged = writer.isChanged;
   counts.dropped = writer.received - writer.written -
                    (stopped_ || writer.isBroken() // what waited is lost

@@ -77,7 +77,7 @@ void BaselineTracker::predict() {
   const double elapsed = time_ ? seconds(frames_->time - *time_) : 0.0;
   time_ = frames_->time;
   for (Tracked& tracked : tracked_) {
-    tracked.sinceSeen += std::max(0.0, elapsed);
+    tracked.secondsSinceSeen += std::max(0.0, elapsed);
     if (setup_.kalman && elapsed > 0.0) {
       tracked.filter.predict(elapsed);
     }
@@ -212,7 +212,7 @@ ExpectedPosition BaselineTracker::expectedPositionOf(const Tracked& tracked) con
     return {tracked.filter.position(), tracked.filter.covariance(), tracked.filter.gate()};
   }
   if (tracked.last) {
-    const double sigma = std::max(kLeastStepSigma, kSpeedSigma * tracked.sinceSeen);
+    const double sigma = std::max(kLeastStepSigma, kSpeedSigma * tracked.secondsSinceSeen);
     return {*tracked.last, squared(Eigen::Vector3d::Constant(sigma)), std::nullopt};
   }
   const Eigen::Vector3d sigmas = (kStartShare * start_.half).cwiseMax(kLeastStartSigma);
@@ -225,7 +225,7 @@ void BaselineTracker::updateEstimate(std::size_t target,
   SphereEstimate estimate;
   estimate.camerasSeeing = position ? static_cast<int>(position->bearings.size()) : 0;
   if (position) {
-    tracked.sinceSeen = 0.0;
+    tracked.secondsSinceSeen = 0.0;
   }
   if (position && setup_.kalman) {
     tracked.filter.update(position->position, position->covariance);

@@ -67,7 +67,7 @@ private:
     CameraFollowers followers;
     PositionKalmanFilter filter;
     std::optional<Eigen::Vector3d> last; ///< last or predicted position, world, meters
-    double sinceSeen = 0.0;              ///< seconds since the target was last seen
+    double secondsSinceSeen = 0.0;       ///< seconds since the target was last seen
   };
   /// Images and blobs of one color in all cameras, in rig order.
   struct Views {

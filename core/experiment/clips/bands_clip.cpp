@@ -118,7 +118,7 @@ Result<CalibratedClip> bandsClip(const ClipFolders& folders) {
         last = std::max(last, frame);
       }
     }
-    const auto start = positionOfMarks(clip.rig, clip.marks, 0, band);
+    const auto start = triangulateMarks(clip.rig, clip.marks, 0, band);
     if (!start) {
       return failure(ErrorCode::Undetermined, (folder / "tapes_180349_scout.csv").string(),
                      kBands[band].name, "its marks in the first frame do not meet");

@@ -141,9 +141,9 @@ void placeStart(const CalibratedClip& clip, ScenarioRun& run) {
 
 } // namespace
 
-std::optional<Eigen::Vector3d> positionOfMarks(const CameraRig& rig,
-                                               const std::vector<MarkedCenter>& marks,
-                                               std::int64_t instant, std::size_t target) {
+std::optional<Eigen::Vector3d> triangulateMarks(const CameraRig& rig,
+                                                const std::vector<MarkedCenter>& marks,
+                                                std::int64_t instant, std::size_t target) {
   std::vector<Ray> rays;
   for (const MarkedCenter& mark : marks) {
     if (mark.frame == instant && mark.target == target) {

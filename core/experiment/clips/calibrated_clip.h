@@ -72,8 +72,8 @@ Result<ScenarioRun> clipRun(const CalibratedClip& clip, std::uint64_t seed);
 /// Returns the point (world, meters) where the rays through a target's marks at one instant meet
 /// (nearestPoint()). Returns nothing for fewer than two marks, or if the rays do not meet in front
 /// of the cameras.
-std::optional<Eigen::Vector3d> positionOfMarks(const CameraRig& rig,
-                                               const std::vector<MarkedCenter>& marks,
-                                               std::int64_t instant, std::size_t target);
+std::optional<Eigen::Vector3d> triangulateMarks(const CameraRig& rig,
+                                                const std::vector<MarkedCenter>& marks,
+                                                std::int64_t instant, std::size_t target);
 
 } // namespace dewpoint::experiment

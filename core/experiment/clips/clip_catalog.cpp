@@ -31,7 +31,7 @@ ClipDeclaration handRow() {
                "the calibration's chessboard is not known";
   clip.origin = TruthOrigin::Marked;
   clip.truthSigma = kHandMarkMm;
-  clip.tunedOn = TuningUse::Viewed;
+  clip.tuningUse = TuningUse::Viewed;
   clip.tuned = "color range and parameters of its example project were set by hand, which are not "
                "used here; the truth was made later than the methods";
   clip.needsTruthFolder = true;
@@ -46,7 +46,7 @@ ClipDeclaration boxedHandRow() {
   clip.start = "one box around the hand in one camera, from which color and radius are learned, "
                "and a box of 0.1 m half size around the first position.";
   clip.tuned = "that a box marks a part was made and tried on it, with other boxes";
-  clip.tunedOn = TuningUse::Yes;
+  clip.tuningUse = TuningUse::Yes;
   clip.calibrated = boxedHandClip;
   return clip;
 }
@@ -65,7 +65,7 @@ ClipDeclaration bandsRow() {
       "of the yellow band is left out of it, which lifts its center by up to 5 px";
   clip.origin = TruthOrigin::Segmented;
   clip.truthSigma = kCentroidPx;
-  clip.tunedOn = TuningUse::No;
+  clip.tuningUse = TuningUse::No;
   clip.tuned = "no document, test or benchmark uses it";
   clip.calibrated = bandsClip;
   return clip;
@@ -83,7 +83,7 @@ ClipDeclaration boardRow() {
   clip.truth = "the board's center, the mean of opposite corners of the published twelve";
   clip.origin = TruthOrigin::Board;
   clip.truthSigma = kBoardMm;
-  clip.tunedOn = TuningUse::Viewed;
+  clip.tuningUse = TuningUse::Viewed;
   clip.tuned = "the people methods' example project and the tests of calibration use it; nothing "
                "that tracks a target of a color was tried on it";
   clip.calibrated = boardClip;
@@ -113,7 +113,7 @@ ClipDeclaration juggleRow(const char* name, const char* clipName) {
   clip.truth = "centers of every frame, marked by a person; a box of 28 px stands for the ball";
   clip.origin = TruthOrigin::Marked;
   clip.truthSigma = kJuggleMarkPx;
-  clip.tunedOn = TuningUse::Yes;
+  clip.tuningUse = TuningUse::Yes;
   clip.tuned =
       "the defaults of histogram were chosen so that it keeps these balls, and the learning "
       "of colors and boxes from a click was measured on them while it was made";
@@ -128,7 +128,7 @@ ClipDeclaration throwRow(const char* name, const char* clipName) {
   clip.truth = "boxes of every frame by background difference and hue";
   clip.origin = TruthOrigin::Segmented;
   clip.truthSigma = kCentroidPx;
-  clip.tunedOn = TuningUse::Yes;
+  clip.tuningUse = TuningUse::Yes;
   clip.tuned = "histogram's search for the figure in a first box, and the learning of colors and "
                "boxes from a click, were measured on it while they were made";
   return clip;
@@ -139,7 +139,7 @@ ClipDeclaration otbRow(const char* name, const char* clipName, const char* sente
   clip.truth = "boxes of every frame, drawn by people, of the benchmark OTB-100";
   clip.origin = TruthOrigin::Marked;
   clip.truthSigma = kOtbMarkPx;
-  clip.tunedOn = TuningUse::Yes;
+  clip.tuningUse = TuningUse::Yes;
   clip.tuned = "histogram was compared on it, box by box, while it was made";
   return clip;
 }

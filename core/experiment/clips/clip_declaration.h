@@ -43,7 +43,7 @@ struct ClipDeclaration {
   TruthOrigin origin = TruthOrigin::Marked;
   /// Standard deviation of the truth along each axis: in mm, or in pixels if `images` is set.
   double truthSigma = 0.0;
-  TuningUse tunedOn = TuningUse::No;
+  TuningUse tuningUse = TuningUse::No;
   std::string tuned; ///< what was tuned, or why nothing was tuned, in one clause
   int seeds = 5;     ///< default number of runs in a report
   /// True if the `truth` folder of ClipFolders is also needed.

@@ -99,7 +99,7 @@ RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDecl
 std::string clipDescription(const ClipDeclaration& clip) {
   return fmt::format("{} Start: {} Truth: {} ({}; ±{:g} {}). Tuned on: {} ({}).", clip.sentence,
                      clip.start, clip.truth, originText(clip.origin), clip.truthSigma,
-                     isInPixels(clip) ? "px" : "mm", tunedText(clip.tunedOn), clip.tuned);
+                     isInPixels(clip) ? "px" : "mm", tunedText(clip.tuningUse), clip.tuned);
 }
 
 } // namespace dewpoint::experiment

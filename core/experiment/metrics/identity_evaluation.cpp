@@ -93,7 +93,8 @@ std::string identityText(const IdentityEvaluation& e) {
                       "localization {:.3f})\n",
                       e.hota.hota, e.hota.detection, e.hota.association, e.hota.localization);
   text += fmt::format("  GOSPA              {:.1f} mm ({:.3f} missed, {:.3f} false per frame)\n",
-                      inMillimeters(e.gospa.mean), e.gospa.missedPerFrame, e.gospa.falsePerFrame);
+                      inMillimeters(e.gospa.mean), e.gospa.missedPerFrame,
+                      e.gospa.falseTargetsPerFrame);
   return text;
 }
 
@@ -115,7 +116,7 @@ nlohmann::json identityJson(const IdentityEvaluation& e) {
           {"localization", e.hota.localization},
           {"gospa", e.gospa.mean},
           {"gospa_missed_per_frame", e.gospa.missedPerFrame},
-          {"gospa_false_per_frame", e.gospa.falsePerFrame}};
+          {"gospa_false_per_frame", e.gospa.falseTargetsPerFrame}};
 }
 
 } // namespace dewpoint::experiment

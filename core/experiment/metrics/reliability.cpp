@@ -34,7 +34,7 @@ void addForecasts(std::span<const Forecast> forecasts, Reliability& result) {
     ++result.count;
     bin.meanProbability += probability;
     bin.frequency += outcome;
-    result.brier += (probability - outcome) * (probability - outcome);
+    result.brierScore += (probability - outcome) * (probability - outcome);
   }
 }
 
@@ -55,9 +55,9 @@ Reliability reliability(std::span<const Forecast> forecasts, int binCount) {
     result.expectedError += count / total * difference;
     result.maxError = std::max(result.maxError, difference);
   }
-  result.brier /= total;
+  result.brierScore /= total;
   if (result.count == 0)
-    result.expectedError = result.maxError = result.brier = kNoForecast;
+    result.expectedError = result.maxError = result.brierScore = kNoForecast;
   return result;
 }
 

@@ -32,7 +32,7 @@ struct Reliability {
   /// total * |frequency - meanProbability|. NaN without usable forecasts.
   double expectedError = 0.0;
   double maxError = 0.0;     ///< largest difference |frequency - meanProbability|
-  double brier = 0.0;        ///< mean of (probability - outcome)² (Brier 1950)
+  double brierScore = 0.0;   ///< mean of (probability - outcome)² (Brier 1950)
   std::int64_t count = 0;    ///< number of usable forecasts
   std::int64_t unusable = 0; ///< number of forecasts whose probability is not in [0, 1]
 };

@@ -86,7 +86,7 @@ struct ScenarioRun {
   std::vector<ScenarioEvent> events;
   /// Delay of the time stamps of each camera at the end of the run, without jitter, in seconds.
   /// Methods do not know this delay. Empty for real recordings.
-  std::vector<double> delaysAtEnd = {};
+  std::vector<double> finalDelays = {};
   /// Frames with a known truth, ascending. Only these frames are evaluated. If empty, all frames
   /// are evaluated.
   std::vector<std::int64_t> measuredFrames;

@@ -203,7 +203,7 @@ Status assessFigure3(const std::map<int, Instant>& instants, const ConvergenceCa
 
 } // namespace
 
-Status barreraFigure3(const ExperimentOptions& options) {
+Status writeBarreraFigure3(const ExperimentOptions& options) {
   const ConvergenceCase setup = typicalExecution();
   auto instants = instantsOf(setup, options.firstSeed);
   if (!instants) {
@@ -237,7 +237,7 @@ Status barreraFigure3(const ExperimentOptions& options) {
   return page.write(options.folder);
 }
 
-Status barreraFigure4(const ExperimentOptions& options) {
+Status writeBarreraFigure4(const ExperimentOptions& options) {
   const ConvergenceCase setup = typicalExecution();
   const auto instants = instantsOf(setup, options.firstSeed);
   if (!instants) {

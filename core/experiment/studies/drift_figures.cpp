@@ -170,7 +170,7 @@ std::vector<double> fractionStayingInCone(double slope, double depth, double mot
   return shares;
 }
 
-Status barreraFigure5(const ExperimentOptions& options) {
+Status writeBarreraFigure5(const ExperimentOptions& options) {
   ConvergenceCase setup;
   setup.ball = kBall;
   setup.start = kBall;
@@ -207,7 +207,7 @@ Status barreraFigure5(const ExperimentOptions& options) {
   return page.write(options.folder);
 }
 
-Status barreraDrift(const ExperimentOptions& options) {
+Status writeBarreraDrift(const ExperimentOptions& options) {
   constexpr int kIterations = 60; // of the curve; chosen
   const auto moved = driftCurve(options.runs, kIterations, options.firstSeed);
   if (!moved) {
@@ -287,7 +287,7 @@ Plot sharePlot(const std::string& what, const std::vector<double>& at, const Sta
 
 } // namespace
 
-Status barreraStarts(const ExperimentOptions& options) {
+Status writeBarreraStarts(const ExperimentOptions& options) {
   const std::vector<double> halves{0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0};
   const std::vector<double> beyond{0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 1.0};
   std::vector<ConvergenceCase> boxes;

@@ -109,7 +109,7 @@ double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed)
   return kept;
 }
 
-double advanceTowardFarObject(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
+double distanceAdvancedTowardFarObject(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
   static constexpr double kFar = 50.0; // meters; chosen: beyond what a step can reach
   constexpr int kSteps = 40;           // iterations of which the mean is taken; chosen
   setup.start = Eigen::Vector3d::Zero();

@@ -64,7 +64,7 @@ double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed 
 /// averaged over `runs` seeds. Only the particle nearest to the object survives, so this is about
 /// motionSigma times the expected maximum of N standard normal numbers, where N is the number of
 /// particles (2.75 * motionSigma for N = 200).
-double advanceTowardFarObject(DynamicsSetup setup, int runs,
-                              std::uint64_t firstSeed = kFirstTuningSeed);
+double distanceAdvancedTowardFarObject(DynamicsSetup setup, int runs,
+                                       std::uint64_t firstSeed = kFirstTuningSeed);
 
 } // namespace dewpoint::experiment

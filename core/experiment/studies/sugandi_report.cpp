@@ -89,9 +89,10 @@ constexpr const char* kPerturbationRemark =
     "above 0.9.";
 
 std::string claimsText(const BoxPerturbationRow& row) {
-  return row.reportsConfidence ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOn,
-                                             row.similarityOff, inPercent(row.confidentlyWrong))
-                               : std::string();
+  return row.reportsConfidence
+             ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOnTarget,
+                           row.similarityOffTarget, inPercent(row.confidentlyWrong))
+             : std::string();
 }
 
 std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
@@ -109,10 +110,10 @@ std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
 }
 
 std::string claimsCells(const BoxPerturbationRow& row) {
-  return row.reportsConfidence
-             ? fmt::format("<td>{:.2f}</td><td>{:.2f}</td><td>{:.1f} %</td>", row.similarityOn,
-                           row.similarityOff, inPercent(row.confidentlyWrong))
-             : "<td></td><td></td><td></td>";
+  return row.reportsConfidence ? fmt::format("<td>{:.2f}</td><td>{:.2f}</td><td>{:.1f} %</td>",
+                                             row.similarityOnTarget, row.similarityOffTarget,
+                                             inPercent(row.confidentlyWrong))
+                               : "<td></td><td></td><td></td>";
 }
 
 std::string perturbationHtml(const std::vector<BoxPerturbationRow>& rows) {
@@ -141,8 +142,8 @@ std::string perturbedBoxesCsv(const std::vector<BoxPerturbationRow>& rows) {
     text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(row.clip), csvCell(row.method),
                         row.scale, row.runs, row.metrics.rmse, row.metrics.success,
                         row.metrics.precision, row.worstPrecision);
-    text += row.reportsConfidence ? fmt::format(",{},{},{}\n", row.similarityOn, row.similarityOff,
-                                                row.confidentlyWrong)
+    text += row.reportsConfidence ? fmt::format(",{},{},{}\n", row.similarityOnTarget,
+                                                row.similarityOffTarget, row.confidentlyWrong)
                                   : ",,,\n";
   }
   return text;

@@ -28,7 +28,7 @@ struct Contender {
 
 std::vector<Contender> contenders() {
   std::vector<Contender> all{{"sugandi", 100}, {"sugandi", 300}, {"histogram", 300}};
-  for (const std::string& name : openCvFollowers()) {
+  for (const std::string& name : openCvFollowerNames()) {
     all.push_back({name, 0});
   }
   return all;
@@ -36,7 +36,7 @@ std::vector<Contender> contenders() {
 
 Result<std::unique_ptr<BoxFollower>> make(const Contender& contender, std::uint64_t seed) {
   if (contender.particles > 0) {
-    return makeBoxFollower(contender.method, contender.particles, seed);
+    return makeDewpointFollower(contender.method, contender.particles, seed);
   }
   return makeOpenCvFollower(contender.method);
 }

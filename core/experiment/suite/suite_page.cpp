@@ -74,7 +74,7 @@ std::string skippedRuns(const SuiteReport& report) {
                   "seeds did not fit the scenario. The results do not contain them.</summary><ul>",
                   report.skipped.size());
   for (const SkippedRun& run : report.skipped) {
-    text += fmt::format("<li>{}</li>", htmlEscaped(skippedSentence(run)));
+    text += fmt::format("<li>{}</li>", htmlEscaped(skippedRunDescription(run)));
   }
   return text + "</ul></details>";
 }

@@ -26,7 +26,7 @@ inline constexpr int kReliabilityBins = 10;
 
 /// Returns the grades with these names, without duplicates, easiest first. The name "both" stands
 /// for ideal and room. Returns nothing if a name is unknown or the list is empty.
-std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names);
+std::optional<std::vector<Grade>> gradesFromNames(const std::vector<std::string>& names);
 
 /// Identifies a run of the suite.
 struct RunKey {

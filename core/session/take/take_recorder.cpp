@@ -191,7 +191,7 @@ Status TakeRecorder::writeNotes(bool finished) const {
     one["images"] = camera.counts.images;
     one["dropped"] = camera.counts.dropped;
     one["images_changed"] = camera.counts.isChanged;
-    one["pre_roll_images"] = camera.counts.preRollImages;
+    one["pre_roll_images"] = camera.counts.preRollImageCount;
     one["pre_roll_shortened"] = camera.preRoll.shortened;
     one["bytes"] = camera.counts.bytes;
     one["frames_per_second"] = camera.counts.framesPerSecond;

@@ -107,7 +107,7 @@ TEST_F(PreRollTest, AReceiverGetsWhatWasKeptFirst) {
   EXPECT_FALSE(feed.preRollBegin()); // what was recorded is not kept again
   feed.put(imageNumber(6));
   EXPECT_TRUE(feed.preRollBegin());
-  feed.setEnded();
+  feed.markEnded();
   EXPECT_FALSE(feed.preRollBegin());
   feed.put(imageNumber(7));
   feed.setPreRoll({});
@@ -142,7 +142,7 @@ TEST_F(PreRollTest, IsWrittenBeforeTheRestWithItsTimes) {
     recording.stop();
     const RecordedCounts counts = recording.counts();
     EXPECT_FALSE(counts.problem);
-    EXPECT_GE(counts.preRollImages, 40) << encoding;
+    EXPECT_GE(counts.preRollImageCount, 40) << encoding;
     EXPECT_GE(counts.images, 75) << encoding;
     EXPECT_EQ(counts.dropped, 0) << encoding;
     EXPECT_NEAR(counts.framesPerSecond, 30.0, 0.3) << encoding; // no hole at the start

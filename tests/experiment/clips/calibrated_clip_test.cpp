@@ -79,11 +79,11 @@ TEST(CalibratedClip, FindsWhereMarksMeet) {
   // The projections of (0, 0.02, 1): 100 and 60 px, as in the comment of smallClipPosition().
   const std::vector<MarkedCenter> marks{
       {4, 1, 0, {100.0, 64.0}}, {4, 1, 1, {60.0, 64.0}}, {5, 1, 0, {0.0, 0.0}}};
-  const auto position = positionOfMarks(rig, marks, 4, 1);
+  const auto position = triangulateMarks(rig, marks, 4, 1);
   ASSERT_TRUE(position.has_value());
   EXPECT_LT((*position - Eigen::Vector3d(0.0, 0.02, 1.0)).norm(), 1e-9);
-  EXPECT_FALSE(positionOfMarks(rig, marks, 5, 1).has_value()) << "one mark alone";
-  EXPECT_FALSE(positionOfMarks(rig, marks, 4, 0).has_value()) << "another target";
+  EXPECT_FALSE(triangulateMarks(rig, marks, 5, 1).has_value()) << "one mark alone";
+  EXPECT_FALSE(triangulateMarks(rig, marks, 4, 0).has_value()) << "another target";
 }
 
 /// A clip as a scenario of the suite.

@@ -26,7 +26,7 @@ TEST(Reliability, HandWorked) {
   EXPECT_DOUBLE_EQ(result.bins[1].frequency, 1.0);
   EXPECT_NEAR(result.expectedError, 0.24, 1e-15);
   EXPECT_NEAR(result.maxError, 0.3, 1e-15);
-  EXPECT_NEAR(result.brier, 0.152, 1e-15);
+  EXPECT_NEAR(result.brierScore, 0.152, 1e-15);
 }
 
 // 0.75 stated, three of four happened.

@@ -116,7 +116,7 @@ double sugandiRmse(const BoxClip& clip, const std::vector<cv::Mat>& images, int 
                    int seeds) {
   double sum = 0.0;
   for (int seed = 1; seed <= seeds; ++seed) {
-    const auto follower = makeBoxFollower("sugandi", particles, std::uint64_t(seed));
+    const auto follower = makeDewpointFollower("sugandi", particles, std::uint64_t(seed));
     EXPECT_TRUE(follower);
     EXPECT_TRUE((*follower)->start(images.front(), clip.truth.front()));
     std::vector<std::optional<ImageBox>> found{clip.truth.front()};

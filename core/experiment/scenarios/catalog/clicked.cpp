@@ -210,7 +210,7 @@ bool clicked(ScenarioDraft& draft, const Eigen::Vector3d& color) {
 
 } // namespace
 
-std::vector<ScenarioRecipe> clickedScenarios() {
+std::vector<ScenarioRecipe> clickedTargetScenarios() {
   const auto recipe = [](const char* word, const Eigen::Vector3d& color) {
     ScenarioRecipe result{
         fmt::format("S22-{}", word),

@@ -44,7 +44,7 @@ FramePtr frameOf(const ScenarioDraft& draft, std::size_t camera, std::int64_t fr
   };
   const double taken = midExposureTime(timing, stampOf(delivery->shown));
   return std::make_shared<const Frame>(
-      Frame{own, timeStamp(stampOf(own) + delivery->stampError),
+      Frame{own, timeStamp(stampOf(own) + delivery->timeStampError),
             simulation::renderStage(draft.stage, camera, taken, delivery->shown)});
 }
 

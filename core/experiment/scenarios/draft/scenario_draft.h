@@ -98,6 +98,6 @@ void startNearTruth(ScenarioDraft& draft);
 
 /// Sets the start volume to a box that contains the initial positions of all targets, with a margin
 /// of 0.05 m.
-void startAroundAll(ScenarioDraft& draft);
+void startAroundAllTargets(ScenarioDraft& draft);
 
 } // namespace dewpoint::experiment::scenarios

@@ -17,10 +17,10 @@ constexpr int kMaxDrawAttempts = 2000;
 
 // Distances between the middles of two people, meters; chosen, as the paper states none: an adult
 // here is 0.5 m wide and 0.25 m deep.
-constexpr DistanceRange kCrossing{0.45, 0.6}; ///< shoulder by shoulder
-constexpr DistanceRange kMeeting{0.5, 0.65};  ///< to talk
-constexpr DistanceRange kCarrying{0.6, 0.75}; ///< with a box or a bag between them
-constexpr DistanceRange kContact{0.15, 0.28}; ///< an embrace: the bodies touch
+constexpr GapRange kCrossing{0.45, 0.6}; ///< shoulder by shoulder
+constexpr GapRange kMeeting{0.5, 0.65};  ///< to talk
+constexpr GapRange kCarrying{0.6, 0.75}; ///< with a box or a bag between them
+constexpr GapRange kContact{0.15, 0.28}; ///< an embrace: the bodies touch
 
 void cross(PeopleScenario& scenario, RandomDraws& draws) {
   addCrossingPeople(scenario, kCrossing, draws);

@@ -39,8 +39,7 @@ Walker numberedWalker(int number) {
   return walker;
 }
 
-void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange,
-                       RandomDraws& draws) {
+void addCrossingPeople(PeopleScenario& scenario, const GapRange& gapRange, RandomDraws& draws) {
   constexpr double kHalf =
       2.1; // seconds from the beginning to the nearest point; chosen: 2 m of way
   const double nearest = kAppearTime + kHalf;
@@ -64,7 +63,7 @@ void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange,
   scenario.timeAfterMeeting = nearest + kHalf;
 }
 
-void addMeetingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, RandomDraws& draws) {
+void addMeetingPeople(PeopleScenario& scenario, const GapRange& gapRange, RandomDraws& draws) {
   const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
   const Vector2d line = headingVector(draws.uniform(0.0, kFullTurn));
   const double gap = draws.uniform(gapRange.least, gapRange.most);

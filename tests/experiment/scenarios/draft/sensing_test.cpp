@@ -24,7 +24,7 @@ TEST(CameraTiming, IsRightUnlessSetOtherwise) {
     const auto delivery = deliveryOf({}, frame, chancesOf(frame));
     ASSERT_TRUE(delivery);
     EXPECT_EQ(delivery->shown, frame);
-    EXPECT_EQ(delivery->stampError, 0.0);
+    EXPECT_EQ(delivery->timeStampError, 0.0);
   }
   EXPECT_EQ(midExposureTime({}, 1.25), 1.25);
 }
