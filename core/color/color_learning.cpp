@@ -56,7 +56,8 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images) {
   const ColorEvidence evidence = colorEvidence(samples, images);
   return learnRanges(evidence).map([&](const ColorRanges& ranges) {
-    return LearnedColor{ranges[0], assessColor(ranges, samples, images, evidence), ranges.others()};
+    return LearnedColor{ranges[0], assessColor(ranges, samples, images, evidence),
+                        ranges.rangesAfterFirst()};
   });
 }
 
@@ -89,7 +90,8 @@ Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& sa
     const auto shown = anyBackgroundImage(backgroundImages)
                            ? suppressBackgroundColors(ranges, images, backgroundImages)
                            : images;
-    return LearnedColor{ranges[0], assessColor(ranges, samples, shown, evidence), ranges.others()};
+    return LearnedColor{ranges[0], assessColor(ranges, samples, shown, evidence),
+                        ranges.rangesAfterFirst()};
   });
 }
 

@@ -17,10 +17,10 @@ struct LearnedColor {
   ColorRange range;
   ColorAssessment assessment;
   std::vector<ColorRange>
-      others{}; ///< additional ranges for a multicolored target, besides `range`
+      otherRanges{}; ///< additional ranges for a multicolored target, besides `range`
 
   /// Returns all learned ranges.
-  ColorRanges ranges() const { return {range, others}; }
+  ColorRanges ranges() const { return {range, otherRanges}; }
 };
 
 /// Learns the range of hue, saturation and intensity that best separates the sampled colors from

@@ -60,7 +60,7 @@ Consistency consistency(std::span<const StateError> errors, double level) {
   const bool any = usable > 0.0;
   result.nees = meanBounds(any ? sum / usable : kUndefined, usable, 3.0, level);
   result.axisNees = any ? (result.axisNees / usable).eval() : Eigen::Vector3d::Constant(kUndefined);
-  result.axisBounds = meanBounds(1.0, usable, 1.0, level);
+  result.axisNeesBounds = meanBounds(1.0, usable, 1.0, level);
   return result;
 }
 

@@ -33,7 +33,7 @@ struct Consistency {
   /// Mean of error² / reported variance for each world axis; 1 is expected.
   Eigen::Vector3d axisNees = Eigen::Vector3d::Zero();
   /// Expected value of each element of axisNees (1), with the bounds for a consistent filter.
-  Interval axisBounds;
+  Interval axisNeesBounds;
   Proportion inside;   ///< truths in the 95 % ellipsoid; unusable samples count as outside
   Proportion inside50; ///< truths in the 50 % ellipsoid
 };

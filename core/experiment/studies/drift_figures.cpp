@@ -172,8 +172,8 @@ std::vector<double> fractionStayingInCone(double slope, double depth, double mot
 
 Status writeBarreraFigure5(const ExperimentOptions& options) {
   ConvergenceCase setup;
-  setup.ball = kBall;
-  setup.start = kBall;
+  setup.ballPosition = kBall;
+  setup.startPosition = kBall;
   setup.iterations = kConeInstants.back();
   setup.cameras.resize(1);
   const auto clouds = cloudsOfOneCamera(setup, options.firstSeed);
@@ -254,8 +254,8 @@ Result<StartShares> sharesOf(const std::vector<ConvergenceCase>& cases,
     if (!result) {
       return tl::make_unexpected(result.error());
     }
-    shares.converged.push_back(double(result->converged) / setup.runs);
-    shares.within.push_back(double(result->within) / setup.runs);
+    shares.converged.push_back(double(result->convergedRunCount) / setup.runs);
+    shares.within.push_back(double(result->accurateRunCount) / setup.runs);
     const double part = double(shares.converged.size()) / double(cases.size());
     if (!reportProgress(options, from + (to - from) * part)) {
       return tl::make_unexpected(stoppedExperimentError().error());

@@ -216,7 +216,7 @@ Status writeDynamicsFigure7(const ExperimentOptions& options) {
   std::vector<std::vector<double>> columns(3);
   for (int k = 0; k < kSigmas; ++k) {
     DynamicsSetup setup;
-    setup.start = setup.positionBeforeJump; // found already, whatever the sigma
+    setup.startPosition = setup.positionBeforeJump; // found already, whatever the sigma
     setup.motionSigma = kLowest + (kHighest - kLowest) * k / (kSigmas - 1);
     errors.push_back(meanErrors(setup, options.runs, options.firstSeed));
     columns[0].push_back(setup.motionSigma);

@@ -19,7 +19,7 @@ struct DynamicsSetup {
   int particles = 200;
   double motionSigma = 0.03;
   double observationSigma = 0.1;
-  Eigen::Vector3d start{0.0, -0.6, 0.0}; ///< initial position of the cloud
+  Eigen::Vector3d startPosition{0.0, -0.6, 0.0}; ///< initial position of the cloud
   Eigen::Vector3d positionBeforeJump = Eigen::Vector3d::Zero();
   Eigen::Vector3d positionAfterJump{2.0, 0.0, 0.0};
   int jumpIteration =

@@ -71,7 +71,7 @@ std::span<const FigureExperiment> figureExperiments() {
                        1, &intoFolder<&writeDynamicsFigure8>},
       FigureExperiment{.name = "mohedano-fig1",
                        .title = "Motion masks and motion likelihood",
-                       .sentence =
+                       .description =
                            "Mohedano et al. 2009, figures 1 and 3: the regions that move in a "
                            "camera's images, and the likelihood of a person at each pixel.",
                        .runs = 1,

@@ -16,7 +16,7 @@ constexpr double kMeterStep = 1e-4;  // m
 constexpr double kVolumeStep = 1e-4; // m³
 
 void add(const PeopleTrial& trial, Fingerprint& fingerprint) {
-  fingerprint.add(trial.kept ? "kept" : "not kept");
+  fingerprint.add(trial.identitiesKept ? "kept" : "not kept");
   fingerprint.add(trial.identitySwitches, 1.0);
   const PersonResult& allPersonsResult = trial.allPersonsResult;
   for (const double share :

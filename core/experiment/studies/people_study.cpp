@@ -131,10 +131,10 @@ public:
             static_cast<std::size_t>(std::lround(time * scenario.scene.framesPerSecond));
         return frames_[std::min(frame, frames_.size() - 1)];
       };
-      result.kept = areIdentitiesKept(at(scenario.timeBeforeMeeting), at(scenario.timeAfterMeeting),
-                                      kPeopleGate);
+      result.identitiesKept = areIdentitiesKept(at(scenario.timeBeforeMeeting),
+                                                at(scenario.timeAfterMeeting), kPeopleGate);
     } else {
-      result.kept = clear.identitySwitches == 0;
+      result.identitiesKept = clear.identitySwitches == 0;
     }
     return result;
   }
@@ -169,7 +169,7 @@ private:
     }
     for (const TrackPoint& truth : frame.truth) {
       const auto person = static_cast<std::size_t>(truth.identity);
-      if (instant.camerasSeeing[person] < 2) {
+      if (instant.seeingCameraCounts[person] < 2) {
         continue;
       }
       const bool isFound = pairs.contains(truth.identity);
@@ -209,7 +209,7 @@ private:
   void measureSilhouettes(const OfficeInstant& instant, std::size_t person,
                           const ConvexHull& hull) {
     for (std::size_t camera = 0; camera < projectors_.size(); ++camera) {
-      const cv::Mat visible = instant.visible(camera, person);
+      const cv::Mat visible = instant.visibleMask(camera, person);
       if (cv::countNonZero(visible) < kMinVisiblePixels) {
         continue;
       }
@@ -326,7 +326,7 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
   }
   const OfficeRenderer renderer(recording.scene, recording.views);
   const auto picturedInstants =
-      setup.pictures ? chooseInstantsToShow(*scenario) : std::vector<PeopleInstant>();
+      setup.drawsPictures ? chooseInstantsToShow(*scenario) : std::vector<PeopleInstant>();
   for (std::int64_t frame = 0; frame < scenario->scene.frameCount; ++frame) {
     const OfficeInstant instant = renderInstant(recording, renderer, frame);
     for (EvaluatedTracker& one : *all) {

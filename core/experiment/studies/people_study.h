@@ -33,7 +33,7 @@ struct PeopleTrial {
   std::uint64_t seed = 0;
   /// True if every person had an identity before the meeting, and the same identity after the
   /// meeting.
-  bool kept = false;
+  bool identitiesKept = false;
   double mota = 0.0;
   double motp = 0.0; ///< mean distance of matches (ClearMot::motp()), meters
   double hota = 0.0;
@@ -66,7 +66,7 @@ struct PeopleStudySetup {
   std::uint64_t seed = kFirstTuningSeed;
   /// Non-default parameter values. They apply to the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;
-  bool pictures = false; ///< true to draw the images of chooseInstantsToShow()
+  bool drawsPictures = false; ///< true to draw the images of chooseInstantsToShow()
 };
 
 /// Checks the parameters. Returns UnknownKey for a parameter that no method has, or BadValue for a

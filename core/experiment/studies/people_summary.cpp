@@ -55,7 +55,7 @@ std::vector<PeopleSummary> summarize(const std::vector<PeopleTrial>& trials) {
     }
     PeopleSummary& sum = *found;
     ++sum.runs;
-    sum.kept += trial.kept ? 1 : 0;
+    sum.keptRunCount += trial.identitiesKept ? 1 : 0;
     sum.identitySwitches += trial.identitySwitches;
     const double share = 1.0 / sum.runs;
     sum.mota += share * (trial.mota - sum.mota);
@@ -92,14 +92,14 @@ std::string peopleTableHeader() {
 }
 
 std::string peopleTableRow(const PeopleSummary& one) {
-  const Interval interval = wilsonInterval({one.kept, one.runs});
+  const Interval interval = wilsonInterval({one.keptRunCount, one.runs});
   return fmt::format(
       "{:<17} {:<5} {:<9} {:<13} {:>3}/{:<3} {:>5.0f}..{:<4.0f} % {:>6} {:>6.3f} {:>6.3f} "
       "{:>7.0f} {:>7.3f} {:>6.2f} {:>6.2f} {:>6.3f} {:>6.2f} {:>6} {:>6} {:>6} {:>6}",
-      one.scenario, gradeName(one.grade), clothesName(one.clothes), one.method, one.kept, one.runs,
-      inPercent(interval.low), inPercent(interval.high), one.identitySwitches, one.mota, one.hota,
-      inMillimeters(one.motp), one.gospa, one.longestGhost, one.longestMissed, one.hullVolume,
-      one.stepMs, tableCell(one.found, 3), tableCell(one.silhouette.recall, 3),
+      one.scenario, gradeName(one.grade), clothesName(one.clothes), one.method, one.keptRunCount,
+      one.runs, inPercent(interval.low), inPercent(interval.high), one.identitySwitches, one.mota,
+      one.hota, inMillimeters(one.motp), one.gospa, one.longestGhost, one.longestMissed,
+      one.hullVolume, one.stepMs, tableCell(one.found, 3), tableCell(one.silhouette.recall, 3),
       tableCell(one.silhouette.precision, 3), tableCell(one.silhouette.iou, 3));
 }
 
@@ -112,9 +112,9 @@ std::string peopleTrialsCsv(const std::vector<PeopleTrial>& trials) {
     text +=
         fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", one.scenario,
                     gradeName(one.grade), clothesName(one.clothes), one.method, one.seed,
-                    one.kept ? 1 : 0, one.mota, one.motp, one.hota, one.gospa, one.identitySwitches,
-                    one.longestGhost, one.longestMissed, one.hullVolume, one.stepMs,
-                    one.allPersonsResult.found, one.allPersonsResult.silhouette.recall,
+                    one.identitiesKept ? 1 : 0, one.mota, one.motp, one.hota, one.gospa,
+                    one.identitySwitches, one.longestGhost, one.longestMissed, one.hullVolume,
+                    one.stepMs, one.allPersonsResult.found, one.allPersonsResult.silhouette.recall,
                     one.allPersonsResult.silhouette.precision, one.allPersonsResult.silhouette.iou);
   }
   return text;

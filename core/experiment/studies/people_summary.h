@@ -16,7 +16,8 @@ struct PeopleSummary {
   PeopleClothes clothes = PeopleClothes::Different;
   std::string method;
   int runs = 0;
-  int kept = 0; ///< number of runs in which all identities were kept (PeopleTrial::kept)
+  int keptRunCount =
+      0; ///< number of runs in which all identities were kept (PeopleTrial::identitiesKept)
   int identitySwitches = 0;
   double mota = 0.0; ///< mean over runs, like `hota` and `gospa`
   double hota = 0.0;

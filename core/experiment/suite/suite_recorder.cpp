@@ -171,7 +171,7 @@ SuiteRow::Value figureOrNone(double value) {
 
 void fillExtents(const std::vector<ExtentSample>& samples, SuiteRow& row) {
   const ExtentErrors errors = extentErrors(samples);
-  row.nearCentroidPercent = figureOrNone(inPercent(errors.near.value()));
+  row.nearCentroidPercent = figureOrNone(inPercent(errors.nearProportion.value()));
   row.centroidErrorPercent = figureOrNone(inPercent(errors.centroid));
   row.sizeErrorPercent = figureOrNone(inPercent(errors.size));
 }

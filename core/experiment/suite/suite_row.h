@@ -86,7 +86,7 @@ struct SuiteRow {
 struct SuiteColumn {
   const char* name;
   SuiteRow::Value SuiteRow::*value;
-  const char* sentence; ///< meaning of the column, for the report
+  const char* description; ///< meaning of the column, for the report
 };
 /// Returns the columns in the order of runs.csv.
 std::span<const SuiteColumn> suiteColumns();

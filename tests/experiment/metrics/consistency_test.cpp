@@ -60,8 +60,8 @@ TEST(Consistency, HandWorked) {
   EXPECT_DOUBLE_EQ(result.axisNees[0], 5.0);
   EXPECT_DOUBLE_EQ(result.axisNees[1], 0.5);
   EXPECT_DOUBLE_EQ(result.axisNees[2], 0.5);
-  EXPECT_NEAR(result.axisBounds.low, -std::log(0.975), 1e-11);
-  EXPECT_NEAR(result.axisBounds.high, -std::log(0.025), 1e-11);
+  EXPECT_NEAR(result.axisNeesBounds.low, -std::log(0.975), 1e-11);
+  EXPECT_NEAR(result.axisNeesBounds.high, -std::log(0.025), 1e-11);
   EXPECT_EQ(result.inside.count, 1);
   EXPECT_EQ(result.inside.total, 2);
 }
@@ -120,8 +120,8 @@ TEST(Consistency, TrueCovariancesPass) {
   const Consistency result = consistency(errors, 0.999);
   EXPECT_GT(result.nees.value, result.nees.low);
   EXPECT_LT(result.nees.value, result.nees.high);
-  EXPECT_GT(result.axisNees.minCoeff(), result.axisBounds.low);
-  EXPECT_LT(result.axisNees.maxCoeff(), result.axisBounds.high);
+  EXPECT_GT(result.axisNees.minCoeff(), result.axisNeesBounds.low);
+  EXPECT_LT(result.axisNees.maxCoeff(), result.axisNeesBounds.high);
   EXPECT_NEAR(result.inside.value(), 0.95, 0.014);
   EXPECT_NEAR(result.inside50.value(), 0.5, 0.032) << "4 sqrt(0.5 * 0.5 / 4000)";
 }

@@ -48,7 +48,7 @@ TEST(DynamicsStudy, ALargerSigmaArrivesSoonerAndWider) {
 TEST(DynamicsStudy, ATinySigmaDoesNotArriveBeforeIterationSeventy) {
   DynamicsSetup setup;
   setup.motionSigma = 0.005;
-  setup.start = setup.positionBeforeJump;
+  setup.startPosition = setup.positionBeforeJump;
   EXPECT_GT(runDynamics(setup, 1).errors[69], 1.0);
 }
 

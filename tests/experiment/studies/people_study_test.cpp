@@ -61,7 +61,7 @@ TEST(PeopleStudy, OursKeepsTwoInSimilarClothesApart) {
   ASSERT_TRUE(trials);
   ASSERT_EQ(trials->size(), 1U);
   const PeopleTrial& trial = trials->front();
-  EXPECT_TRUE(trial.kept);
+  EXPECT_TRUE(trial.identitiesKept);
   EXPECT_GT(trial.mota, 0.85);
   EXPECT_LT(trial.motp, 0.1);         // meters
   EXPECT_LE(trial.longestGhost, 1.0); // seconds: the bar
@@ -111,8 +111,8 @@ TEST(PeopleStudy, MotionAloneLosesTwoWhoWalkTogetherAndColorKeepsThem) {
   ASSERT_EQ(trials->size(), 2U);
   ASSERT_EQ((*trials)[0].method, "mohedano-ms");
   ASSERT_EQ((*trials)[1].method, "mohedano-msc");
-  EXPECT_FALSE((*trials)[0].kept);
-  EXPECT_TRUE((*trials)[1].kept);
+  EXPECT_FALSE((*trials)[0].identitiesKept);
+  EXPECT_TRUE((*trials)[1].identitiesKept);
 }
 
 TEST(PeopleStudy, RunsInARoomAsItDoesInAnIdealOne) {
@@ -122,7 +122,7 @@ TEST(PeopleStudy, RunsInARoomAsItDoesInAnIdealOne) {
   setup.grade = Grade::Room;
   setup.methods = {"people"};
   setup.seed = 1;
-  setup.pictures = true;
+  setup.drawsPictures = true;
   const auto trials = studyPeople(setup, views);
   ASSERT_TRUE(trials);
   const PeopleTrial& trial = trials->front();
@@ -147,18 +147,18 @@ TEST(PeopleSummary, CountsAndTakesTheWorst) {
   PeopleTrial trial;
   trial.scenario = "crossing";
   trial.method = "people";
-  trial.kept = true;
+  trial.identitiesKept = true;
   trial.mota = 0.8;
   trial.longestGhost = 0.5;
   PeopleTrial second = trial;
-  second.kept = false;
+  second.identitiesKept = false;
   second.mota = 0.6;
   second.longestGhost = 1.5;
   second.motp = std::nan("");
   const auto sums = summarize({trial, second});
   ASSERT_EQ(sums.size(), 1U);
   EXPECT_EQ(sums[0].runs, 2);
-  EXPECT_EQ(sums[0].kept, 1);
+  EXPECT_EQ(sums[0].keptRunCount, 1);
   EXPECT_NEAR(sums[0].mota, 0.7, 1e-12);
   EXPECT_EQ(sums[0].longestGhost, 1.5);
   EXPECT_EQ(sums[0].motp, 0.0);
@@ -190,7 +190,7 @@ PeopleTrial trialOf(const char* scenario, const char* method, bool kept) {
   PeopleTrial trial;
   trial.scenario = scenario;
   trial.method = method;
-  trial.kept = kept;
+  trial.identitiesKept = kept;
   return trial;
 }
 
@@ -213,9 +213,9 @@ TEST(PeopleReport, NamesTheGrade) {
   room.grade = Grade::Room;
   const auto sums = summarize({ideal, room});
   ASSERT_EQ(sums.size(), 2U); // grades are not mixed
-  EXPECT_EQ(sums[0].kept, 1);
+  EXPECT_EQ(sums[0].keptRunCount, 1);
   EXPECT_EQ(sums[1].grade, Grade::Room);
-  EXPECT_EQ(sums[1].kept, 0);
+  EXPECT_EQ(sums[1].keptRunCount, 0);
   EXPECT_NE(peopleTableRow(sums[1]).find("room"), std::string::npos);
   const std::string page = peopleReport("apart", {ideal, room}).html();
   EXPECT_NE(page.find("Grade ideal:"), std::string::npos);

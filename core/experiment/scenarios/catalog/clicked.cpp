@@ -102,7 +102,7 @@ void take(const std::optional<setup::ClickLearningResult>& lesson, ScenarioRun& 
   target.color = ColorRange{};
   if (lesson) {
     target.color = lesson->color.range;
-    target.otherColors = lesson->color.others;
+    target.otherColors = lesson->color.otherRanges;
     target.samples = lesson->samples;
   }
 }

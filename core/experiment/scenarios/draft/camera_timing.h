@@ -24,7 +24,7 @@ struct CameraTiming {
 
 /// What arrives for a frame of a camera: which image, and the error of its time stamp.
 struct FrameDelivery {
-  std::int64_t shown = 0;      ///< number of the frame whose image arrives
+  std::int64_t shownFrame = 0; ///< number of the frame whose image arrives
   double timeStampError = 0.0; ///< error of the time stamp, seconds
 };
 

@@ -225,10 +225,10 @@ SensingFaults randomFaults(const GradeModel& model, const FaultContext& context,
     CameraFaults& own = faults.cameras.emplace_back();
     own.sensor = randomSensor(model, context, draws);
     own.sensor.flicker = flicker;
-    own.automatic = drawAutomatic(model, draws);
+    own.automaticGain = drawAutomatic(model, draws);
     own.unevenLight.vignette = draw(model.vignette, draws);
-    own.unevenLight.right = draws.uniform(-model.sideFalloff, model.sideFalloff);
-    own.unevenLight.down = draws.uniform(-model.sideFalloff, model.sideFalloff);
+    own.unevenLight.gainToRight = draws.uniform(-model.sideFalloff, model.sideFalloff);
+    own.unevenLight.gainToBottom = draws.uniform(-model.sideFalloff, model.sideFalloff);
     own.timing = drawTiming(model, context, draws);
     own.calibration = model.calibration;
   }

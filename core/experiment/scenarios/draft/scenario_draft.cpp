@@ -177,7 +177,7 @@ ScenarioDeclaration declareScenario(ScenarioRecipe recipe,
   ScenarioDeclaration declaration;
   declaration.name = recipe.name;
   declaration.family = recipe.name.substr(0, recipe.name.find('-'));
-  declaration.sentence = recipe.sentence;
+  declaration.description = recipe.description;
   declaration.make = [recipe = std::move(recipe), cache = std::move(cache)](std::uint64_t seed,
                                                                             Grade grade) {
     return runOf(recipe, *cache, seed, grade);

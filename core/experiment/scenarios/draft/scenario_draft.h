@@ -76,7 +76,7 @@ struct ScenarioDraft {
 /// position at which everything that must be visible is visible.
 struct ScenarioRecipe {
   std::string name;
-  std::string sentence;
+  std::string description;
   CameraRig rig;
   simulation::Furnishing furnishing = simulation::Furnishing::ClutteredDesk;
   std::function<bool(ScenarioDraft&)> complete = nullptr;

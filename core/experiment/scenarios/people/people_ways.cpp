@@ -49,8 +49,7 @@ void addCrossingPeople(PeopleScenario& scenario, const GapRange& gapRange, Rando
   const std::array<Vector2d, 2> velocity{draws.uniform(0.85, 1.1) * headingVector(angle),
                                          draws.uniform(0.85, 1.1) * headingVector(angle + turn)};
   const Vector2d along = (velocity[1] - velocity[0]).normalized();
-  const Vector2d gap =
-      draws.uniform(gapRange.least, gapRange.most) * Vector2d(-along.y(), along.x());
+  const Vector2d gap = draws.uniform(gapRange.low, gapRange.high) * Vector2d(-along.y(), along.x());
   for (int k = 0; k < 2; ++k) {
     Walker walker = numberedWalker(k + 1);
     const Vector2d position = middle + (k == 0 ? -0.5 : 0.5) * gap;
@@ -66,7 +65,7 @@ void addCrossingPeople(PeopleScenario& scenario, const GapRange& gapRange, Rando
 void addMeetingPeople(PeopleScenario& scenario, const GapRange& gapRange, RandomDraws& draws) {
   const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
   const Vector2d line = headingVector(draws.uniform(0.0, kFullTurn));
-  const double gap = draws.uniform(gapRange.least, gapRange.most);
+  const double gap = draws.uniform(gapRange.low, gapRange.high);
   const double stay = draws.uniform(1.0, 2.0);
   const double reach = draws.uniform(1.6, 1.9);
   const double arrive = kAppearTime + reach / draws.uniform(0.9, 1.1);

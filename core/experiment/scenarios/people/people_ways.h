@@ -13,8 +13,8 @@ inline constexpr double kAppearTime = 1.3;
 
 /// Range from which a distance between two people is drawn, meters.
 struct GapRange {
-  double least = 0.0;
-  double most = 0.0;
+  double low = 0.0;
+  double high = 0.0;
 };
 
 /// Returns the unit vector on the floor (world x and y) in a direction. `angle` is measured from x
