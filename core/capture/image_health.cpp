@@ -133,7 +133,7 @@ void ImageHealth::add(const cv::Mat& image, Clock::time_point arrived,
 
 /// Of a run of images that began then: whether the last one is long after it.
 bool ImageHealth::isLongAgo(const std::optional<Clock::time_point>& since) const {
-  return since && !seen_.empty() && seen_.back().arrived - *since >= kPatience;
+  return since && !seen_.empty() && seen_.back().arrived - *since >= kMinFaultDuration;
 }
 
 bool ImageHealth::isSlow(Clock::time_point now) const {

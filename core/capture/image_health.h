@@ -30,7 +30,7 @@ public:
   static constexpr std::chrono::milliseconds kWindow{1000}; ///< period whose images are assessed
   /// Time for which images must be black, identical or late to count as a fault. Chosen so that a
   /// short disturbance does not count, but a fault is reported within a second.
-  static constexpr std::chrono::milliseconds kPatience{700};
+  static constexpr std::chrono::milliseconds kMinFaultDuration{700};
   /// A pixel is black if its largest channel is at most this. Chosen to allow for the noise of a
   /// covered camera.
   static constexpr int kBlackLevel = 24;

@@ -60,7 +60,7 @@ public:
   /// Removes and returns the frames since the last call, oldest first.
   std::vector<FramePtr> takeFrames() { return shared_->frames.takeAll(); }
   /// Returns the number of frames dropped because they were not read in time.
-  std::int64_t dropped() const { return shared_->frames.dropped(); }
+  std::int64_t droppedCount() const { return shared_->frames.droppedCount(); }
   /// Returns whether the camera is expected to deliver frames.
   bool isDelivering() const;
   /// Returns the camera's current problem, or nothing if there is none.

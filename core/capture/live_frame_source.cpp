@@ -115,7 +115,7 @@ std::optional<std::vector<FramePtr>> LiveFrameSource::awaited(Clock::time_point 
     if (Clock::now() >= deadline) {
       return std::nullopt;
     }
-    const auto due = pairing_.due();
+    const auto due = pairing_.dueTime();
     wakeSignal_->waitForNotifyAfter(notifyCount, due ? std::min(zero_ + *due, deadline) : deadline);
   }
 }
@@ -126,7 +126,7 @@ TimeStamp LiveFrameSource::earliestToCome() const {
     behind = std::max(behind, delays_[k] + timeStamp(cameras_[k].latency()));
   }
   const TimeStamp coming = now() - behind;
-  return std::min(coming, pairing_.oldest().value_or(coming));
+  return std::min(coming, pairing_.oldestTime().value_or(coming));
 }
 
 Result<FrameSetPtr> LiveFrameSource::next() {
@@ -147,9 +147,9 @@ Result<FrameSetPtr> LiveFrameSource::next() {
 }
 
 std::int64_t LiveFrameSource::droppedFrames() const {
-  std::int64_t sum = pairing_.dropped();
+  std::int64_t sum = pairing_.droppedCount();
   for (const LiveCameraThread& camera : cameras_) {
-    sum += camera.dropped();
+    sum += camera.droppedCount();
   }
   return sum;
 }

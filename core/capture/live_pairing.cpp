@@ -89,7 +89,7 @@ bool LivePairing::canStillAdd(const Camera& camera, TimeStamp begin, TimeStamp n
   return !stopped && !comesLater;
 }
 
-std::optional<TimeStamp> LivePairing::oldest() const {
+std::optional<TimeStamp> LivePairing::oldestTime() const {
   std::optional<TimeStamp> begin;
   for (const Camera& camera : cameras_) {
     if (!camera.waiting.empty()) {
@@ -139,7 +139,7 @@ std::optional<std::vector<FramePtr>> LivePairing::take(TimeStamp now) {
   return std::move(group.frames);
 }
 
-std::optional<TimeStamp> LivePairing::due() const {
+std::optional<TimeStamp> LivePairing::dueTime() const {
   if (!completeGroups_.empty()) {
     return completeGroups_.front().begin;
   }

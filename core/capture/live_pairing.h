@@ -43,11 +43,11 @@ public:
   std::optional<std::vector<FramePtr>> take(TimeStamp now);
   /// Returns the latest time, by the session's clock, at which the next group will be complete.
   /// Returns nothing if no frame is waiting.
-  std::optional<TimeStamp> due() const;
+  std::optional<TimeStamp> dueTime() const;
   /// Returns the capture time of the oldest waiting frame; nothing if no frame is waiting.
-  std::optional<TimeStamp> oldest() const;
+  std::optional<TimeStamp> oldestTime() const;
   /// Returns the number of frames that were not in any group, or whose group was dropped.
-  std::int64_t dropped() const { return dropped_; }
+  std::int64_t droppedCount() const { return dropped_; }
 
 private:
   struct Camera {

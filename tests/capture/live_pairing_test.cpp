@@ -94,7 +94,7 @@ Played play(const std::vector<Player>& players, double duration, TimeStamp each 
     }
     take(now);
   }
-  played.dropped = pairing.dropped();
+  played.dropped = pairing.droppedCount();
   return played;
 }
 
@@ -171,7 +171,7 @@ TEST(LivePairing, TheLatencyOfReportedTimesIsWaitedFor) {
     }
   }
   EXPECT_GE(complete, kFrames - 7);
-  EXPECT_EQ(pairing.dropped(), 0);
+  EXPECT_EQ(pairing.droppedCount(), 0);
 }
 
 TEST(LivePairing, ASlowCameraCostsAFastOneNothing) {
@@ -222,7 +222,7 @@ TEST(FrameQueue, DropsTheOldestAndCountsThem) {
   for (int k = 0; k < 5; ++k) {
     queue.put(frameAt(k, {}));
   }
-  EXPECT_EQ(queue.dropped(), 2);
+  EXPECT_EQ(queue.droppedCount(), 2);
   const auto taken = queue.takeAll();
   ASSERT_EQ(taken.size(), 3U);
   EXPECT_EQ(taken.front()->index, 2);
@@ -247,7 +247,7 @@ TEST(FrameQueue, NothingIsLostUncountedBetweenThreads) {
       ++taken;
     }
   }
-  EXPECT_EQ(taken + queue.dropped(), kFrames);
+  EXPECT_EQ(taken + queue.droppedCount(), kFrames);
 }
 
 } // namespace

@@ -188,8 +188,8 @@ QString shortageText(const capture::BandwidthShortage& shortage, const QStringLi
   return CameraDeviceText::tr("USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, but "
                               "the bus has only %4 Mbit/s.")
       .arg(shortage.bus)
-      .arg(cameraList(shortage.requests, names), megabits(shortage.needed),
-           megabits(shortage.available));
+      .arg(cameraList(shortage.requests, names), megabits(shortage.neededBitsPerSecond),
+           megabits(shortage.availableBitsPerSecond));
 }
 
 QString proposalText(const capture::BandwidthShortage& shortage, const QStringList& names) {

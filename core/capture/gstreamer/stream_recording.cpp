@@ -347,11 +347,11 @@ RecordedCounts StreamRecording::counts() const {
   const Writer& writer = *writer_;
   counts.images = writer.written;
   counts.preRollImageCount = writer.preRoll;
-  counts.isChanged = writer.isChanged;
-  counts.dropped = writer.received - writer.written -
-                   (stopped_ || writer.isBroken() // what waited is lost
-                        ? 0
-                        : static_cast<std::int64_t>(writer.waiting.size()));
+  counts.arePixelsChanged = writer.isChanged;
+  counts.droppedImageCount = writer.received - writer.written -
+                             (stopped_ || writer.isBroken() // what waited is lost
+                                  ? 0
+                                  : static_cast<std::int64_t>(writer.waiting.size()));
   if (writer.written > 1 && writer.lastTime > writer.firstTime) {
     counts.framesPerSecond = static_cast<double>(writer.written - 1) * 1e9 /
                              static_cast<double>(writer.lastTime - writer.firstTime);

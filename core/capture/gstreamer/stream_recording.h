@@ -33,15 +33,16 @@ struct RecordedCounts {
   std::int64_t images = 0; ///< number of images in the files
   /// Number of these images that were captured before the start of the recording.
   std::int64_t preRollImageCount = 0;
-  std::int64_t dropped = 0; ///< number of images that were received, but are not in the files
-  std::int64_t bytes = 0;   ///< size of the video file
+  std::int64_t droppedImageCount =
+      0;                  ///< number of images that were received, but are not in the files
+  std::int64_t bytes = 0; ///< size of the video file
   /// Images per second, computed from the capture times of the first and the last image; 0 before
   /// the second image.
   double framesPerSecond = 0.0;
   TimeOrigin origin = TimeOrigin::Arrival; ///< origin of the latest capture time
   /// True if the stored pixels differ from the received ones, for example because of
   /// RawStorage::Jpeg.
-  bool isChanged = false;
+  bool arePixelsChanged = false;
   /// Reason why images are missing, for example a full disk. Images that were written before can be
   /// read.
   std::optional<Error> problem;

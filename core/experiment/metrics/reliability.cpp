@@ -23,7 +23,7 @@ void addForecasts(std::span<const Forecast> forecasts, Reliability& result) {
   for (const Forecast& forecast : forecasts) {
     const double probability = forecast.probability;
     if (!(probability >= 0.0 && probability <= 1.0)) {
-      ++result.unusable;
+      ++result.unusableCount;
       continue;
     }
     const auto slot =

@@ -160,8 +160,8 @@ bool isInside95(const StateError& sample) {
 void fillConsistency(const std::vector<StateError>& samples, SuiteRow& row) {
   const Consistency fit = consistency(samples);
   row.nees = fit.nees.value;
-  row.coverage95Percent = inPercent(fit.inside.value());
-  row.coverage50Percent = inPercent(fit.inside50.value());
+  row.coverage95Percent = inPercent(fit.coverage95.value());
+  row.coverage50Percent = inPercent(fit.coverage50.value());
 }
 
 /// Nothing where there was nothing to measure.

@@ -39,7 +39,7 @@ TEST(Reliability, EmptyBinsAndUnusableForecasts) {
   const std::vector<Forecast> forecasts{
       {std::numeric_limits<double>::quiet_NaN(), true}, {1.5, true}, {-0.1, true}, {0.0, false}};
   const Reliability result = reliability(forecasts);
-  EXPECT_EQ(result.unusable, 3);
+  EXPECT_EQ(result.unusableCount, 3);
   EXPECT_EQ(result.count, 1);
   EXPECT_EQ(result.expectedError, 0.0);
   EXPECT_TRUE(std::isnan(result.bins[5].frequency));
