@@ -305,8 +305,8 @@ TEST(StreamRecording, AChangedFormatIsReportedAndKeepsTheFile) {
   waitForImages(recording, 5);
   small.feed->disconnect();
   large.feed->connect(pass);
-  EXPECT_TRUE(
-      waitUntil([&] { return recording.counts().problem && recording.counts().dropped > 0; }));
+  EXPECT_TRUE(waitUntil(
+      [&] { return recording.counts().problem && recording.counts().droppedImageCount > 0; }));
   large.feed->disconnect();
   small.feed->connect(pass);
   const auto before = recording.counts();
