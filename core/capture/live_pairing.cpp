@@ -101,7 +101,7 @@ std::optional<TimeStamp> LivePairing::oldestTime() const {
 }
 
 std::optional<LivePairing::Group> LivePairing::takeCompleteGroup(TimeStamp now) {
-  const auto begin = oldest();
+  const auto begin = oldestTime();
   if (!begin || std::ranges::any_of(cameras_, [&](const Camera& camera) {
         return canStillAdd(camera, *begin, now);
       })) {
@@ -143,7 +143,7 @@ std::optional<TimeStamp> LivePairing::dueTime() const {
   if (!completeGroups_.empty()) {
     return completeGroups_.front().begin;
   }
-  const auto begin = oldest();
+  const auto begin = oldestTime();
   if (!begin) {
     return std::nullopt;
   }

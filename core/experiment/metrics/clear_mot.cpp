@@ -127,7 +127,7 @@ double ratio(double numerator, std::int64_t denominator) {
 } // namespace
 
 double ClearMot::mota() const {
-  return 1.0 - ratio(static_cast<double>(misses + falsePositives + identitySwitches), truths);
+  return 1.0 - ratio(static_cast<double>(misses + falsePositives + identitySwitches), truthCount);
 }
 
 double ClearMot::motp() const {
