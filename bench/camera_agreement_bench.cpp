@@ -211,7 +211,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   const bool faults = std::string(argv[1]) == "faults";
-  const auto grade = experiment::gradeNamed(argv[2]).value_or(experiment::Grade::Ideal);
+  const auto grade = experiment::gradeFromName(argv[2]).value_or(experiment::Grade::Ideal);
   std::vector<std::string> wanted(argv + 5, argv + argc);
   std::vector<experiment::ScenarioDeclaration> scenarios = experiment::scenarioCatalog();
   if (grade == experiment::Grade::Real && !wanted.empty()) {

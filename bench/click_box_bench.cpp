@@ -84,7 +84,7 @@ struct Followed {
 
 void followFrom(const BoxClip& clip, const std::vector<cv::Mat>& images, std::size_t start,
                 const Result<ImageBox>& box, Followed& followed) {
-  auto follower = makeBoxFollower("histogram", kParticles, 1);
+  auto follower = makeDewpointFollower("histogram", kParticles, 1);
   const bool started = box && follower && (*follower)->start(images[start], *box);
   const std::size_t end = std::min(images.size(), start + kFollowed + 1);
   for (std::size_t frame = start + 1; frame < end; ++frame) {

@@ -179,7 +179,7 @@ int main(int argc, char** argv) {
     fmt::print("usage: one_click_bench GRADE FIRST_SEED LAST_SEED [SCENARIO ...]\n");
     return 2;
   }
-  const auto grade = experiment::gradeNamed(argv[1]);
+  const auto grade = experiment::gradeFromName(argv[1]);
   if (!grade) {
     fmt::print("there is no grade {}\n", argv[1]);
     return 2;

@@ -189,7 +189,7 @@ TableCompleteness completenessOf(const std::string& file) {
 std::vector<std::string> captureTimeIds(const std::string& camera, const std::string& file) {
   std::vector<std::string> names{camera};
   for (const std::string& name : {std::filesystem::path(file).stem().string(), camera}) {
-    if (const auto number = numberAtEnd(name)) {
+    if (const auto number = trailingNumber(name)) {
       names.push_back(std::to_string(*number));
     }
   }

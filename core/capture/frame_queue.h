@@ -38,7 +38,7 @@ public:
   }
 
   /// Returns the number of frames dropped so far.
-  std::int64_t dropped() const {
+  std::int64_t droppedCount() const {
     std::scoped_lock lock(mutex_);
     return dropped_;
   }

@@ -58,7 +58,7 @@ bool isBlack(const cv::Mat& image) {
       ++all;
     }
   });
-  return bright <= ImageHealth::kBrightShare * all;
+  return bright <= ImageHealth::kMaxBrightShareOfBlackImage * all;
 }
 
 using Since = std::optional<ImageHealth::Clock::time_point>;
@@ -127,13 +127,13 @@ void ImageHealth::add(const cv::Mat& image, Clock::time_point arrived,
     sameSince_.reset();
   }
   note(isBlack(image), arrived, blackSince_);
-  note(captured && arrived - *captured > kLateness + delay_, arrived, lateSince_);
+  note(captured && arrived - *captured > kMaxLatency + delay_, arrived, lateSince_);
   seen_.push_back({arrived, content, isRepeated});
 }
 
 /// Of a run of images that began then: whether the last one is long after it.
 bool ImageHealth::isLongAgo(const std::optional<Clock::time_point>& since) const {
-  return since && !seen_.empty() && seen_.back().arrived - *since >= kPatience;
+  return since && !seen_.empty() && seen_.back().arrived - *since >= kMinFaultDuration;
 }
 
 bool ImageHealth::isSlow(Clock::time_point now) const {
@@ -144,13 +144,13 @@ bool ImageHealth::isSlow(Clock::time_point now) const {
   }
   const auto recent = std::ranges::count_if(
       seen_, [&](const Seen& image) { return now - image.arrived < kWindow; });
-  return static_cast<double>(recent) < kSlowShare * rate;
+  return static_cast<double>(recent) < kMinRateShare * rate;
 }
 
 bool ImageHealth::isRepeating() const {
   const auto repeated = std::ranges::count(seen_, true, &Seen::isRepeated);
   return seen_.size() >= kFewestImages &&
-         static_cast<double>(repeated) >= kRepeatedShare * static_cast<double>(seen_.size());
+         static_cast<double>(repeated) >= kMinRepeatedShare * static_cast<double>(seen_.size());
 }
 
 std::optional<ImageFault> ImageHealth::fault(Clock::time_point now) const {
@@ -166,12 +166,12 @@ std::optional<ImageFault> ImageHealth::fault(Clock::time_point now) const {
   if (isLongAgo(lateSince_)) {
     return ImageFault{ErrorCode::ImagesLate,
                       fmt::format("more than {:g} s after they were captured",
-                                  std::chrono::duration<double>(kLateness + delay_).count())};
+                                  std::chrono::duration<double>(kMaxLatency + delay_).count())};
   }
   if (isSlow(now)) {
     return ImageFault{ErrorCode::ImagesFew,
                       fmt::format("fewer than {:.0f} per second instead of {:.0f}",
-                                  kSlowShare * expectedRate(), expectedRate())};
+                                  kMinRateShare * expectedRate(), expectedRate())};
   }
   return std::nullopt;
 }

@@ -30,22 +30,22 @@ public:
   static constexpr std::chrono::milliseconds kWindow{1000}; ///< period whose images are assessed
   /// Time for which images must be black, identical or late to count as a fault. Chosen so that a
   /// short disturbance does not count, but a fault is reported within a second.
-  static constexpr std::chrono::milliseconds kPatience{700};
+  static constexpr std::chrono::milliseconds kMinFaultDuration{700};
   /// A pixel is black if its largest channel is at most this. Chosen to allow for the noise of a
   /// covered camera.
   static constexpr int kBlackLevel = 24;
   /// An image is black if at most this fraction of its pixels is not black. Chosen to allow for a
   /// few defective pixels.
-  static constexpr double kBrightShare = 0.002;
+  static constexpr double kMaxBrightShareOfBlackImage = 0.002;
   /// A camera repeats images if at least this fraction of the images in the window was sent before.
   /// Chosen by judgment: a camera that sends every image twice repeats half of them.
-  static constexpr double kRepeatedShare = 0.3;
+  static constexpr double kMinRepeatedShare = 0.3;
   /// An image is late if more than this time plus the camera's delay passes between its capture and
   /// its arrival.
-  static constexpr std::chrono::milliseconds kLateness{500};
+  static constexpr std::chrono::milliseconds kMaxLatency{500};
   /// A camera is slow if its rate is below this fraction of the expected rate. Chosen by judgment:
   /// cameras that halve their rate in poor light are slow, but a few lost images do not matter.
-  static constexpr double kSlowShare = 0.6;
+  static constexpr double kMinRateShare = 0.6;
 
   /// `requestedRate`: images per second that were requested from the camera. If it is 0, the
   /// expected rate is the highest rate that the camera has had over two seconds. `delay`: delay of

@@ -83,7 +83,7 @@ Result<FrameReaderPtr> openImageFolderReader(const std::string& folder, const st
     return failure(ErrorCode::FileUnreadable, folder, field,
                    "the folder contains no images (png, jpg, bmp or tif)");
   }
-  std::ranges::sort(files, naturallyBefore);
+  std::ranges::sort(files, isBeforeInNaturalOrder);
   return std::make_unique<ImageReader>(std::move(files), field);
 }
 

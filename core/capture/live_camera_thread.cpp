@@ -42,7 +42,7 @@ std::uint64_t WakeSignal::notifyCount() const {
   return notifyCount_;
 }
 
-void WakeSignal::waitBeyond(std::uint64_t known, Clock::time_point deadline) {
+void WakeSignal::waitForNotifyAfter(std::uint64_t known, Clock::time_point deadline) {
   std::unique_lock lock(mutex_);
   notified_.wait_until(lock, deadline, [&] { return notifyCount_ > known; });
 }
@@ -64,7 +64,7 @@ LiveCameraThread::LiveCameraThread(const LiveCamera& camera, LiveStreamFactory f
   shared_->factory = std::move(factory);
   shared_->wakeSignal = std::move(wakeSignal);
   shared_->zero = zero;
-  shared_->openingSince = Clock::now();
+  shared_->openingStartTime = Clock::now();
   thread_ = std::jthread([shared = shared_](const std::stop_token& stop) {
     setThreadPriority(ThreadPriority::Prompt); // frames are stamped here
     run(stop, *shared);
@@ -102,7 +102,7 @@ void LiveCameraThread::joinUntil(Clock::time_point deadline) {
 bool LiveCameraThread::isDelivering() const {
   std::scoped_lock lock(shared_->mutex);
   return shared_->connected && !shared_->problem &&
-         Clock::now() - shared_->lastGrab < silenceTimeout(*shared_);
+         Clock::now() - shared_->lastGrabTime < silenceTimeout(*shared_);
 }
 
 /// The first image of a connection may take longer than the others.
@@ -121,7 +121,7 @@ std::optional<Error> LiveCameraThread::problem() const {
   if (shared_->problem) {
     return shared_->problem;
   }
-  const auto silentSince = shared_->connected ? shared_->lastGrab : shared_->openingSince;
+  const auto silentSince = shared_->connected ? shared_->lastGrabTime : shared_->openingStartTime;
   if (Clock::now() - silentSince < silenceTimeout(*shared_)) {
     return std::nullopt;
   }
@@ -163,7 +163,7 @@ void LiveCameraThread::setDisconnected(Shared& shared, const std::string& detail
     shared.connected = false;
     shared.remark.clear();
     const auto code =
-        shared.everDelivered ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable;
+        shared.hasDelivered ? ErrorCode::ConnectionLost : ErrorCode::DeviceUnavailable;
     shared.problem = Error{code, redactedLocation(shared.camera.location),
                            cameraField(shared.camera.name), detail};
   }
@@ -203,9 +203,9 @@ void LiveCameraThread::readAll(const std::stop_token& stop, Shared& shared, Live
     std::scoped_lock lock(shared.mutex);
     shared.connected = true;
     shared.remark = stream.remark();
-    shared.lastGrab = Clock::now();
+    shared.lastGrabTime = Clock::now();
     shared.hasGrabbed = false;
-    shared.health.restart(shared.lastGrab);
+    shared.health.restart(shared.lastGrabTime);
   }
   progress.rate.restart();
   while (!stop.stop_requested() && stream.grab()) {
@@ -231,9 +231,9 @@ void LiveCameraThread::publish(Shared& shared, const cv::Mat& picture, const Gra
   shared.latency = std::max(latency, shared.latency + kLatencyDecay * (latency - shared.latency));
   {
     std::scoped_lock lock(shared.mutex);
-    shared.lastGrab = grabbed;
+    shared.lastGrabTime = grabbed;
     shared.hasGrabbed = true;
-    shared.everDelivered = true;
+    shared.hasDelivered = true;
   }
   auto image = prepareImage(picture, shared.shape, redactedLocation(shared.camera.location));
   if (!image) {

@@ -30,7 +30,7 @@ public:
   /// Returns the number of notifications so far.
   std::uint64_t notifyCount() const;
   /// Waits until there have been more than `known` notifications, or until the deadline.
-  void waitBeyond(std::uint64_t known, Clock::time_point deadline);
+  void waitForNotifyAfter(std::uint64_t known, Clock::time_point deadline);
 
 private:
   mutable std::mutex mutex_;
@@ -60,7 +60,7 @@ public:
   /// Removes and returns the frames since the last call, oldest first.
   std::vector<FramePtr> takeFrames() { return shared_->frames.takeAll(); }
   /// Returns the number of frames dropped because they were not read in time.
-  std::int64_t dropped() const { return shared_->frames.dropped(); }
+  std::int64_t droppedCount() const { return shared_->frames.droppedCount(); }
   /// Returns whether the camera is expected to deliver frames.
   bool isDelivering() const;
   /// Returns the camera's current problem, or nothing if there is none.
@@ -95,12 +95,12 @@ private:
     mutable std::mutex mutex; ///< guards all members below
     std::condition_variable_any changed;
     bool connected = false;
-    bool everDelivered = false;
+    bool hasDelivered = false;
     bool hasGrabbed = false; ///< the current connection has delivered an image
     bool finished = false;
     Clock::time_point
-        openingSince{}; ///< start of the current connection attempt, while not connected
-    Clock::time_point lastGrab{};
+        openingStartTime{}; ///< start of the current connection attempt, while not connected
+    Clock::time_point lastGrabTime{};
     std::optional<Error> problem;
     std::string remark; ///< of the stream that is open
     ImageHealth health;

@@ -96,9 +96,9 @@ double LiveFrameSource::framesPerSecond() const {
 void LiveFrameSource::collect() {
   for (std::size_t k = 0; k < cameras_.size(); ++k) {
     const double rate = cameras_[k].framesPerSecond();
-    pairing_.setExpected(k, cameras_[k].isDelivering(),
-                         rate > 0.0 ? timeStamp(1.0 / rate) : TimeStamp{},
-                         timeStamp(cameras_[k].latency()));
+    pairing_.setExpectedTiming(k, cameras_[k].isDelivering(),
+                               rate > 0.0 ? timeStamp(1.0 / rate) : TimeStamp{},
+                               timeStamp(cameras_[k].latency()));
     for (FramePtr& frame : cameras_[k].takeFrames()) {
       pairing_.add(k, inTime(std::move(frame), delays_[k]));
     }
@@ -115,8 +115,8 @@ std::optional<std::vector<FramePtr>> LiveFrameSource::awaited(Clock::time_point 
     if (Clock::now() >= deadline) {
       return std::nullopt;
     }
-    const auto due = pairing_.due();
-    wakeSignal_->waitBeyond(notifyCount, due ? std::min(zero_ + *due, deadline) : deadline);
+    const auto due = pairing_.dueTime();
+    wakeSignal_->waitForNotifyAfter(notifyCount, due ? std::min(zero_ + *due, deadline) : deadline);
   }
 }
 
@@ -126,7 +126,7 @@ TimeStamp LiveFrameSource::earliestToCome() const {
     behind = std::max(behind, delays_[k] + timeStamp(cameras_[k].latency()));
   }
   const TimeStamp coming = now() - behind;
-  return std::min(coming, pairing_.oldest().value_or(coming));
+  return std::min(coming, pairing_.oldestTime().value_or(coming));
 }
 
 Result<FrameSetPtr> LiveFrameSource::next() {
@@ -147,9 +147,9 @@ Result<FrameSetPtr> LiveFrameSource::next() {
 }
 
 std::int64_t LiveFrameSource::droppedFrames() const {
-  std::int64_t sum = pairing_.dropped();
+  std::int64_t sum = pairing_.droppedCount();
   for (const LiveCameraThread& camera : cameras_) {
-    sum += camera.dropped();
+    sum += camera.droppedCount();
   }
   return sum;
 }

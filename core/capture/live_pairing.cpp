@@ -39,8 +39,8 @@ LivePairing::LivePairing(const std::vector<TimeStamp>& delays) {
   }
 }
 
-void LivePairing::setExpected(std::size_t camera, bool delivers, TimeStamp interval,
-                              TimeStamp latency) {
+void LivePairing::setExpectedTiming(std::size_t camera, bool delivers, TimeStamp interval,
+                                    TimeStamp latency) {
   cameras_[camera].delivers = delivers;
   cameras_[camera].latency = latency;
   cameras_[camera].interval = interval;
@@ -89,7 +89,7 @@ bool LivePairing::canStillAdd(const Camera& camera, TimeStamp begin, TimeStamp n
   return !stopped && !comesLater;
 }
 
-std::optional<TimeStamp> LivePairing::oldest() const {
+std::optional<TimeStamp> LivePairing::oldestTime() const {
   std::optional<TimeStamp> begin;
   for (const Camera& camera : cameras_) {
     if (!camera.waiting.empty()) {
@@ -101,7 +101,7 @@ std::optional<TimeStamp> LivePairing::oldest() const {
 }
 
 std::optional<LivePairing::Group> LivePairing::takeCompleteGroup(TimeStamp now) {
-  const auto begin = oldest();
+  const auto begin = oldestTime();
   if (!begin || std::ranges::any_of(cameras_, [&](const Camera& camera) {
         return canStillAdd(camera, *begin, now);
       })) {
@@ -139,11 +139,11 @@ std::optional<std::vector<FramePtr>> LivePairing::take(TimeStamp now) {
   return std::move(group.frames);
 }
 
-std::optional<TimeStamp> LivePairing::due() const {
+std::optional<TimeStamp> LivePairing::dueTime() const {
   if (!completeGroups_.empty()) {
     return completeGroups_.front().begin;
   }
-  const auto begin = oldest();
+  const auto begin = oldestTime();
   if (!begin) {
     return std::nullopt;
   }

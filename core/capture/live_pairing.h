@@ -33,7 +33,8 @@ public:
   /// Sets whether a camera is expected to deliver frames, its frame interval (0 if unknown), and
   /// its latency. The latency is the time from the reported capture of an image to its arrival, not
   /// including the camera's delay. It is 0 if the time of arrival is used as the capture time.
-  void setExpected(std::size_t camera, bool delivers, TimeStamp interval, TimeStamp latency = {});
+  void setExpectedTiming(std::size_t camera, bool delivers, TimeStamp interval,
+                         TimeStamp latency = {});
   /// Adds a frame of a camera. Drops the frame if it is older than the last group taken.
   void add(std::size_t camera, FramePtr frame);
 
@@ -42,11 +43,11 @@ public:
   std::optional<std::vector<FramePtr>> take(TimeStamp now);
   /// Returns the latest time, by the session's clock, at which the next group will be complete.
   /// Returns nothing if no frame is waiting.
-  std::optional<TimeStamp> due() const;
+  std::optional<TimeStamp> dueTime() const;
   /// Returns the capture time of the oldest waiting frame; nothing if no frame is waiting.
-  std::optional<TimeStamp> oldest() const;
+  std::optional<TimeStamp> oldestTime() const;
   /// Returns the number of frames that were not in any group, or whose group was dropped.
-  std::int64_t dropped() const { return dropped_; }
+  std::int64_t droppedCount() const { return dropped_; }
 
 private:
   struct Camera {

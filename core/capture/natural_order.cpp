@@ -23,7 +23,7 @@ std::string_view takeNumber(std::string_view& text) {
 
 } // namespace
 
-bool naturallyBefore(const std::string& left, const std::string& right) {
+bool isBeforeInNaturalOrder(const std::string& left, const std::string& right) {
   std::string_view a = left;
   std::string_view b = right;
   while (!a.empty() && !b.empty()) {

@@ -10,6 +10,6 @@ namespace dewpoint::capture {
 /// Returns whether `left` comes before `right` in natural order: digits inside names are compared
 /// as numbers ("2" < "10"), everything else by byte. The images of a recording are sorted in this
 /// order. It does not depend on language settings.
-bool naturallyBefore(const std::string& left, const std::string& right);
+bool isBeforeInNaturalOrder(const std::string& left, const std::string& right);
 
 } // namespace dewpoint::capture

@@ -22,7 +22,7 @@ std::size_t digitsAtEnd(std::string_view name) {
 
 } // namespace
 
-std::optional<std::int64_t> numberAtEnd(std::string_view name) {
+std::optional<std::int64_t> trailingNumber(std::string_view name) {
   const std::size_t digits = digitsAtEnd(name);
   if (digits == 0 || digits > kMostDigits) {
     return std::nullopt;
@@ -37,7 +37,7 @@ std::vector<std::int64_t> sequenceNumbersOf(const std::vector<std::string>& file
   std::string beginning;
   for (const std::string& file : files) {
     const std::string name = std::filesystem::path(file).stem().string();
-    const auto number = numberAtEnd(name);
+    const auto number = trailingNumber(name);
     const std::string before = name.substr(0, name.size() - digitsAtEnd(name));
     if (!number || (!numbers.empty() && (before != beginning || *number <= numbers.back()))) {
       return {};

@@ -13,7 +13,7 @@ namespace dewpoint::capture {
 
 /// Returns the number at the end of a name (7 for "cam_07"), or nothing if there is none or it has
 /// more than 18 digits.
-std::optional<std::int64_t> numberAtEnd(std::string_view name);
+std::optional<std::int64_t> trailingNumber(std::string_view name);
 
 /// Returns the position of each of `files` in the complete sequence, which includes missing files.
 /// The first file has position 0. The number is at the end of the file name, before the extension.

@@ -24,9 +24,9 @@ bool isFamiliar(const cv::Vec3b& pixel, const cv::Vec3b& usual) {
 
 } // namespace
 
-std::vector<cv::Mat> withoutBackgroundColors(const ColorRanges& ranges,
-                                             const std::vector<cv::Mat>& images,
-                                             const std::vector<cv::Mat>& backgroundImages) {
+std::vector<cv::Mat> suppressBackgroundColors(const ColorRanges& ranges,
+                                              const std::vector<cv::Mat>& images,
+                                              const std::vector<cv::Mat>& backgroundImages) {
   std::vector<cv::Mat> result = images;
   const ColorClassifier classifier(ranges);
   for (std::size_t k = 0; k < std::min(images.size(), backgroundImages.size()); ++k) {

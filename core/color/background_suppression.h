@@ -21,8 +21,8 @@ inline constexpr int kBackgroundToleranceShift = 3;
 /// from the background image (kBackgroundTolerance). `backgroundImages` has the same order as
 /// `images`. If a background image is empty or has a different size, the image is left unchanged.
 /// An image without pixels to replace shares its memory with the result.
-std::vector<cv::Mat> withoutBackgroundColors(const ColorRanges& ranges,
-                                             const std::vector<cv::Mat>& images,
-                                             const std::vector<cv::Mat>& backgroundImages);
+std::vector<cv::Mat> suppressBackgroundColors(const ColorRanges& ranges,
+                                              const std::vector<cv::Mat>& images,
+                                              const std::vector<cv::Mat>& backgroundImages);
 
 } // namespace dewpoint::color

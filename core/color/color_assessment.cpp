@@ -72,7 +72,7 @@ FoundRegion described(int camera, const cv::Mat& image, const cv::Mat& labels, i
   region.outline =
       *std::ranges::max_element(outlines, {}, [](const auto& outline) { return outline.size(); });
   found.color = meanColor(image(region.box), mask);
-  region.color = colorWord(found.color);
+  region.color = nameOfColor(found.color);
   return found;
 }
 
@@ -117,34 +117,34 @@ int countAlike(const ColorEvidence& evidence, const std::vector<FoundRegion>& fo
   return 1 + most;
 }
 
-Suggestion suggestionFor(const ColorAssessment& assessment, const ColorEvidence& evidence,
-                         const std::vector<FoundRegion>& found) {
+ColorSuggestion suggestionFor(const ColorAssessment& assessment, const ColorEvidence& evidence,
+                              const std::vector<FoundRegion>& found) {
   const BgrColor& color = evidence.typicalColor;
   const Hsi typical = hsiFromBgr(color[0], color[1], color[2]);
   if (typical.intensity < kDark) {
-    return Suggestion::MoreLight;
+    return ColorSuggestion::MoreLight;
   }
   if (typical.intensity > kBright && typical.saturation < kPale) {
-    return Suggestion::LessExposure;
+    return ColorSuggestion::LessExposure;
   }
   if (evidence.imageShare > kMostOfImage) {
-    return Suggestion::ClickObjectItself;
+    return ColorSuggestion::ClickObjectItself;
   }
   if (typical.saturation < kPale && assessment.isGood()) {
-    return Suggestion::UseStrongerColor; // the next change of light makes it like the walls
+    return ColorSuggestion::UseStrongerColor; // the next change of light makes it like the walls
   }
   if (assessment.isGood()) {
-    return Suggestion::None;
+    return ColorSuggestion::None;
   }
   if (assessment.separability < kLow && assessment.targetShare < kLow &&
       evidence.imageShare < kSpeck) {
-    return Suggestion::ClickMore;
+    return ColorSuggestion::ClickMore;
   }
   if (assessment.missesTarget() && found.empty()) {
-    return Suggestion::AddSamples;
+    return ColorSuggestion::AddSamples;
   }
   if (typical.saturation < kPale) {
-    return Suggestion::UseStrongerColor;
+    return ColorSuggestion::UseStrongerColor;
   }
   double all = 0.0;
   double alike = 0.0;
@@ -154,43 +154,43 @@ Suggestion suggestionFor(const ColorAssessment& assessment, const ColorEvidence&
   }
   if (assessment.similarObjectCount > 1 && assessment.similarObjectCount <= kMostAlike &&
       alike > kOneObject * all) {
-    return Suggestion::FollowAll;
+    return ColorSuggestion::FollowAll;
   }
   if (!found.empty() && found.front().area > kOneObject * all) {
     return colorDistance(found.front().color, color) > kDistinguishable
-               ? Suggestion::ExcludeDistractor
-               : Suggestion::RemoveDistractor;
+               ? ColorSuggestion::ExcludeDistractor
+               : ColorSuggestion::RemoveDistractor;
   }
-  return found.empty() ? Suggestion::None : Suggestion::UseAnotherColor;
+  return found.empty() ? ColorSuggestion::None : ColorSuggestion::UseAnotherColor;
 }
 
 } // namespace
 
-ColorWord colorWord(const BgrColor& bgr) {
+ColorName nameOfColor(const BgrColor& bgr) {
   const Hsi color = hsiFromBgr(bgr[0], bgr[1], bgr[2]);
   if (color.intensity < 0.12) {
-    return ColorWord::Black;
+    return ColorName::Black;
   }
   if (std::isnan(color.hueDegrees) || color.saturation < 0.12) {
-    return color.intensity > 0.8 ? ColorWord::White : ColorWord::Gray;
+    return color.intensity > 0.8 ? ColorName::White : ColorName::Gray;
   }
   struct Until {
     double hue;
-    ColorWord word;
+    ColorName word;
   };
-  static constexpr std::array<Until, 9> kWords{{{14.0, ColorWord::Red},
-                                                {42.0, ColorWord::Orange},
-                                                {68.0, ColorWord::Yellow},
-                                                {160.0, ColorWord::Green},
-                                                {195.0, ColorWord::Turquoise},
-                                                {258.0, ColorWord::Blue},
-                                                {292.0, ColorWord::Purple},
-                                                {346.0, ColorWord::Pink},
-                                                {360.0, ColorWord::Red}}};
+  static constexpr std::array<Until, 9> kWords{{{14.0, ColorName::Red},
+                                                {42.0, ColorName::Orange},
+                                                {68.0, ColorName::Yellow},
+                                                {160.0, ColorName::Green},
+                                                {195.0, ColorName::Turquoise},
+                                                {258.0, ColorName::Blue},
+                                                {292.0, ColorName::Purple},
+                                                {346.0, ColorName::Pink},
+                                                {360.0, ColorName::Red}}};
   const auto word = std::ranges::find_if(
       kWords, [&](const Until& until) { return color.hueDegrees <= until.hue; });
   const bool warm = color.hueDegrees < 50.0;
-  return warm && color.hueDegrees > 8.0 && color.intensity < 0.4 ? ColorWord::Brown : word->word;
+  return warm && color.hueDegrees > 8.0 && color.intensity < 0.4 ? ColorName::Brown : word->word;
 }
 
 ColorAssessment assessRange(const ColorRanges& ranges, const ColorEvidence& evidence,

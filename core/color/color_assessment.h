@@ -21,7 +21,7 @@ struct ColorEvidence;
 enum class HorizontalThird : std::uint8_t { Left, Center, Right };
 enum class VerticalThird : std::uint8_t { Top, Middle, Bottom };
 /// Common names of colors.
-enum class ColorWord : std::uint8_t {
+enum class ColorName : std::uint8_t {
   Black,
   Gray,
   White,
@@ -37,7 +37,7 @@ enum class ColorWord : std::uint8_t {
 };
 
 /// Returns the common name of a color.
-ColorWord colorWord(const BgrColor& color);
+ColorName nameOfColor(const BgrColor& color);
 
 /// Distractor: a region of an image that matches the target's color but is not the target.
 struct DistractorRegion {
@@ -47,11 +47,11 @@ struct DistractorRegion {
   std::vector<cv::Point> outline;
   HorizontalThird horizontal = HorizontalThird::Center; ///< position in the image, by thirds
   VerticalThird vertical = VerticalThird::Middle;
-  ColorWord color = ColorWord::Gray;
+  ColorName color = ColorName::Gray;
 };
 
 /// Suggestion to the user for improving the color.
-enum class Suggestion : std::uint8_t {
+enum class ColorSuggestion : std::uint8_t {
   None,              ///< no suggestion: the color separates well
   AddSamples,        ///< much of the target does not match: click its light and dark sides
   ExcludeDistractor, ///< one object matches and can be excluded: Alt-click it
@@ -87,7 +87,7 @@ struct ColorAssessment {
   /// True if there are several samples, and the ranges match almost no color of at least one
   /// sample.
   bool sampleLeftOut = false;
-  Suggestion suggestion = Suggestion::None;
+  ColorSuggestion suggestion = ColorSuggestion::None;
 
   /// Maximum number of distractors in the list.
   static constexpr std::size_t kMaxDistractors = 5;

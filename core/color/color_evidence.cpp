@@ -233,7 +233,8 @@ public:
 private:
   /// One target in every image, and each click counts the same: a far view is no less the target.
   double targetWeight() const {
-    return std::max(evidence_.targetArea, 1.0) * double(std::max<std::int64_t>(evidence_.views, 1));
+    return std::max(evidence_.targetArea, 1.0) *
+           double(std::max<std::int64_t>(evidence_.viewCount, 1));
   }
   /// The target's colors, each sample of this weight, and what is typical of each.
   void divideColors(double weight);
@@ -245,14 +246,14 @@ private:
 };
 
 void EvidenceCollector::takeSamples(std::int64_t views) {
-  evidence_.views = views;
+  evidence_.viewCount = views;
   const auto shown = std::ranges::count(samples_, false, &ColorSample::excluded);
   for (const ColorSample& sample : samples_) {
     evidence_.targetArea += sample.excluded ? 0.0 : double(sample.area) / double(shown);
   }
-  if (before_ != nullptr && before_->views == views) {
+  if (before_ != nullptr && before_->viewCount == views) {
     evidence_.target = before_->target;
-    evidence_.targetByColor = before_->targetByColor;
+    evidence_.targetColorsBySampleColor = before_->targetColorsBySampleColor;
     evidence_.targetWeight = before_->targetWeight;
     evidence_.typicalColor = before_->typicalColor;
     evidence_.typicalRanges = before_->typicalRanges;
@@ -289,8 +290,8 @@ void EvidenceCollector::divideColors(double weight) {
     for (const std::size_t sample : group) {
       addColors(samples_[sample], weight, counts);
     }
-    evidence_.targetByColor.push_back(counts.colors());
-    typical.push_back(fitRange(evidence_.targetByColor.back(), {}));
+    evidence_.targetColorsBySampleColor.push_back(counts.colors());
+    typical.push_back(fitRange(evidence_.targetColorsBySampleColor.back(), {}));
   }
   evidence_.typicalRanges = ColorRanges(std::move(typical));
 }
@@ -307,15 +308,15 @@ void EvidenceCollector::takeImage(const cv::Mat& image, const std::optional<Colo
   evidence_.imageShare = std::max(evidence_.imageShare, area / double(image.total()));
   const bool isKnown = before_ != nullptr && camera < before_->images.size() &&
                        hasSamePixels(image, before_->images[camera].image);
-  shown.clicked = isKnown ? before_->images[camera].clicked
-                          : clickedTargets(samples_, int(camera), image, evidence_.work);
-  if (!shown.clicked.empty()) {
-    mask = shown.clicked.clone();
+  shown.clickedMask = isKnown ? before_->images[camera].clickedMask
+                              : clickedTargets(samples_, int(camera), image, evidence_.work);
+  if (!shown.clickedMask.empty()) {
+    mask = shown.clickedMask.clone();
   } else {
-    shown.similar = isKnown && evidence_.typicalRanges == before_->typicalRanges
-                        ? before_->images[camera].similar
-                        : likelyTarget(image, evidence_.typicalRanges, area, evidence_.work);
-    mask = unclickedTarget(image, shown.similar, ranges, area, evidence_.work);
+    shown.similarMask = isKnown && evidence_.typicalRanges == before_->typicalRanges
+                            ? before_->images[camera].similarMask
+                            : likelyTarget(image, evidence_.typicalRanges, area, evidence_.work);
+    mask = unclickedTarget(image, shown.similarMask, ranges, area, evidence_.work);
   }
   if (undecided.size() == mask.size()) {
     mask |= undecided;
@@ -346,7 +347,7 @@ void EvidenceCollector::countRest() {
 }
 
 ColorEvidence EvidenceCollector::finish() && {
-  bool same = before_ != nullptr && before_->views == evidence_.views;
+  bool same = before_ != nullptr && before_->viewCount == evidence_.viewCount;
   for (std::size_t i = 0; same && i < std::max(evidence_.images.size(), before_->images.size());
        ++i) {
     same = MaskedImage::of(evidence_, i) == MaskedImage::of(*before_, i);
@@ -388,7 +389,7 @@ ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const ColorEvidence& before) {
   std::vector<cv::Mat> undecided;
   for (const ImageEvidence& image : before.images) {
-    undecided.push_back(image.undecided);
+    undecided.push_back(image.undecidedMask);
   }
   return collect(samples, images, ranges, undecided, &before);
 }

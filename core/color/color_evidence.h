@@ -20,12 +20,12 @@ namespace dewpoint::color {
 struct ImageEvidence {
   cv::Mat image; ///< shares the pixels of the input
   /// Region of the clicked object if the image still shows this object; otherwise empty.
-  cv::Mat clicked;
-  /// If `clicked` is empty: the object with the typical colors of the samples.
-  cv::Mat similar;
+  cv::Mat clickedMask;
+  /// If `clickedMask` is empty: the object with the typical colors of the samples.
+  cv::Mat similarMask;
   /// Pixels that may show the target, and are therefore not counted as the rest of the image; may
   /// be empty.
-  cv::Mat undecided;
+  cv::Mat undecidedMask;
 };
 
 /// Cost of collecting evidence: how often each of the slow steps was done.
@@ -41,7 +41,7 @@ struct ColorEvidence {
   std::vector<WeightedHsiColor> target;
   /// `target`, split into one list for each separate color of the samples (groupSamplesByColor()).
   /// Empty if the samples have only one color.
-  std::vector<std::vector<WeightedHsiColor>> targetByColor;
+  std::vector<std::vector<WeightedHsiColor>> targetColorsBySampleColor;
   std::vector<WeightedHsiColor> rest;
   double targetWeight = 0.0;
   double restWeight = 0.0;
@@ -54,7 +54,7 @@ struct ColorEvidence {
   std::vector<cv::Mat> targetMasks;
 
   // Data from which later evidence for the same samples is computed.
-  std::int64_t views = 0;                      ///< number of cameras with an image
+  std::int64_t viewCount = 0;                  ///< number of cameras with an image
   ColorRanges typicalRanges = ColorRange{};    ///< ranges of the target colors alone
   std::vector<ImageEvidence> images;           ///< evidence in the image of each camera
   std::shared_ptr<const HsiCounts> restCounts; ///< counts of `rest`
@@ -69,8 +69,8 @@ struct ColorEvidence {
 /// plausible size that matches `ranges`.
 ///
 /// `undecided` marks the pixels that are not counted as the rest of an image. `undecided` contains
-/// a mask for each camera, as in ImageEvidence::undecided, and may have fewer entries than there
-/// are cameras.
+/// a mask for each camera, as in ImageEvidence::undecidedMask, and may have fewer entries than
+/// there are cameras.
 ColorEvidence colorEvidence(const std::vector<ColorSample>& samples,
                             const std::vector<cv::Mat>& images,
                             const std::optional<ColorRanges>& ranges = std::nullopt,

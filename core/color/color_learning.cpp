@@ -56,7 +56,8 @@ Result<LearnedColor> learnColor(const std::vector<ColorSample>& samples,
                                 const std::vector<cv::Mat>& images) {
   const ColorEvidence evidence = colorEvidence(samples, images);
   return learnRanges(evidence).map([&](const ColorRanges& ranges) {
-    return LearnedColor{ranges[0], assessColor(ranges, samples, images, evidence), ranges.others()};
+    return LearnedColor{ranges[0], assessColor(ranges, samples, images, evidence),
+                        ranges.rangesAfterFirst()};
   });
 }
 
@@ -76,7 +77,7 @@ ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
                                           const std::vector<cv::Mat>& backgroundImages) {
   return assessColor(ranges, samples,
                      anyBackgroundImage(backgroundImages)
-                         ? withoutBackgroundColors(ranges, images, backgroundImages)
+                         ? suppressBackgroundColors(ranges, images, backgroundImages)
                          : images);
 }
 
@@ -87,9 +88,10 @@ Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& sa
   const ColorEvidence evidence = colorEvidence(samples, images, std::nullopt, undecided);
   return learnRanges(evidence).map([&](const ColorRanges& ranges) {
     const auto shown = anyBackgroundImage(backgroundImages)
-                           ? withoutBackgroundColors(ranges, images, backgroundImages)
+                           ? suppressBackgroundColors(ranges, images, backgroundImages)
                            : images;
-    return LearnedColor{ranges[0], assessColor(ranges, samples, shown, evidence), ranges.others()};
+    return LearnedColor{ranges[0], assessColor(ranges, samples, shown, evidence),
+                        ranges.rangesAfterFirst()};
   });
 }
 

@@ -17,10 +17,10 @@ struct LearnedColor {
   ColorRange range;
   ColorAssessment assessment;
   std::vector<ColorRange>
-      others{}; ///< additional ranges for a multicolored target, besides `range`
+      otherRanges{}; ///< additional ranges for a multicolored target, besides `range`
 
   /// Returns all learned ranges.
-  ColorRanges ranges() const { return {range, others}; }
+  ColorRanges ranges() const { return {range, otherRanges}; }
 };
 
 /// Learns the range of hue, saturation and intensity that best separates the sampled colors from
@@ -40,7 +40,7 @@ ColorAssessment assessColor(const ColorRanges& ranges, const std::vector<ColorSa
 
 /// Learns a color like learnColor(), but for trackers that use background images: for the
 /// assessment, background pixels with the learned color are painted black
-/// (withoutBackgroundColors()). `backgroundImages` has the same order as `images`. Pixels that are
+/// (suppressBackgroundColors()). `backgroundImages` has the same order as `images`. Pixels that are
 /// marked in `undecided` are ignored; see colorEvidence().
 Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& samples,
                                               const std::vector<cv::Mat>& images,
@@ -48,7 +48,7 @@ Result<LearnedColor> learnColorWithBackground(const std::vector<ColorSample>& sa
                                               const std::vector<cv::Mat>& undecided = {});
 
 /// Assesses color ranges like assessColor(), but for trackers that use background images:
-/// background pixels that match `ranges` are painted black first (withoutBackgroundColors()).
+/// background pixels that match `ranges` are painted black first (suppressBackgroundColors()).
 ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
                                           const std::vector<ColorSample>& samples,
                                           const std::vector<cv::Mat>& images,

@@ -38,7 +38,7 @@ cv::Mat labOf(const cv::Mat& bgr) {
 std::uint8_t ColorPalette::nearest(const Colors& colors, const cv::Vec3f& color) {
   std::size_t best = 0;
   float least = std::numeric_limits<float>::max();
-  for (std::size_t k = 0; k < kColors; ++k) {
+  for (std::size_t k = 0; k < kColorCount; ++k) {
     const float distance = squaredDistance(colors[k], color);
     best = distance < least ? k : best;
     least = std::min(least, distance);
@@ -70,7 +70,7 @@ ColorPalette::Colors ColorPalette::farthestFirst(const cv::Mat& lab, cv::Point f
 void ColorPalette::refineClusters(Colors& colors, const cv::Mat& lab) {
   for (int round = 0; round < kClusterRounds; ++round) {
     Colors sums{};
-    std::array<int, kColors> counts{};
+    std::array<int, kColorCount> counts{};
     for (int y = 0; y < lab.rows; y += kStep) {
       for (int x = 0; x < lab.cols; x += kStep) {
         const auto& color = lab.at<cv::Vec3f>(y, x);
@@ -79,7 +79,7 @@ void ColorPalette::refineClusters(Colors& colors, const cv::Mat& lab) {
         ++counts[k];
       }
     }
-    for (std::size_t k = 0; k < kColors; ++k) {
+    for (std::size_t k = 0; k < kColorCount; ++k) {
       colors[k] = counts[k] > 0 ? sums[k] * (1.0F / static_cast<float>(counts[k])) : colors[k];
     }
   }
@@ -94,8 +94,8 @@ ColorPalette::ColorPalette(const cv::Mat& bgr, cv::Point first) : labels_(bgr.si
       labels_.at<std::uint8_t>(y, x) = nearest(colors, lab.at<cv::Vec3f>(y, x));
     }
   }
-  for (std::size_t i = 0; i < kColors; ++i) {
-    for (std::size_t j = 0; j < kColors; ++j) {
+  for (std::size_t i = 0; i < kColorCount; ++i) {
+    for (std::size_t j = 0; j < kColorCount; ++j) {
       alike_[i][j] =
           std::exp(-0.5 * double(squaredDistance(colors[i], colors[j])) / (kAlike * kAlike));
     }
@@ -104,8 +104,8 @@ ColorPalette::ColorPalette(const cv::Mat& bgr, cv::Point first) : labels_(bgr.si
 
 ColorPalette::Shares ColorPalette::spreadOverSimilarColors(const Shares& counts) const {
   Shares soft{};
-  for (std::size_t i = 0; i < kColors; ++i) {
-    for (std::size_t j = 0; j < kColors; ++j) {
+  for (std::size_t i = 0; i < kColorCount; ++i) {
+    for (std::size_t j = 0; j < kColorCount; ++j) {
       soft[i] += alike_[i][j] * counts[j];
     }
   }

@@ -16,8 +16,8 @@ namespace dewpoint::color {
 class ColorPalette {
 public:
   /// Number of colors in the palette.
-  static constexpr std::size_t kColors = 24;
-  using Shares = std::array<double, kColors>; ///< one value per color
+  static constexpr std::size_t kColorCount = 24;
+  using Shares = std::array<double, kColorCount>; ///< one value per color
 
   /// Computes the palette of an image (CV_8UC3, not empty) by k-means clustering. The first initial
   /// color is the color of the pixel `first` (clamped to the image). Each further initial color is
@@ -32,13 +32,13 @@ public:
   Shares spreadOverSimilarColors(const Shares& counts) const;
 
 private:
-  using Colors = std::array<cv::Vec3f, kColors>;
+  using Colors = std::array<cv::Vec3f, kColorCount>;
   static std::uint8_t nearest(const Colors& colors, const cv::Vec3f& color);
   static Colors farthestFirst(const cv::Mat& lab, cv::Point first);
   static void refineClusters(Colors& colors, const cv::Mat& lab);
 
   cv::Mat labels_;
-  std::array<Shares, kColors> alike_{};
+  std::array<Shares, kColorCount> alike_{};
 };
 
 } // namespace dewpoint::color

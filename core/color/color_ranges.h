@@ -27,7 +27,7 @@ public:
   auto begin() const { return ranges_.begin(); }
   auto end() const { return ranges_.end(); }
   /// Returns all ranges except the first.
-  std::vector<ColorRange> others() const {
+  std::vector<ColorRange> rangesAfterFirst() const {
     return {ranges_.begin() + (ranges_.empty() ? 0 : 1), ranges_.end()};
   }
 

@@ -59,7 +59,7 @@ bool isBlack(const std::vector<WeightedHsiColor>& colors) {
 /// The best range for each color of the target, but for black.
 std::vector<ColorRange> rangeOfEach(const ColorEvidence& evidence) {
   std::vector<ColorRange> ranges;
-  for (const std::vector<WeightedHsiColor>& seen : evidence.targetByColor) {
+  for (const std::vector<WeightedHsiColor>& seen : evidence.targetColorsBySampleColor) {
     if (!isBlack(seen)) {
       const auto color = withLightVariations(seen);
       ranges.push_back(withNarrowestHue(fitRange(color, evidence.rest), color, evidence.rest));
@@ -92,7 +92,7 @@ std::vector<std::vector<std::size_t>> groupSamplesByColor(const std::vector<Colo
 }
 
 std::optional<ColorRanges> multicolorRanges(const ColorEvidence& evidence, const ColorRange& one) {
-  if (evidence.targetByColor.size() < 2) {
+  if (evidence.targetColorsBySampleColor.size() < 2) {
     return std::nullopt;
   }
   const auto target = withLightVariations(evidence.target);

@@ -10,7 +10,7 @@ namespace dewpoint::color {
 namespace {
 
 constexpr int kClippedValue = 255;
-constexpr std::size_t kValuesPerBin = (kClippedValue + 1) / TargetExposure::kBins;
+constexpr std::size_t kValuesPerBin = (kClippedValue + 1) / TargetExposure::kBinCount;
 
 double fractionOf(std::int64_t part, std::int64_t all) {
   return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0.0;
@@ -21,17 +21,17 @@ double fractionOf(std::int64_t part, std::int64_t all) {
 void TargetExposure::add(const BgrColor& color) {
   const int brightness = std::max({color[0], color[1], color[2]});
   ++histogram[static_cast<std::size_t>(brightness) / kValuesPerBin];
-  ++pixels;
-  clipped += brightness == kClippedValue ? 1 : 0;
-  dark += brightness < kDarkest ? 1 : 0;
+  ++pixelCount;
+  clippedCount += brightness == kClippedValue ? 1 : 0;
+  darkCount += brightness < kMinUsefulBrightness ? 1 : 0;
 }
 
 double TargetExposure::clippedShare() const {
-  return fractionOf(clipped, pixels);
+  return fractionOf(clippedCount, pixelCount);
 }
 
 double TargetExposure::darkShare() const {
-  return fractionOf(dark, pixels);
+  return fractionOf(darkCount, pixelCount);
 }
 
 ExposureFault TargetExposure::fault() const {

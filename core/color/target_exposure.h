@@ -20,8 +20,9 @@ enum class ExposureFault : std::uint8_t { None, Overexposed, TooDark };
 /// How bright the pixels of a target are. The brightness of a pixel is its largest channel, because
 /// a color is lost as soon as one of its channels is clipped.
 struct TargetExposure {
-  static constexpr std::size_t kBins = 32; ///< number of bins, of 8 brightness values each
-  static constexpr int kDarkest = 20;      ///< brightness below which a pixel has no useful color
+  static constexpr std::size_t kBinCount = 32; ///< number of bins, of 8 brightness values each
+  static constexpr int kMinUsefulBrightness =
+      20; ///< brightness below which a pixel has no useful color
   /// If at least this fraction of the pixels is clipped, fault() returns Overexposed. Chosen by
   /// judgment: the highlights of a well exposed ball are smaller.
   static constexpr double kMaxClippedShare = 0.2;
@@ -29,10 +30,11 @@ struct TargetExposure {
   /// the shaded side of a well exposed ball is smaller.
   static constexpr double kMaxDarkShare = 0.5;
 
-  std::array<std::int64_t, kBins> histogram{}; ///< number of pixels by brightness
-  std::int64_t pixels = 0;                     ///< number of all pixels
-  std::int64_t clipped = 0;                    ///< number of pixels with a channel of 255
-  std::int64_t dark = 0; ///< number of pixels whose channels are all below kDarkest
+  std::array<std::int64_t, kBinCount> histogram{}; ///< number of pixels by brightness
+  std::int64_t pixelCount = 0;                     ///< number of all pixels
+  std::int64_t clippedCount = 0;                   ///< number of pixels with a channel of 255
+  std::int64_t darkCount =
+      0; ///< number of pixels whose channels are all below kMinUsefulBrightness
 
   /// Adds one pixel.
   void add(const BgrColor& color);

@@ -8,7 +8,7 @@ namespace dewpoint::setup {
 
 int missingTargetCount(const Project& project, std::size_t target,
                        const ColorAssessment& assessment) {
-  if (assessment.suggestion != Suggestion::FollowAll || target >= project.targets.size()) {
+  if (assessment.suggestion != ColorSuggestion::FollowAll || target >= project.targets.size()) {
     return 0;
   }
   const auto same =

@@ -86,9 +86,9 @@ TEST(NumberedFiles, NoGapIsFoundWhereThereIsNoSequence) {
 }
 
 TEST(NumberedFiles, TheNumberAtTheEndOfANameIsRead) {
-  EXPECT_EQ(numberAtEnd("cam_07"), 7);
-  EXPECT_EQ(numberAtEnd("left"), std::nullopt);
-  EXPECT_EQ(numberAtEnd("1234567890123456789"), std::nullopt);
+  EXPECT_EQ(trailingNumber("cam_07"), 7);
+  EXPECT_EQ(trailingNumber("left"), std::nullopt);
+  EXPECT_EQ(trailingNumber("1234567890123456789"), std::nullopt);
 }
 
 } // namespace

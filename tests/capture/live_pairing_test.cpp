@@ -60,7 +60,7 @@ Played play(const std::vector<Player>& players, double duration, TimeStamp each 
   }
   LivePairing pairing(delays);
   for (std::size_t k = 0; k < players.size(); ++k) {
-    pairing.setExpected(k, true, timeStamp(1.0 / players[k].rate));
+    pairing.setExpectedTiming(k, true, timeStamp(1.0 / players[k].rate));
   }
   Played played;
   played.sent = static_cast<std::int64_t>(arrivals.size());
@@ -94,7 +94,7 @@ Played play(const std::vector<Player>& players, double duration, TimeStamp each 
     }
     take(now);
   }
-  played.dropped = pairing.dropped();
+  played.dropped = pairing.droppedCount();
   return played;
 }
 
@@ -154,8 +154,8 @@ TEST(LivePairing, TheLatencyOfReportedTimesIsWaitedFor) {
   constexpr TimeStamp kInterval = 33ms;
   constexpr TimeStamp kLatency = 150ms;
   LivePairing pairing({TimeStamp{}, TimeStamp{}});
-  pairing.setExpected(0, true, kInterval);
-  pairing.setExpected(1, true, kInterval, kLatency);
+  pairing.setExpectedTiming(0, true, kInterval);
+  pairing.setExpectedTiming(1, true, kInterval, kLatency);
   int complete = 0;
   for (TimeStamp now{}; now < kFrames * kInterval; now += 1ms) {
     if (now % kInterval == TimeStamp{}) {
@@ -171,7 +171,7 @@ TEST(LivePairing, TheLatencyOfReportedTimesIsWaitedFor) {
     }
   }
   EXPECT_GE(complete, kFrames - 7);
-  EXPECT_EQ(pairing.dropped(), 0);
+  EXPECT_EQ(pairing.droppedCount(), 0);
 }
 
 TEST(LivePairing, ASlowCameraCostsAFastOneNothing) {
@@ -222,7 +222,7 @@ TEST(FrameQueue, DropsTheOldestAndCountsThem) {
   for (int k = 0; k < 5; ++k) {
     queue.put(frameAt(k, {}));
   }
-  EXPECT_EQ(queue.dropped(), 2);
+  EXPECT_EQ(queue.droppedCount(), 2);
   const auto taken = queue.takeAll();
   ASSERT_EQ(taken.size(), 3U);
   EXPECT_EQ(taken.front()->index, 2);
@@ -247,7 +247,7 @@ TEST(FrameQueue, NothingIsLostUncountedBetweenThreads) {
       ++taken;
     }
   }
-  EXPECT_EQ(taken + queue.dropped(), kFrames);
+  EXPECT_EQ(taken + queue.droppedCount(), kFrames);
 }
 
 } // namespace

@@ -337,12 +337,12 @@ TEST(FrameWriter, refusesWhatItCannotWrite) {
 }
 
 TEST(NaturalOrder, numbersCountAsNumbers) {
-  EXPECT_TRUE(naturallyBefore("a2", "a10"));
-  EXPECT_FALSE(naturallyBefore("a10", "a2"));
-  EXPECT_TRUE(naturallyBefore("a9b2", "a09b3"));
-  EXPECT_TRUE(naturallyBefore("a", "a1"));
-  EXPECT_TRUE(naturallyBefore("99999999999999999998", "99999999999999999999")); // beyond 64 bits
-  EXPECT_FALSE(naturallyBefore("a", "a"));
+  EXPECT_TRUE(isBeforeInNaturalOrder("a2", "a10"));
+  EXPECT_FALSE(isBeforeInNaturalOrder("a10", "a2"));
+  EXPECT_TRUE(isBeforeInNaturalOrder("a9b2", "a09b3"));
+  EXPECT_TRUE(isBeforeInNaturalOrder("a", "a1"));
+  EXPECT_TRUE(isBeforeInNaturalOrder("99999999999999999998", "99999999999999999999"));
+  EXPECT_FALSE(isBeforeInNaturalOrder("a", "a"));
 }
 
 // The seek of a compressed real video (H.264 or MPEG-4, far key frames) against reading in a row.

@@ -26,7 +26,7 @@ cv::Mat withBall() {
 
 TEST(FamiliarColor, WhatTheBackgroundImageShowedIsBlack) {
   const auto images =
-      withoutBackgroundColors(kReds, {withBall(), withBall()}, {roomWithChair(), cv::Mat()});
+      suppressBackgroundColors(kReds, {withBall(), withBall()}, {roomWithChair(), cv::Mat()});
   const cv::Mat match = matchImage(images[0], ColorClassifier(kReds));
   EXPECT_EQ(cv::countNonZero(match(kChair)), 0);
   EXPECT_GT(cv::countNonZero(match), 400); // the ball: pi 12^2 = 452

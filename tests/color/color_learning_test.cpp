@@ -118,7 +118,7 @@ TEST(ColorAssessment, SpecklesInTheRoomAskForNothing) {
   EXPECT_EQ(assessment.score(), 72);
   EXPECT_FALSE(assessment.missesTarget());
   EXPECT_TRUE(assessment.distractors.empty());
-  EXPECT_EQ(assessment.suggestion, Suggestion::None);
+  EXPECT_EQ(assessment.suggestion, ColorSuggestion::None);
 }
 
 // 12 of 76,800 pixels are a speck, of which a range matches next to nothing.
@@ -134,7 +134,7 @@ TEST(ColorAssessment, ASpeckIsNoThing) {
   ASSERT_TRUE(learned);
   EXPECT_LT(learned->assessment.separability, 0.1);
   EXPECT_LT(learned->assessment.targetShare, 0.1);
-  EXPECT_EQ(learned->assessment.suggestion, Suggestion::ClickMore);
+  EXPECT_EQ(learned->assessment.suggestion, ColorSuggestion::ClickMore);
 }
 
 // Anywhere on a ball, the region is the ball: to within a rim of one pixel, which on a disc of 15
@@ -188,7 +188,7 @@ TEST(ColorLearning, OneClickFindsTheBallElsewhere) {
   EXPECT_GT(learned->assessment.separability, 0.9);
   EXPECT_LT(learned->assessment.backgroundShare, 1e-3);
   EXPECT_TRUE(learned->assessment.distractors.empty());
-  EXPECT_EQ(learned->assessment.suggestion, Suggestion::None);
+  EXPECT_EQ(learned->assessment.suggestion, ColorSuggestion::None);
 }
 
 TEST(ColorLearning, RedWrapsThroughZero) {
@@ -210,9 +210,9 @@ TEST(ColorLearning, ATwinIsNamedWhereItIs) {
   EXPECT_EQ(twin.camera, 1);
   EXPECT_EQ(twin.horizontal, HorizontalThird::Right);
   EXPECT_EQ(twin.vertical, VerticalThird::Top);
-  EXPECT_EQ(twin.color, ColorWord::Pink);
+  EXPECT_EQ(twin.color, ColorName::Pink);
   EXPECT_TRUE(twin.box.contains({290, 30}));
-  EXPECT_EQ(seen->assessment.suggestion, Suggestion::FollowAll);
+  EXPECT_EQ(seen->assessment.suggestion, ColorSuggestion::FollowAll);
   EXPECT_EQ(seen->assessment.similarObjectCount, 2);
 }
 
@@ -222,7 +222,7 @@ TEST(ColorLearning, WhatIsMuchLargerIsNoTwin) {
   const auto learned = learnColor({clickAt(image, {120, 100})}, {image});
   ASSERT_TRUE(learned);
   EXPECT_EQ(learned->assessment.similarObjectCount, 1);
-  EXPECT_NE(learned->assessment.suggestion, Suggestion::FollowAll);
+  EXPECT_NE(learned->assessment.suggestion, ColorSuggestion::FollowAll);
 }
 
 TEST(ColorLearning, WhatIsExcludedMatchesLess) {
@@ -256,7 +256,7 @@ TEST(ColorLearning, TheVerdictFollowsTheRange) {
   EXPECT_FALSE(good.isGood());
   const ColorAssessment none = assessColor(ColorRange{100.0, 110.0, 0.5}, {sample}, {image});
   EXPECT_EQ(none.separability, 0.0);
-  EXPECT_EQ(none.suggestion, Suggestion::AddSamples);
+  EXPECT_EQ(none.suggestion, ColorSuggestion::AddSamples);
 }
 
 TEST(ColorHistogram, SharesSumToOne) {

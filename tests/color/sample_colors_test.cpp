@@ -80,10 +80,10 @@ TEST(LearnColor, GivesEachColorOfATargetARange) {
   const Ball ball(cv::Scalar(40, 200, 220), {40, 120, 130}); // yellow, before an olive wall
   const auto learned = learnColor(ball.clicks, {ball.image});
   ASSERT_TRUE(learned);
-  ASSERT_EQ(learned->others.size(), 1U);
+  ASSERT_EQ(learned->otherRanges.size(), 1U);
   EXPECT_TRUE(takes(learned->range, kRed));
   EXPECT_FALSE(takes(learned->range, kYellow));
-  EXPECT_TRUE(takes(learned->others[0], kYellow));
+  EXPECT_TRUE(takes(learned->otherRanges[0], kYellow));
   EXPECT_FALSE(takes(learned->ranges(), {30, 110, 210})) << "the orange between both";
   EXPECT_FALSE(takes(learned->ranges(), {40, 120, 130}));
   EXPECT_FALSE(learned->assessment.sampleLeftOut);
@@ -94,7 +94,7 @@ TEST(LearnColor, OneRangeIsEnoughWhereNothingElseHasTheColorsBetween) {
   const Ball ball(cv::Scalar(40, 200, 220));
   const auto learned = learnColor(ball.clicks, {ball.image});
   ASSERT_TRUE(learned);
-  EXPECT_TRUE(learned->others.empty());
+  EXPECT_TRUE(learned->otherRanges.empty());
   EXPECT_TRUE(takes(learned->range, kRed));
   EXPECT_TRUE(takes(learned->range, kYellow));
 }
@@ -104,7 +104,7 @@ TEST(LearnColor, AColorThatEverythingHasIsLeftOut) {
   const cv::Mat wall(120, 160, CV_8UC3, cv::Scalar(40, 120, 130));
   const auto learned = learnColor({evenSample(kRed), evenSample(olive)}, {wall});
   ASSERT_TRUE(learned);
-  EXPECT_TRUE(learned->others.empty());
+  EXPECT_TRUE(learned->otherRanges.empty());
   EXPECT_TRUE(takes(learned->range, kRed));
   EXPECT_FALSE(takes(learned->range, olive));
   EXPECT_TRUE(learned->assessment.sampleLeftOut);
@@ -113,14 +113,15 @@ TEST(LearnColor, AColorThatEverythingHasIsLeftOut) {
 TEST(ColorEvidence, OfSeveralColorsIsDividedTheSameFromWhatWasKnownBefore) {
   const Ball ball(cv::Scalar(40, 200, 220), {40, 120, 130});
   const auto first = color::colorEvidence(ball.clicks, {ball.image});
-  ASSERT_EQ(first.targetByColor.size(), 2U);
+  ASSERT_EQ(first.targetColorsBySampleColor.size(), 2U);
   ASSERT_EQ(first.typicalRanges.size(), 2U);
   const ColorRanges ranges = *learnRanges(first);
   const auto now = color::colorEvidence(ball.clicks, {ball.image}, ranges, first);
   const auto anew = color::colorEvidence(ball.clicks, {ball.image}, ranges);
   EXPECT_EQ(now.typicalRanges, anew.typicalRanges);
-  ASSERT_EQ(now.targetByColor.size(), 2U);
-  EXPECT_EQ(now.targetByColor[1].front().weight, anew.targetByColor[1].front().weight);
+  ASSERT_EQ(now.targetColorsBySampleColor.size(), 2U);
+  EXPECT_EQ(now.targetColorsBySampleColor[1].front().weight,
+            anew.targetColorsBySampleColor[1].front().weight);
   EXPECT_EQ(now.restWeight, anew.restWeight);
 }
 

@@ -25,7 +25,7 @@ TargetExposure exposureOfAll(const cv::Mat& image) {
 
 TEST(TargetExposure, OneClippedChannelIsEnough) {
   const TargetExposure exposure = exposureOfAll(tenPixels(4, 0));
-  EXPECT_EQ(exposure.pixels, 10);
+  EXPECT_EQ(exposure.pixelCount, 10);
   EXPECT_DOUBLE_EQ(exposure.clippedShare(), 0.4);
   EXPECT_DOUBLE_EQ(exposure.darkShare(), 0.0);
   EXPECT_EQ(exposure.fault(), ExposureFault::Overexposed);
@@ -35,7 +35,7 @@ TEST(TargetExposure, APixelIsDarkOnlyIfAllItsChannelsAre) {
   EXPECT_EQ(exposureOfAll(tenPixels(0, 6)).fault(), ExposureFault::TooDark);
   EXPECT_DOUBLE_EQ(exposureOfAll(tenPixels(0, 6)).darkShare(), 0.6);
   const cv::Mat bluish(1, 1, CV_8UC3, cv::Scalar(20, 0, 0));
-  EXPECT_EQ(exposureOfAll(bluish).dark, 0);
+  EXPECT_EQ(exposureOfAll(bluish).darkCount, 0);
 }
 
 TEST(TargetExposure, HighlightsAndShadowsAreNoFault) {
@@ -50,8 +50,8 @@ TEST(TargetExposure, OnlyPixelsInTheMaskCount) {
   mask.at<std::uint8_t>(0, 0) = 1;
   mask.at<std::uint8_t>(0, 9) = 255;
   const TargetExposure exposure = exposureOf(tenPixels(4, 0), mask);
-  EXPECT_EQ(exposure.pixels, 2);
-  EXPECT_EQ(exposure.clipped, 1);
+  EXPECT_EQ(exposure.pixelCount, 2);
+  EXPECT_EQ(exposure.clippedCount, 1);
 }
 
 TEST(TargetExposure, TheHistogramHasEachPixelByItsLargestChannel) {
@@ -64,9 +64,9 @@ TEST(TargetExposure, TheHistogramHasEachPixelByItsLargestChannel) {
 TEST(TargetExposure, ColorsOfASampleGiveTheSame) {
   const std::vector<BgrColor> colors{{10, 90, 255}, {0, 19, 5}, {30, 120, 200}};
   const TargetExposure exposure = exposureOf(colors);
-  EXPECT_EQ(exposure.pixels, 3);
-  EXPECT_EQ(exposure.clipped, 1);
-  EXPECT_EQ(exposure.dark, 1);
+  EXPECT_EQ(exposure.pixelCount, 3);
+  EXPECT_EQ(exposure.clippedCount, 1);
+  EXPECT_EQ(exposure.darkCount, 1);
 }
 
 TEST(TargetExposure, NothingHasNoFault) {

@@ -104,8 +104,8 @@ void fuzzSuiteRows(std::string_view bytes) {
       expect(again && traceText(*again) == traceText(*trace),
              "a trace of the suite changes when written again");
     }
-    if (const auto skipped = parseSkipped(line)) {
-      const auto again = parseSkipped(skippedText(*skipped));
+    if (const auto skipped = parseSkippedRun(line)) {
+      const auto again = parseSkippedRun(skippedCsvLine(*skipped));
       expect(again && *again == *skipped, "a skipped run is another one when written again");
     }
   }

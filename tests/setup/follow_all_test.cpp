@@ -21,7 +21,7 @@ Project twoBalls() {
 ColorAssessment alike(int count) {
   ColorAssessment assessment;
   assessment.similarObjectCount = count;
-  assessment.suggestion = Suggestion::FollowAll;
+  assessment.suggestion = ColorSuggestion::FollowAll;
   return assessment;
 }
 
@@ -47,7 +47,7 @@ TEST(FollowAll, TargetsOfSeveralColorsAreOthers) {
 TEST(FollowAll, NothingIsMissingWithoutTheSuggestion) {
   ColorAssessment assessment = alike(4);
   EXPECT_EQ(setup::missingTargetCount(twoBalls(), 2, assessment), 0); // there is no such target
-  assessment.suggestion = Suggestion::RemoveDistractor;
+  assessment.suggestion = ColorSuggestion::RemoveDistractor;
   EXPECT_EQ(setup::missingTargetCount(twoBalls(), 0, assessment), 0);
 }
 

@@ -189,8 +189,8 @@ QString bandwidthShortageText(const capture::BandwidthShortage& shortage,
   return CameraDeviceText::tr("USB bus %1 cannot carry the images of %2: they need %3 Mbit/s, but "
                               "the bus has only %4 Mbit/s.")
       .arg(shortage.bus)
-      .arg(cameraList(shortage.requests, names), megabits(shortage.needed),
-           megabits(shortage.available));
+      .arg(cameraList(shortage.requests, names), megabits(shortage.neededBitsPerSecond),
+           megabits(shortage.availableBitsPerSecond));
 }
 
 QString proposalText(const capture::BandwidthShortage& shortage, const QStringList& names) {

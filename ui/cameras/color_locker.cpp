@@ -44,7 +44,7 @@ struct LockOutcome {
 /// What a camera does not do, as a sentence; empty if it does all.
 QString complaintAbout(const LockOutcome& outcome) {
   std::vector<capture::ColorAutomatic> refused;
-  for (const auto& refusal : outcome.lock->refused) {
+  for (const auto& refusal : outcome.lock->refusals) {
     if (std::ranges::find(refused, refusal.automatic) == refused.end()) {
       refused.push_back(refusal.automatic);
     }
@@ -54,11 +54,11 @@ QString complaintAbout(const LockOutcome& outcome) {
     text = ColorLocker::tr("These settings of %1 cannot be locked: %2.")
                .arg(outcome.name, colorAutomaticsText(refused));
   }
-  if (!outcome.lock->missing.empty()) {
+  if (!outcome.lock->missingControls.empty()) {
     text += (text.isEmpty() ? QString() : QStringLiteral(" ")) +
             ColorLocker::tr(
                 "%1 has no control for these settings and may change them automatically: %2.")
-                .arg(outcome.name, colorAutomaticsText(outcome.lock->missing));
+                .arg(outcome.name, colorAutomaticsText(outcome.lock->missingControls));
   }
   return text;
 }

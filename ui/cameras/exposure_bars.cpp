@@ -13,8 +13,8 @@ namespace {
 
 constexpr QSize kBarsSize(220, 44); ///< pixels; chosen: bars of 6 pixels, as tall as two lines
 constexpr double kBarGap = 1.0;     ///< pixels
-constexpr int kDarkBins =
-    TargetExposure::kDarkest * static_cast<int>(TargetExposure::kBins) / 256; ///< wholly too dark
+constexpr int kDarkBins = TargetExposure::kMinUsefulBrightness *
+                          static_cast<int>(TargetExposure::kBinCount) / 256; ///< wholly too dark
 
 } // namespace
 
@@ -50,16 +50,16 @@ void ExposureBars::paintEvent(QPaintEvent*) {
   if (most <= 0) {
     return;
   }
-  const double bar = width() / static_cast<double>(TargetExposure::kBins);
+  const double bar = width() / static_cast<double>(TargetExposure::kBinCount);
   const auto fill = [&](int bin, std::int64_t count, const QColor& color) {
     const double tall = (base - 1.0) * static_cast<double>(count) / static_cast<double>(most);
     painter.fillRect(QRectF(bar * bin, base - tall, bar - kBarGap, tall), color);
   };
-  for (int bin = 0; bin < static_cast<int>(TargetExposure::kBins); ++bin) {
+  for (int bin = 0; bin < static_cast<int>(TargetExposure::kBinCount); ++bin) {
     const std::int64_t count = exposure_.histogram[static_cast<std::size_t>(bin)];
     fill(bin, count, bin < kDarkBins ? strong : plain);
   }
-  fill(static_cast<int>(TargetExposure::kBins) - 1, exposure_.clipped, strong);
+  fill(static_cast<int>(TargetExposure::kBinCount) - 1, exposure_.clippedCount, strong);
 }
 
 } // namespace dewpoint::ui

@@ -115,7 +115,7 @@ void ColorLearner::removeSample(int index) {
     setup::ClickLearningResult same;
     const Target& taught = project.targets[static_cast<std::size_t>(target)];
     same.color.range = taught.color;
-    same.color.others = taught.otherColors;
+    same.color.otherRanges = taught.otherColors;
     same.color.assessment.targetKnown = false;
     applyResult(target, same, step);
     return;

@@ -312,8 +312,8 @@ void ColorPanel::updateAssessment() {
     cameras.push_back(cameraName(camera.camera.name, cameras.size()));
   }
   ColorAssessment shown = assessment_;
-  if (shown.suggestion == Suggestion::FollowAll && !followAll_->isOffering()) {
-    shown.suggestion = Suggestion::None; // each has its target
+  if (shown.suggestion == ColorSuggestion::FollowAll && !followAll_->isOffering()) {
+    shown.suggestion = ColorSuggestion::None; // each has its target
   }
   QString text = colorAssessmentText(shown, cameras);
   if (hasTarget()) {

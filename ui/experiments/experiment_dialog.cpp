@@ -208,7 +208,7 @@ const FigureExperiment& ExperimentDialog::chosen() const {
 }
 
 void ExperimentDialog::showChosen() {
-  description_->setText(words(chosen().sentence));
+  description_->setText(words(chosen().description));
   runs_->setValue(chosen().runs);
   clothesLabel_->setVisible(chosen().hasClothesOption);
   clothes_->setVisible(chosen().hasClothesOption);

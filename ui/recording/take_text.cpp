@@ -28,7 +28,7 @@ std::int64_t bytesOf(const TakeStatus& take) {
 std::int64_t droppedOf(const TakeStatus& take) {
   std::int64_t dropped = 0;
   for (const auto& camera : take.cameras) {
-    dropped += camera.counts.dropped;
+    dropped += camera.counts.droppedImageCount;
   }
   return dropped;
 }
@@ -82,7 +82,7 @@ QString takeDetailsText(const TakeStatus& take) {
                  .arg(QString::fromStdString(camera.name))
                  .arg(counts.images)
                  .arg(rateText(counts.framesPerSecond))
-                 .arg(counts.dropped)
+                 .arg(counts.droppedImageCount)
                  .arg(sizeText(static_cast<std::uint64_t>(counts.bytes)));
   }
   if (const QString before = preRollText(take); !before.isEmpty()) {
@@ -97,7 +97,7 @@ QString preRollText(const TakeStatus& take) {
   }
   const QString time = secondsText(take.preRollSeconds, 1);
   const bool isShortened = std::ranges::any_of(
-      take.cameras, [](const auto& camera) { return camera.preRoll.shortened; });
+      take.cameras, [](const auto& camera) { return camera.preRoll.isShortened; });
   return isShortened ? QCoreApplication::translate("TakeText",
                                                    "The take contains %1 from before you pressed "
                                                    "Record. There was not enough memory for more.")

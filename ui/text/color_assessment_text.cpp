@@ -43,32 +43,32 @@ QString separationSentence(int score) {
 
 QString suggestionSentence(const ColorAssessment& assessment) {
   switch (assessment.suggestion) {
-  case Suggestion::AddSamples:
+  case ColorSuggestion::AddSamples:
     return ColorText::tr("Much of the target does not have the learned color: Shift-click its "
                          "light and its dark side.");
-  case Suggestion::ExcludeDistractor:
+  case ColorSuggestion::ExcludeDistractor:
     return ColorText::tr(
         "Other objects have this color too: Ctrl+Shift-click them to exclude them.");
-  case Suggestion::RemoveDistractor:
+  case ColorSuggestion::RemoveDistractor:
     return ColorText::tr("Cover objects of the same color, or take them out of view.");
-  case Suggestion::MoreLight:
+  case ColorSuggestion::MoreLight:
     return ColorText::tr("The target is nearly black here: more light would help.");
-  case Suggestion::LessExposure:
+  case ColorSuggestion::LessExposure:
     return ColorText::tr("The target is nearly white here: a shorter exposure would help.");
-  case Suggestion::UseStrongerColor:
+  case ColorSuggestion::UseStrongerColor:
     return ColorText::tr("The target is nearly gray: a stronger color would help.");
-  case Suggestion::UseAnotherColor:
+  case ColorSuggestion::UseAnotherColor:
     return ColorText::tr("Several objects have this color: another color would help.");
-  case Suggestion::FollowAll:
+  case ColorSuggestion::FollowAll:
     return ColorText::tr(
         "%n objects have this color and size: follow all of them, or cover the others.", nullptr,
         assessment.similarObjectCount);
-  case Suggestion::ClickObjectItself:
+  case ColorSuggestion::ClickObjectItself:
     return ColorText::tr("The clicked region fills much of the image: click only the target, or "
                          "drag a box around the target.");
-  case Suggestion::ClickMore:
+  case ColorSuggestion::ClickMore:
     return ColorText::tr("You clicked only a speck: drag a box around the whole target.");
-  case Suggestion::None:
+  case ColorSuggestion::None:
     break;
   }
   return {};
@@ -101,7 +101,7 @@ QString sharesSentence(const ColorAssessment& assessment) {
 
 } // namespace
 
-QString colorName(ColorWord color) {
+QString colorName(ColorName color) {
   static constexpr const char* kNames[] = {
       QT_TRANSLATE_NOOP("ColorText", "black"),     QT_TRANSLATE_NOOP("ColorText", "gray"),
       QT_TRANSLATE_NOOP("ColorText", "white"),     QT_TRANSLATE_NOOP("ColorText", "brown"),

@@ -13,6 +13,6 @@ namespace dewpoint::ui {
 QString colorAssessmentText(const ColorAssessment& assessment, const std::vector<QString>& cameras);
 
 /// Returns the name of a color: "red", "turquoise", ...
-QString colorName(ColorWord color);
+QString colorName(ColorName color);
 
 } // namespace dewpoint::ui

@@ -63,8 +63,9 @@ int studyBarrera(const ConvergenceOptions& options) {
       return report(result.error());
     }
     fmt::print("{:<50} {:>4} / {:<4} {:>11} {:>11.1f} {:>9.1f} {:>8.1f} mm\n", setup.name,
-               result->converged, setup.runs, result->within, result->medianIterations,
-               inMillimeters(result->rmse), inMillimeters(result->depthBias));
+               result->convergedRunCount, setup.runs, result->accurateRunCount,
+               result->medianIterations, inMillimeters(result->rmse),
+               inMillimeters(result->depthBias));
     std::fflush(stdout);
     results.push_back(*result);
   }
@@ -74,7 +75,7 @@ int studyBarrera(const ConvergenceOptions& options) {
   }
   for (const DriftResult& drift : *drifts) {
     fmt::print("drift away from a single camera: {:.1f} mm per iteration over the first {}\n",
-               inMillimeters(drift.meters), drift.iterations);
+               inMillimeters(drift.metersPerIteration), drift.iterations);
   }
   fmt::print("Seeds {}.\n", describeSeeds(options.first, options.runs));
   if (!options.folder.empty()) {

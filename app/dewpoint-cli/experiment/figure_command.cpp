@@ -39,7 +39,7 @@ int makeFigure(const FigureExperiment& experiment, ExperimentOptions options) {
 void addFigureCommands(CLI::App& group, int& exitCode) {
   for (const FigureExperiment& experiment : figureExperiments()) {
     auto* command =
-        group.add_subcommand(std::string(experiment.name), std::string(experiment.sentence));
+        group.add_subcommand(std::string(experiment.name), std::string(experiment.description));
     auto options = std::make_shared<ExperimentOptions>();
     command
         ->add_option_function<std::string>(

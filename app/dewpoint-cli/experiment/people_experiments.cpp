@@ -41,7 +41,7 @@ Error ofSettings(Error error) {
 Result<PeopleStudySetup> setupOf(const StudyOptions& options) {
   PeopleStudySetup setup;
   setup.scenario = options.scenario;
-  setup.grade = gradeNamed(options.grade).value_or(Grade::Ideal); // names are checked
+  setup.grade = gradeFromName(options.grade).value_or(Grade::Ideal); // names are checked
   if (!options.methods.empty()) {
     setup.methods = options.methods;
   }
@@ -98,7 +98,7 @@ int studyScenario(const StudyOptions& options) {
   if (!trials) {
     return report(trials.error());
   }
-  fmt::print("{}\n", peopleTableHead());
+  fmt::print("{}\n", peopleTableHeader());
   for (const PeopleSummary& summary : summarize(*trials)) {
     fmt::print("{}\n", peopleTableRow(summary));
   }

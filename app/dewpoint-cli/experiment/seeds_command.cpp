@@ -13,7 +13,7 @@ namespace {
 int showSeedBlocks() {
   fmt::print("block,first,last,what for\n");
   for (const SeedBlock& block : kSeedBlocks) {
-    fmt::print("{},{},{},{}\n", block.name, block.first, block.last, csvCell(block.sentence));
+    fmt::print("{},{},{},{}\n", block.name, block.first, block.last, csvCell(block.description));
   }
   return kExitDone;
 }

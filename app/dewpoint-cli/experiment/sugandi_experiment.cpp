@@ -62,7 +62,7 @@ int studySugandi(const SugandiOptions& options) {
     if (!rows) {
       return report(rows.error());
     }
-    study->perturbed = std::move(*rows);
+    study->perturbedRows = std::move(*rows);
   }
   fmt::print("{}", boxStudyText(*study));
   const auto written = writeBoxStudy(*study, options.folder);

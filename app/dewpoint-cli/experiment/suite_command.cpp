@@ -57,10 +57,10 @@ int listSuite(const SuiteOptions& options) {
   const SuiteCatalog catalog = catalogOf(options);
   for (const ScenarioDeclaration& scenario : catalog.scenarios) {
     fmt::print("{:<4} {:<28} {:>5} seeds  {}\n", scenario.family, scenario.name, scenario.seeds,
-               scenario.sentence);
+               scenario.description);
   }
   for (const SkippedClip& clip : catalog.skipped) {
-    fmt::print("{}\n", clip.sentence);
+    fmt::print("{}\n", clip.description);
   }
   for (const OmittedRecording& recording : omittedRecordings()) {
     fmt::print("Recording {} is not measured: {}\n", recording.recording, recording.reason);
@@ -78,7 +78,7 @@ int listSuite(const SuiteOptions& options) {
 }
 
 std::vector<Grade> gradesOf(const SuiteOptions& options) {
-  return gradesNamed(options.grades).value_or(std::vector<Grade>()); // names are checked
+  return gradesFromNames(options.grades).value_or(std::vector<Grade>()); // names are checked
 }
 
 /// Whether a name on the command line means a clip: it is the clip's own, or its family's.
@@ -97,7 +97,7 @@ std::vector<std::string> skippedOf(const SuiteOptions& options, const SuiteCatal
     if (options.scenarios.empty() || std::ranges::any_of(options.scenarios, [&](const auto& name) {
           return means(name, clip);
         })) {
-      sentences.push_back(clip.sentence);
+      sentences.push_back(clip.description);
     }
   }
   return sentences;
@@ -182,7 +182,7 @@ std::vector<std::string> skippedOf(const SuiteResults& results, const SuiteCatal
   std::vector<std::string> sentences;
   for (const SkippedClip& clip : catalog.skipped) {
     if (!clips.empty() && !clips.contains(clip.name)) {
-      sentences.push_back(clip.sentence);
+      sentences.push_back(clip.description);
     }
   }
   return sentences;
@@ -193,7 +193,7 @@ std::vector<std::string> skippedOf(const SuiteResults& results, const SuiteCatal
 int conclude(const SuiteStore& store, const std::string& folder, bool isPart) {
   fmt::print("{} runs in {}; see report.html there.\n", store.results().size(), folder);
   for (const SkippedRun& run : store.skipped()) {
-    fmt::print(stderr, "dewpoint-cli: {}\n", skippedSentence(run));
+    fmt::print(stderr, "dewpoint-cli: {}\n", skippedRunDescription(run));
   }
   if (!store.skipped().empty()) {
     fmt::print(

@@ -162,15 +162,15 @@ bool printLock(const std::string& camera, const ColorLock& lock) {
   for (const auto& [name, value] : lock.values) {
     fmt::print("{}: {} = {}\n", camera, name, value);
   }
-  for (const ColorLock::Refusal& refusal : lock.refused) {
+  for (const ColorLock::Refusal& refusal : lock.refusals) {
     fmt::print(stderr, "dewpoint-cli: camera '{}': the automatic {} is not locked: {}: {}.\n",
                camera, automaticName(refusal.automatic), refusal.control, refusal.reason);
   }
-  for (const ColorAutomatic automatic : lock.missing) {
+  for (const ColorAutomatic automatic : lock.missingControls) {
     fmt::print(stderr, "dewpoint-cli: note: camera '{}' has no control for its {}.\n", camera,
                automaticName(automatic));
   }
-  return lock.refused.empty();
+  return lock.refusals.empty();
 }
 
 int lockCameras(const LockOptions& options) {

@@ -77,7 +77,7 @@ private:
 /// Whether all streams have ended and none has come back.
 bool allEnded(const Feeds& feeds) {
   return std::ranges::all_of(feeds, [](const auto& feed) {
-    const auto since = feed->endedSince();
+    const auto since = feed->endTime();
     return since && RecordClock::now() - *since > kEndPatience;
   });
 }
@@ -118,7 +118,7 @@ bool printTake(const TakeStatus& take) {
       continue;
     }
     fmt::print("{}: {} images, {} dropped, {:.2f} per second, {:.1f} MB, times by {}\n",
-               camera.name, counts.images, counts.dropped, counts.framesPerSecond,
+               camera.name, counts.images, counts.droppedImageCount, counts.framesPerSecond,
                static_cast<double>(counts.bytes) / kMegabyte, timeOriginName(counts.origin));
   }
   return complete;
@@ -215,7 +215,7 @@ void printPreRoll(const TakeStatus& take, double wanted) {
   }
   fmt::print("Before the start: {:.1f} s\n", take.preRollSeconds);
   for (const TakeStatus::CameraStatus& camera : take.cameras) {
-    if (camera.preRoll.shortened) {
+    if (camera.preRoll.isShortened) {
       fmt::print(stderr,
                  "dewpoint-cli: camera '{}': only {:.1f} s before the start were kept in {:.0f} MB "
                  "of memory.\n",

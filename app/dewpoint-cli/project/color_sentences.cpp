@@ -16,7 +16,7 @@ const char* separation(int score) {
                        : "The color hardly stands out";
 }
 
-const char* nameOf(ColorWord word) {
+const char* nameOf(ColorName word) {
   static constexpr const char* kNames[] = {"black",     "gray",   "white",  "brown",
                                            "red",       "orange", "yellow", "green",
                                            "turquoise", "blue",   "purple", "pink"};
@@ -31,33 +31,33 @@ std::string partOfImage(const DistractorRegion& region) {
   return kParts[static_cast<int>(region.vertical)][static_cast<int>(region.horizontal)];
 }
 
-const char* advice(Suggestion suggestion) {
+const char* advice(ColorSuggestion suggestion) {
   switch (suggestion) {
-  case Suggestion::AddSamples:
+  case ColorSuggestion::AddSamples:
     return "Much of the target does not have the learned color: add its light and its dark side "
            "with "
            "--more.";
-  case Suggestion::ExcludeDistractor:
+  case ColorSuggestion::ExcludeDistractor:
     return "Other objects have this color too: exclude them with --exclude.";
-  case Suggestion::RemoveDistractor:
+  case ColorSuggestion::RemoveDistractor:
     return "Cover objects of the same color, or take them out of view.";
-  case Suggestion::MoreLight:
+  case ColorSuggestion::MoreLight:
     return "The target is nearly black here: more light would help.";
-  case Suggestion::LessExposure:
+  case ColorSuggestion::LessExposure:
     return "The target is nearly white here: a shorter exposure would help.";
-  case Suggestion::UseStrongerColor:
+  case ColorSuggestion::UseStrongerColor:
     return "The target is nearly gray: a stronger color would help.";
-  case Suggestion::UseAnotherColor:
+  case ColorSuggestion::UseAnotherColor:
     return "Several objects have this color: another color would help.";
-  case Suggestion::FollowAll:
+  case ColorSuggestion::FollowAll:
     return "Several objects have this color and size: make each of them a target, or cover the "
            "others.";
-  case Suggestion::ClickObjectItself:
+  case ColorSuggestion::ClickObjectItself:
     return "The clicked region fills much of the image: click only the target, or give a box on "
            "it.";
-  case Suggestion::ClickMore:
+  case ColorSuggestion::ClickMore:
     return "You clicked only a speck: give a box on the whole target.";
-  case Suggestion::None:
+  case ColorSuggestion::None:
     break;
   }
   return "";

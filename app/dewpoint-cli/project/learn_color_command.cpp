@@ -93,7 +93,7 @@ void printLearned(const Target& target, const setup::ClickLearningResult& lesson
   for (const ColorRange& range : lesson.color.ranges()) {
     fmt::print("{}\n", describeRange(range));
   }
-  if (!lesson.color.others.empty()) {
+  if (!lesson.color.otherRanges.empty()) {
     fmt::print("The samples show {} colors: a pixel within any of their ranges counts as target.\n",
                lesson.color.ranges().size());
   }

@@ -199,7 +199,7 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth, const Cam
     return;
   }
   const auto truthNames = truthNamesByPosition(estimate, truth, targetsAlike(targets));
-  const auto evaluations = evaluate(estimate, namedAsTracked(truth, truthNames));
+  const auto evaluations = evaluate(estimate, withTrackedNames(truth, truthNames));
   for (std::size_t k = 0; evaluations && k < evaluations->size(); ++k) {
     const auto& one = (*evaluations)[k];
     fmt::print("target                  {:>10}\n", one.target);

@@ -46,8 +46,8 @@ const DeviceControl* controlNamed(const std::vector<DeviceControl>& controls,
 }
 
 bool isRefused(const ColorLock& lock, ColorAutomatic automatic) {
-  return std::ranges::find(lock.refused, automatic, &ColorLock::Refusal::automatic) !=
-         lock.refused.end();
+  return std::ranges::find(lock.refusals, automatic, &ColorLock::Refusal::automatic) !=
+         lock.refusals.end();
 }
 
 /// Sets one control, and keeps why the device refused it. Fails if the device is gone.
@@ -61,7 +61,7 @@ Status setOne(DeviceAccess& access, const std::string& path, const ColorControl&
   } else {
     // A value cannot be set while its automatic is on: that it is on has been said.
     if (one.off || !isRefused(lock, one.automatic)) {
-      lock.refused.push_back({one.automatic, one.name, set.error().detail});
+      lock.refusals.push_back({one.automatic, one.name, set.error().detail});
     }
   }
   return {};
@@ -93,7 +93,7 @@ Status lockStep(DeviceAccess& access, const std::string& path, bool switches,
     kept->second = control->value;
     if (one.off && control->value != *one.off) {
       lock.values.erase(kept);
-      lock.refused.push_back({one.automatic, one.name, "the device does not switch it off"});
+      lock.refusals.push_back({one.automatic, one.name, "the device does not switch it off"});
     }
   }
   return {};
@@ -121,7 +121,7 @@ Result<ColorLock> lockColors(DeviceAccess& access, const std::string& path) {
     if (std::ranges::none_of(kColorControls, [&](const ColorControl& one) {
           return one.automatic == automatic && controlNamed(*before, one.name) != nullptr;
         })) {
-      lock.missing.push_back(automatic);
+      lock.missingControls.push_back(automatic);
     }
   }
   return lock;

@@ -25,10 +25,10 @@ struct ColorLock {
   /// Control values that are now set, to be stored in the project (DeviceSettings::controls): the
   /// switches of automatic adjustments that are off, and the fixed values.
   ControlValues values;
-  std::vector<Refusal> refused; ///< controls that the device did not accept
+  std::vector<Refusal> refusals; ///< controls that the device did not accept
   /// Adjustments of exposure, gain or white balance for which the device has no control. It is not
   /// known whether the device adjusts them automatically.
-  std::vector<ColorAutomatic> missing;
+  std::vector<ColorAutomatic> missingControls;
 };
 
 /// Switches off the automatic exposure, gain, white balance and hue of a device. Then sets the

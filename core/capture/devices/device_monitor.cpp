@@ -90,7 +90,7 @@ DeviceMonitor::~DeviceMonitor() {
   }
 }
 
-CameraDevicesPtr DeviceMonitor::latest() const {
+CameraDevicesPtr DeviceMonitor::latestDevices() const {
   std::scoped_lock lock(shared_->mutex);
   return shared_->latest;
 }

@@ -32,7 +32,7 @@ public:
 
   /// Returns the newest list of devices without waiting for a driver; null before the first list is
   /// complete.
-  CameraDevicesPtr latest() const;
+  CameraDevicesPtr latestDevices() const;
 
 private:
   struct Shared;

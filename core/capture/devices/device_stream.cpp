@@ -68,7 +68,7 @@ private:
       });
       return device == devices.end() ? OpenResult() : check(*device);
     }
-    const DeviceMatch match = matchDevices(lookup_.identities, devices).at(lookup_.camera);
+    const DeviceMatch match = matchDevices(lookup_.identities, devices).at(lookup_.cameraIndex);
     if (!match.device) {
       return tl::make_unexpected(mismatchReason(match, settings.identity, devices));
     }
@@ -87,7 +87,7 @@ private:
     if (there == devices.end() || !there->problem.empty()) {
       return false; // unplugged, which reading will tell, or in use by this very connection
     }
-    const auto device = matchDevices(lookup_.identities, devices).at(lookup_.camera).device;
+    const auto device = matchDevices(lookup_.identities, devices).at(lookup_.cameraIndex).device;
     return device != static_cast<std::size_t>(there - devices.begin());
   }
 

@@ -15,7 +15,7 @@ struct DeviceLookup {
   /// Identities of all cameras that are opened together. They ensure that no two cameras use the
   /// same device.
   std::vector<DeviceIdentity> identities;
-  std::size_t camera = 0; ///< index of the camera in `identities`
+  std::size_t cameraIndex = 0; ///< index of the camera in `identities`
 };
 
 /// Creates a connection that finds its device each time it is opened. open() finds the device by

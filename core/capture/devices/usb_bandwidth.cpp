@@ -176,8 +176,8 @@ std::vector<BandwidthShortage> bandwidthShortages(std::span<const BandwidthReque
     }
     BandwidthShortage& shortage = shortages.emplace_back();
     shortage.bus = bus;
-    shortage.needed = sumOf(loads);
-    shortage.available = available[bus];
+    shortage.neededBitsPerSecond = sumOf(loads);
+    shortage.availableBitsPerSecond = available[bus];
     for (const Load& load : loads) {
       shortage.requests.push_back(load.request);
     }

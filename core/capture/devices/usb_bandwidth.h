@@ -23,10 +23,10 @@ struct BandwidthProposal {
 
 /// USB bus that is too slow for the formats requested from its devices.
 struct BandwidthShortage {
-  int bus = 0;                       ///< number of the bus
-  std::vector<std::size_t> requests; ///< indices of the requests on this bus
-  double needed = 0.0;               ///< bandwidth of the requested formats, bits per second
-  double available = 0.0;            ///< bandwidth available for images, bits per second
+  int bus = 0;                         ///< number of the bus
+  std::vector<std::size_t> requests;   ///< indices of the requests on this bus
+  double neededBitsPerSecond = 0.0;    ///< bandwidth of the requested formats, bits per second
+  double availableBitsPerSecond = 0.0; ///< bandwidth available for images, bits per second
   /// Changes after which the bus is fast enough. A compressed format at the same size and rate is
   /// preferred to a lower rate, and a lower rate to a smaller size. Empty if no offered formats
   /// would fit.

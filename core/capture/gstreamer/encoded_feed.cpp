@@ -8,7 +8,7 @@ namespace dewpoint::capture {
 void EncodedFeed::put(const EncodedImage& image) {
   std::scoped_lock lock(mutex_);
   ++images_;
-  endedSince_.reset();
+  endTime_.reset();
   if (receiver_) {
     receiver_(image);
   } else if (preRoll_) {
@@ -16,13 +16,13 @@ void EncodedFeed::put(const EncodedImage& image) {
   }
 }
 
-void EncodedFeed::setEnded() {
+void EncodedFeed::markEnded() {
   std::scoped_lock lock(mutex_);
   if (preRoll_) {
     preRoll_->clear(); // what comes next does not continue it
   }
-  if (!endedSince_) {
-    endedSince_ = Clock::now();
+  if (!endTime_) {
+    endTime_ = Clock::now();
   }
 }
 
@@ -65,9 +65,9 @@ std::int64_t EncodedFeed::imageCount() const {
   return images_;
 }
 
-std::optional<EncodedFeed::Clock::time_point> EncodedFeed::endedSince() const {
+std::optional<EncodedFeed::Clock::time_point> EncodedFeed::endTime() const {
   std::scoped_lock lock(mutex_);
-  return endedSince_;
+  return endTime_;
 }
 
 } // namespace dewpoint::capture

@@ -25,7 +25,7 @@ public:
   void put(const EncodedImage& image);
   /// Reports that the stream has ended, and drops the pre-roll. The stream begins again with the
   /// next image.
-  void setEnded();
+  void markEnded();
 
   /// Sets how many of the latest images are kept while there is no receiver (pre-roll). Drops the
   /// images kept so far. With a length of 0, no images are kept.
@@ -44,14 +44,14 @@ public:
   /// Returns the number of images passed to put() so far.
   std::int64_t imageCount() const;
   /// Returns the time at which the stream ended, or nothing if it has not ended or has begun again.
-  std::optional<Clock::time_point> endedSince() const;
+  std::optional<Clock::time_point> endTime() const;
 
 private:
   mutable std::mutex mutex_;
   Receiver receiver_;
   std::optional<PreRoll> preRoll_;
   std::int64_t images_ = 0;
-  std::optional<Clock::time_point> endedSince_;
+  std::optional<Clock::time_point> endTime_;
 };
 
 using EncodedFeedPtr = std::shared_ptr<EncodedFeed>;

@@ -92,7 +92,7 @@ GstElementPtr makePipeline(const std::string& text, std::string& reason) {
   GstElement* made =
       gst_parse_launch_full(text.c_str(), nullptr, GST_PARSE_FLAG_FATAL_ERRORS, &error);
   if (error != nullptr) {
-    reason = gstReason(*error);
+    reason = gstErrorText(*error);
     g_error_free(error);
   }
   if (made == nullptr) {
@@ -112,7 +112,7 @@ GstElementPtr makePipeline(const std::string& text, std::string& reason) {
   return GstElementPtr(made);
 }
 
-std::string gstReason(const _GError& error) {
+std::string gstErrorText(const _GError& error) {
   if (const char* known = knownReason(error)) {
     return known;
   }
@@ -127,7 +127,7 @@ std::string gstReason(const _GError& error) {
   return text;
 }
 
-std::string gstReasonOf(_GstMessage* message) {
+std::string gstMessageErrorText(_GstMessage* message) {
   GError* error = nullptr;
   gchar* details = nullptr;
   gst_message_parse_error(message, &error, &details);
@@ -136,7 +136,7 @@ std::string gstReasonOf(_GstMessage* message) {
   if (error == nullptr) {
     return "unknown error of GStreamer";
   }
-  const std::string reason = gstReason(*error);
+  const std::string reason = gstErrorText(*error);
   g_error_free(error);
   // These are only in the details, for developers.
   const auto has = [&](const char* part) { return more.find(part) != std::string::npos; };

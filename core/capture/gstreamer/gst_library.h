@@ -38,9 +38,9 @@ GstElementPtr makePipeline(const std::string& text, std::string& reason);
 
 /// Returns the message of a GStreamer error as one line of text to append after a colon. Passwords
 /// in addresses are removed.
-std::string gstReason(const _GError& error);
+std::string gstErrorText(const _GError& error);
 
-/// Returns gstReason() of the error in a GStreamer message of type error.
-std::string gstReasonOf(_GstMessage* message);
+/// Returns gstErrorText() of the error in a GStreamer message of type error.
+std::string gstMessageErrorText(_GstMessage* message);
 
 } // namespace dewpoint::capture

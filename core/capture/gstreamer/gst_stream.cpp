@@ -212,7 +212,7 @@ bool GstStream::isAlive() {
   GstMessage* message = gst_bus_pop_filtered(bus, GST_MESSAGE_ERROR);
   gst_object_unref(bus);
   if (message != nullptr) {
-    lost_ = gstReasonOf(message);
+    lost_ = gstMessageErrorText(message);
     gst_message_unref(message);
     return false;
   }
@@ -221,7 +221,7 @@ bool GstStream::isAlive() {
   if (ended_) {
     lost_ = "the stream has ended";
     if (feed_) {
-      feed_->setEnded();
+      feed_->markEnded();
     }
   }
   return !ended_;

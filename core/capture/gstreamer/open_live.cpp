@@ -26,7 +26,7 @@ public:
     const bool grabbed = stream_->grab();
     captured_ = {std::chrono::steady_clock::now(), TimeOrigin::Arrival};
     if (!grabbed) {
-      feed_->setEnded();
+      feed_->markEnded();
     }
     return grabbed;
   }

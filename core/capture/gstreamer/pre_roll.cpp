@@ -77,7 +77,7 @@ PreRollStatus PreRoll::status() const {
   PreRollStatus status;
   status.images = images_.size();
   status.bytes = bytes_;
-  status.shortened = shortened_;
+  status.isShortened = shortened_;
   if (!images_.empty()) {
     status.seconds =
         std::chrono::duration<double>(images_.back().captured.time - images_.front().captured.time)

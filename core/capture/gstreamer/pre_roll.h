@@ -34,7 +34,7 @@ struct PreRollStatus {
   std::size_t images = 0; ///< number of images
   std::size_t bytes = 0;
   /// True if images within PreRollLimits::length were dropped because of the memory limit.
-  bool shortened = false;
+  bool isShortened = false;
 };
 
 /// Keeps copies of the latest images of one stream. The oldest image can be decoded without earlier

@@ -288,7 +288,7 @@ void StreamRecording::Writer::writeTime(GstClockTime time) {
 GstBusSyncReply StreamRecording::Writer::onMessage(GstBus*, GstMessage* message, gpointer data) {
   auto& writer = **static_cast<std::shared_ptr<Writer>*>(data);
   if (GST_MESSAGE_TYPE(message) == GST_MESSAGE_ERROR) {
-    writer.setProblem(writer.files.video, gstReasonOf(message));
+    writer.setProblem(writer.files.video, gstMessageErrorText(message));
   } else if (GST_MESSAGE_TYPE(message) == GST_MESSAGE_EOS) {
     std::scoped_lock lock(writer.mutex);
     writer.hasEnded = true;
@@ -346,12 +346,12 @@ RecordedCounts StreamRecording::counts() const {
   std::scoped_lock lock(writer_->mutex);
   const Writer& writer = *writer_;
   counts.images = writer.written;
-  counts.preRollImages = writer.preRoll;
-  counts.isChanged = writer.isChanged;
-  counts.dropped = writer.received - writer.written -
-                   (stopped_ || writer.isBroken() // what waited is lost
-                        ? 0
-                        : static_cast<std::int64_t>(writer.waiting.size()));
+  counts.preRollImageCount = writer.preRoll;
+  counts.arePixelsChanged = writer.isChanged;
+  counts.droppedImageCount = writer.received - writer.written -
+                             (stopped_ || writer.isBroken() // what waited is lost
+                                  ? 0
+                                  : static_cast<std::int64_t>(writer.waiting.size()));
   if (writer.written > 1 && writer.lastTime > writer.firstTime) {
     counts.framesPerSecond = static_cast<double>(writer.written - 1) * 1e9 /
                              static_cast<double>(writer.lastTime - writer.firstTime);

@@ -32,16 +32,17 @@ struct StreamFiles {
 struct RecordedCounts {
   std::int64_t images = 0; ///< number of images in the files
   /// Number of these images that were captured before the start of the recording.
-  std::int64_t preRollImages = 0;
-  std::int64_t dropped = 0; ///< number of images that were received, but are not in the files
-  std::int64_t bytes = 0;   ///< size of the video file
+  std::int64_t preRollImageCount = 0;
+  std::int64_t droppedImageCount =
+      0;                  ///< number of images that were received, but are not in the files
+  std::int64_t bytes = 0; ///< size of the video file
   /// Images per second, computed from the capture times of the first and the last image; 0 before
   /// the second image.
   double framesPerSecond = 0.0;
   TimeOrigin origin = TimeOrigin::Arrival; ///< origin of the latest capture time
   /// True if the stored pixels differ from the received ones, for example because of
   /// RawStorage::Jpeg.
-  bool isChanged = false;
+  bool arePixelsChanged = false;
   /// Reason why images are missing, for example a full disk. Images that were written before can be
   /// read.
   std::optional<Error> problem;
@@ -61,9 +62,9 @@ public:
 
   /// Starts recording the images of `feed`. Images captured before `zero` are left out. Later
   /// images of the feed's pre-roll are written first. `begin` is the start of the recording;
-  /// earlier images count as RecordedCounts::preRollImages. Without `begin`, the recording starts
-  /// at `zero`. The files are created with the first image, which for H.264 and H.265 is a key
-  /// frame. Capture times are relative to `zero`. `field` names the camera in errors.
+  /// earlier images count as RecordedCounts::preRollImageCount. Without `begin`, the recording
+  /// starts at `zero`. The files are created with the first image, which for H.264 and H.265 is a
+  /// key frame. Capture times are relative to `zero`. `field` names the camera in errors.
   StreamRecording(EncodedFeedPtr feed, StreamFiles files, RawStorage raw, Clock::time_point zero,
                   std::string field, std::optional<Clock::time_point> begin = std::nullopt);
   StreamRecording(const StreamRecording&) = delete;

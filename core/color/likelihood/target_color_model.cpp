@@ -156,7 +156,7 @@ ColorLikelihood TargetColorModel::likelihoodForCamera(const ColorGain& gain,
         if (!allowed.containsMiddle(b, g, r)) {
           continue;
         }
-        const double prior = kPrior * (2.0 * inside.share(b, g, r) - 1.0);
+        const double prior = kPriorLogRatio * (2.0 * inside.share(b, g, r) - 1.0);
         const double unseen = kUnseenColorDensity * std::exp(0.5 * prior);
         const double unseenRest = kUnseenColorDensity * std::exp(-0.5 * prior);
         const double seen = std::log((targetDensity.at(cell) + unseen) /

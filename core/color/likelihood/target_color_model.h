@@ -43,7 +43,7 @@ public:
 
   /// Prior log ratio of a color inside the range, in nats. Colors outside have the negative of this
   /// value.
-  static constexpr double kPrior = 1.0;
+  static constexpr double kPriorLogRatio = 1.0;
   /// Number of observed pixels that count as much as the prior.
   static constexpr double kPriorPixels = 20.0;
   /// u in the formula above, as a multiple of the density of evenly spread colors. Where both t and

@@ -36,7 +36,7 @@ public:
   /// gate is rejected. The first measurement starts the filter.
   void update(const Eigen::Vector3d& position, const Eigen::Matrix3d& covariance);
 
-  bool started() const { return started_; }
+  bool isStarted() const { return started_; }
   /// Returns the largest squared Mahalanobis distance at which a measurement is accepted.
   double gate() const { return setup_.gate; }
   Eigen::Vector3d position() const { return state_.head<3>(); }

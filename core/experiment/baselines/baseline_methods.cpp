@@ -16,7 +16,7 @@
 namespace dewpoint::experiment {
 namespace {
 
-template <class Follower> std::unique_ptr<CameraFollower> makeFollower() {
+template <class Follower> std::unique_ptr<CameraFollower> makeFollowerByName() {
   return std::make_unique<Follower>();
 }
 
@@ -29,8 +29,8 @@ const std::array<Baseline, 4>& baselines() {
   static const std::array<Baseline, 4> all{{
       {"triangulation", {nullptr, false}},
       {"triangulation-kalman", {nullptr, true}},
-      {"camshift", {makeFollower<CamShiftFollower>, false}},
-      {"csrt", {makeFollower<CsrtFollower>, false}},
+      {"camshift", {makeFollowerByName<CamShiftFollower>, false}},
+      {"csrt", {makeFollowerByName<CsrtFollower>, false}},
   }};
   return all;
 }

@@ -52,8 +52,8 @@ void BaselineTracker::setTargets(const std::vector<Target>& targets) {
 void BaselineTracker::restart(std::uint64_t) {
   tracked_.clear();
   for (std::size_t k = 0; k < targets_.size(); ++k) {
-    tracked_.push_back({CameraFollowers(setup_.follower, cameraCount_), PositionKalmanFilter(),
-                        std::nullopt, 0.0});
+    tracked_.push_back({CameraFollowers(setup_.followerFactory, cameraCount_),
+                        PositionKalmanFilter(), std::nullopt, 0.0});
   }
   estimates_.assign(targets_.size(), SphereEstimate{});
   time_.reset();
@@ -77,12 +77,12 @@ void BaselineTracker::predict() {
   const double elapsed = time_ ? seconds(frames_->time - *time_) : 0.0;
   time_ = frames_->time;
   for (Tracked& tracked : tracked_) {
-    tracked.sinceSeen += std::max(0.0, elapsed);
-    if (setup_.kalman && elapsed > 0.0) {
+    tracked.secondsSinceSeen += std::max(0.0, elapsed);
+    if (setup_.usesKalmanFilter && elapsed > 0.0) {
       tracked.filter.predict(elapsed);
     }
-    if (setup_.kalman && tracked.filter.started()) {
-      tracked.last = tracked.filter.position();
+    if (setup_.usesKalmanFilter && tracked.filter.isStarted()) {
+      tracked.lastPosition = tracked.filter.position();
     }
   }
 }
@@ -104,9 +104,10 @@ std::vector<BaselineTracker::TargetIndices> BaselineTracker::groups() const {
   return groups;
 }
 
-BaselineTracker::Views BaselineTracker::viewsOf(const ColorRanges& color) const {
+BaselineTracker::ImagesAndBlobs BaselineTracker::viewsOf(const ColorRanges& color) const {
   const ColorClassifier classifier(color);
-  Views views{std::vector<CameraImages>(cameraCount_), std::vector<CameraBlobs>(cameraCount_)};
+  ImagesAndBlobs views{std::vector<CameraImages>(cameraCount_),
+                       std::vector<CameraBlobs>(cameraCount_)};
   for (std::size_t camera = 0; camera < std::min(cameraCount_, frames_->frames.size()); ++camera) {
     if (const FramePtr& frame = frames_->frames[camera]) {
       views.images[camera] = {frame->image, matchImage(frame->image, classifier)};
@@ -118,7 +119,7 @@ BaselineTracker::Views BaselineTracker::viewsOf(const ColorRanges& color) const 
 
 void BaselineTracker::measure(const TargetIndices& members, MeasuredPositions& measured) {
   const Target& target = targets_[members.front()];
-  const Views views = viewsOf(target.colors());
+  const ImagesAndBlobs views = viewsOf(target.colors());
   const TargetIndices open = follow(members, views, measured);
   if (open.empty()) {
     return;
@@ -136,9 +137,9 @@ void BaselineTracker::measure(const TargetIndices& members, MeasuredPositions& m
 
 /// Measures those whose followers agree; returns the others.
 BaselineTracker::TargetIndices BaselineTracker::follow(const TargetIndices& members,
-                                                       const Views& views,
+                                                       const ImagesAndBlobs& views,
                                                        MeasuredPositions& measured) {
-  if (setup_.follower == nullptr) {
+  if (setup_.followerFactory == nullptr) {
     return members;
   }
   TargetIndices open;
@@ -153,8 +154,8 @@ BaselineTracker::TargetIndices BaselineTracker::follow(const TargetIndices& memb
   return open;
 }
 
-std::optional<TriangulatedPoint> BaselineTracker::triangulateFollowers(Tracked& tracked,
-                                                                       const Views& views) const {
+std::optional<TriangulatedPoint>
+BaselineTracker::triangulateFollowers(Tracked& tracked, const ImagesAndBlobs& views) const {
   const auto pixels = tracked.followers.step(views.images);
   std::vector<Bearing> bearings;
   for (std::size_t camera = 0; camera < pixels.size(); ++camera) {
@@ -170,7 +171,7 @@ std::optional<TriangulatedPoint> BaselineTracker::triangulateFollowers(Tracked& 
   return agreed ? std::move(point) : std::nullopt;
 }
 
-void BaselineTracker::startMissingFollowers(std::size_t target, const Views& views,
+void BaselineTracker::startMissingFollowers(std::size_t target, const ImagesAndBlobs& views,
                                             const Eigen::Vector3d& position) {
   CameraFollowers& followers = tracked_[target].followers;
   for (std::size_t camera = 0; camera < cameraCount_; ++camera) {
@@ -184,7 +185,7 @@ void BaselineTracker::startMissingFollowers(std::size_t target, const Views& vie
   }
 }
 
-void BaselineTracker::assignBlobs(const TargetIndices& members, const Views& views,
+void BaselineTracker::assignBlobs(const TargetIndices& members, const ImagesAndBlobs& views,
                                   const std::vector<PairedBlobs>& pairs,
                                   MeasuredPositions& measured) {
   std::vector<ExpectedPosition> expected;
@@ -208,12 +209,12 @@ void BaselineTracker::assignBlobs(const TargetIndices& members, const Views& vie
 }
 
 ExpectedPosition BaselineTracker::expectedPositionOf(const Tracked& tracked) const {
-  if (setup_.kalman && tracked.filter.started()) {
+  if (setup_.usesKalmanFilter && tracked.filter.isStarted()) {
     return {tracked.filter.position(), tracked.filter.covariance(), tracked.filter.gate()};
   }
-  if (tracked.last) {
-    const double sigma = std::max(kLeastStepSigma, kSpeedSigma * tracked.sinceSeen);
-    return {*tracked.last, squared(Eigen::Vector3d::Constant(sigma)), std::nullopt};
+  if (tracked.lastPosition) {
+    const double sigma = std::max(kLeastStepSigma, kSpeedSigma * tracked.secondsSinceSeen);
+    return {*tracked.lastPosition, squared(Eigen::Vector3d::Constant(sigma)), std::nullopt};
   }
   const Eigen::Vector3d sigmas = (kStartShare * start_.halfSize).cwiseMax(kLeastStartSigma);
   return {start_.center, squared(sigmas), std::nullopt};
@@ -225,21 +226,21 @@ void BaselineTracker::updateEstimate(std::size_t target,
   SphereEstimate estimate;
   estimate.seeingCameraCount = position ? static_cast<int>(position->bearings.size()) : 0;
   if (position) {
-    tracked.sinceSeen = 0.0;
+    tracked.secondsSinceSeen = 0.0;
   }
-  if (position && setup_.kalman) {
+  if (position && setup_.usesKalmanFilter) {
     tracked.filter.update(position->position, position->covariance);
   }
-  if (setup_.kalman && tracked.filter.started()) {
-    tracked.last = tracked.filter.position();
+  if (setup_.usesKalmanFilter && tracked.filter.isStarted()) {
+    tracked.lastPosition = tracked.filter.position();
     estimate.covariance = tracked.filter.covariance();
     estimate.valid = true;
-  } else if (position && !setup_.kalman) {
-    tracked.last = position->position;
+  } else if (position && !setup_.usesKalmanFilter) {
+    tracked.lastPosition = position->position;
     estimate.covariance = position->covariance;
     estimate.valid = true;
   }
-  estimate.mean = tracked.last.value_or(Eigen::Vector3d::Zero());
+  estimate.mean = tracked.lastPosition.value_or(Eigen::Vector3d::Zero());
   estimate.best = estimate.mean;
   estimate.existenceProbability = estimate.valid ? 1.0 : 0.0;
   estimate.particleCount = estimate.valid ? 1 : 0;

@@ -16,11 +16,11 @@ namespace dewpoint::experiment {
 struct BaselineSetup {
   /// Creates a follower, which follows one target through the images of one camera. If null, there
   /// are no followers, and blobs are paired again in every frame.
-  CameraFollowerFactory follower = nullptr;
+  CameraFollowerFactory followerFactory = nullptr;
   /// True if a Kalman filter smooths the triangulated positions. A pair of blobs whose position is
   /// outside the gate of the filter is then used only if no other pair has a position inside the
   /// gate.
-  bool kalman = false;
+  bool usesKalmanFilter = false;
 };
 
 /// Tracker of the baseline methods. It locates each target in each camera's image by a color mask,
@@ -35,7 +35,7 @@ struct BaselineSetup {
 /// position is the center of the start volume. Later, it is the last position or the Kalman
 /// filter's prediction. Targets with the same color and size share the blobs.
 ///
-/// If BaselineSetup::follower is set, pairs of blobs are used only to start the followers. A
+/// If BaselineSetup::followerFactory is set, pairs of blobs are used only to start the followers. A
 /// follower starts with the bounding box of its camera's blob. All followers of a target restart
 /// when fewer than two are left, or when their rays miss each other by more than the pairing
 /// allows. If a camera has no follower, a new one starts at the blob that best fits the position
@@ -66,11 +66,11 @@ private:
   struct Tracked {
     CameraFollowers followers;
     PositionKalmanFilter filter;
-    std::optional<Eigen::Vector3d> last; ///< last or predicted position, world, meters
-    double sinceSeen = 0.0;              ///< seconds since the target was last seen
+    std::optional<Eigen::Vector3d> lastPosition; ///< last or predicted position, world, meters
+    double secondsSinceSeen = 0.0;               ///< seconds since the target was last seen
   };
   /// Images and blobs of one color in all cameras, in rig order.
-  struct Views {
+  struct ImagesAndBlobs {
     std::vector<CameraImages> images;
     std::vector<CameraBlobs> blobs;
   };
@@ -79,14 +79,15 @@ private:
 
   void predict();
   std::vector<TargetIndices> groups() const;
-  Views viewsOf(const ColorRanges& color) const;
+  ImagesAndBlobs viewsOf(const ColorRanges& color) const;
   void measure(const TargetIndices& members, MeasuredPositions& measured);
-  TargetIndices follow(const TargetIndices& members, const Views& views,
+  TargetIndices follow(const TargetIndices& members, const ImagesAndBlobs& views,
                        MeasuredPositions& measured);
-  std::optional<TriangulatedPoint> triangulateFollowers(Tracked& tracked, const Views& views) const;
-  void startMissingFollowers(std::size_t target, const Views& views,
+  std::optional<TriangulatedPoint> triangulateFollowers(Tracked& tracked,
+                                                        const ImagesAndBlobs& views) const;
+  void startMissingFollowers(std::size_t target, const ImagesAndBlobs& views,
                              const Eigen::Vector3d& position);
-  void assignBlobs(const TargetIndices& members, const Views& views,
+  void assignBlobs(const TargetIndices& members, const ImagesAndBlobs& views,
                    const std::vector<PairedBlobs>& pairs, MeasuredPositions& measured);
   ExpectedPosition expectedPositionOf(const Tracked& tracked) const;
   void updateEstimate(std::size_t target, const std::optional<TriangulatedPoint>& position);

@@ -101,7 +101,7 @@ Status addJuggle(const fs::path& folder, std::vector<BoxClip>& clips) {
   for (std::size_t ball = 0; ball < 3; ++ball) {
     BoxClip clip;
     clip.name = fmt::format("juggle1, {} ball", kBalls[ball]);
-    clip.sentence = "up to 70 px per frame, hands and other balls in front";
+    clip.description = "up to 70 px per frame, hands and other balls in front";
     clip.radius = kJuggleRadius;
     clip.exactBoxes = false;
     clip.image = imageSource(files);
@@ -132,7 +132,7 @@ void addThrow(const fs::path& folder, const std::string& color,
   }
   BoxClip clip;
   clip.name = fmt::format("throws_pinkball, {} ball", color);
-  clip.sentence = "boxes by color segmentation";
+  clip.description = "boxes by color segmentation";
   clip.radius = kJuggleRadius;
   std::vector<fs::path> files;
   for (int frame = begin; frame < begin + count; ++frame) {
@@ -177,7 +177,7 @@ Status addSequence(const fs::path& folder, std::vector<BoxClip>& clips) {
   }
   BoxClip clip;
   clip.name = "otb, " + folder.filename().string();
-  clip.sentence = "hand-marked boxes";
+  clip.description = "hand-marked boxes";
   clip.radius = kOtbRadius;
   std::vector<fs::path> files;
   for (const auto& row : *rows) { // counted from 1
@@ -227,7 +227,7 @@ BoxClip clipOfScene(const Scene& scene, int camera) {
 BoxClip simulatedBoxClip(std::uint64_t seed) {
   BoxClip clip = clipOfScene(sceneOfClip(seed), 0);
   clip.name = "simulated, fast ball";
-  clip.sentence = "a ball that turns sharply, sensor noise of 5 gray levels";
+  clip.description = "a ball that turns sharply, sensor noise of 5 gray levels";
   return clip;
 }
 

@@ -18,7 +18,7 @@ namespace dewpoint::experiment {
 /// Images of one camera, with the true bounding box of one target in each image.
 struct BoxClip {
   std::string name;
-  std::string sentence; ///< why the clip is difficult
+  std::string description; ///< why the clip is difficult
   std::vector<ImageBox> truth;
   /// Largest distance between the found and the true center that counts as a hit, pixels.
   double radius = 20.0;

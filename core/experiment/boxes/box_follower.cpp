@@ -150,8 +150,8 @@ private:
 
 } // namespace
 
-Result<std::unique_ptr<BoxFollower>> makeBoxFollower(const std::string& method, int particles,
-                                                     std::uint64_t seed) {
+Result<std::unique_ptr<BoxFollower>> makeDewpointFollower(const std::string& method, int particles,
+                                                          std::uint64_t seed) {
   ParameterValues parameters(methodParameters(method));
   if (const auto set = parameters.set("particles", particles); !set) {
     return tl::make_unexpected(set.error());
@@ -163,7 +163,7 @@ Result<std::unique_ptr<BoxFollower>> makeBoxFollower(const std::string& method, 
   return std::make_unique<OwnFollower>(std::move(*tracker), seed);
 }
 
-const std::vector<std::string>& openCvFollowers() {
+const std::vector<std::string>& openCvFollowerNames() {
   static const std::vector<std::string> kNames{"camshift", "meanshift", "csrt", "kcf"};
   return kNames;
 }
@@ -181,7 +181,7 @@ std::unique_ptr<BoxFollower> makeOpenCvFollower(const std::string& name) {
 const std::vector<std::string>& boxFollowerNames() {
   static const std::vector<std::string> kNames = [] {
     std::vector<std::string> names = methodNames(TargetSource::Box);
-    for (const std::string& name : openCvFollowers()) {
+    for (const std::string& name : openCvFollowerNames()) {
       names.push_back(name + kBoxSuffix);
     }
     return names;
@@ -189,15 +189,15 @@ const std::vector<std::string>& boxFollowerNames() {
   return kNames;
 }
 
-Result<std::unique_ptr<BoxFollower>> makeFollower(const std::string& name, int particles,
-                                                  std::uint64_t seed) {
+Result<std::unique_ptr<BoxFollower>> makeFollowerByName(const std::string& name, int particles,
+                                                        std::uint64_t seed) {
   if (std::ranges::find(boxFollowerNames(), name) == boxFollowerNames().end()) {
     return failure(ErrorCode::NotFound, "", "--method", name + " follows no boxes");
   }
   if (name.ends_with(kBoxSuffix)) {
     return makeOpenCvFollower(name.substr(0, name.size() - std::strlen(kBoxSuffix)));
   }
-  return makeBoxFollower(name, particles, seed);
+  return makeDewpointFollower(name, particles, seed);
 }
 
 } // namespace dewpoint::experiment

@@ -36,14 +36,14 @@ public:
 
 /// Creates a follower with one of Dewpoint's own methods that track boxes, by the name of the
 /// method. The follower uses one thread.
-Result<std::unique_ptr<BoxFollower>> makeBoxFollower(const std::string& method, int particles,
-                                                     std::uint64_t seed);
+Result<std::unique_ptr<BoxFollower>> makeDewpointFollower(const std::string& method, int particles,
+                                                          std::uint64_t seed);
 
 /// Returns the names of OpenCV's trackers: "camshift", "meanshift", "csrt", "kcf".
-const std::vector<std::string>& openCvFollowers();
+const std::vector<std::string>& openCvFollowerNames();
 
 /// Creates a follower with an OpenCV tracker and its default parameters, by a name from
-/// openCvFollowers(). CamShift and meanShift work on the back-projection of the box's hue
+/// openCvFollowerNames(). CamShift and meanShift work on the back-projection of the box's hue
 /// histogram, as in OpenCV's samples (16 hues, pixels without color excluded). The trackers use no
 /// random numbers.
 std::unique_ptr<BoxFollower> makeOpenCvFollower(const std::string& name);
@@ -54,7 +54,7 @@ const std::vector<std::string>& boxFollowerNames();
 
 /// Creates a follower by a name from boxFollowerNames(). `particles` and `seed` apply only to
 /// Dewpoint's own methods. Returns NotFound for any other name.
-Result<std::unique_ptr<BoxFollower>> makeFollower(const std::string& name, int particles,
-                                                  std::uint64_t seed);
+Result<std::unique_ptr<BoxFollower>> makeFollowerByName(const std::string& name, int particles,
+                                                        std::uint64_t seed);
 
 } // namespace dewpoint::experiment

@@ -110,20 +110,20 @@ Result<CalibratedClip> bandsClip(const ClipFolders& folders) {
     click.y = kBands[band].y;
     clip.targets.push_back({std::string(kBands[band].name) + " band", click});
     for (std::size_t row = 0; row < table->rows.size(); ++row) {
-      if (table->words[row] == kBands[band].name) {
+      if (table->wordCells[row] == kBands[band].name) {
         const auto& cells = table->rows[row];
         const auto frame = static_cast<std::int64_t>(cells[0]);
-        clip.marks.push_back({frame, band, 0, {cells[1], cells[2]}});
-        clip.marks.push_back({frame, band, 1, {cells[3], cells[4]}});
+        clip.markedCenters.push_back({frame, band, 0, {cells[1], cells[2]}});
+        clip.markedCenters.push_back({frame, band, 1, {cells[3], cells[4]}});
         last = std::max(last, frame);
       }
     }
-    const auto start = positionOfMarks(clip.rig, clip.marks, 0, band);
+    const auto start = triangulateMarks(clip.rig, clip.markedCenters, 0, band);
     if (!start) {
       return failure(ErrorCode::Undetermined, (folder / "tapes_180349_scout.csv").string(),
                      kBands[band].name, "its marks in the first frame do not meet");
     }
-    clip.starts.push_back(*start);
+    clip.startPositions.push_back(*start);
   }
   clip.instants = simultaneousInstants(0, last + 1, clip.cameras.size(), kBandRate);
   return clip;

@@ -121,7 +121,7 @@ Result<CalibratedClip> boardClip(const ClipFolders& folders) {
     clip.cameras.push_back(folder / fmt::format("cam_{}.mp4", camera));
   }
   clip.framesPerSecond = kBoardRate;
-  clip.markGate = kBoardGatePx;
+  clip.markGatePx = kBoardGatePx;
   ColorSample click;
   click.x = kBoardClickX;
   click.y = kBoardClickY;

@@ -54,7 +54,7 @@ Result<Target> learnedTarget(const ClipTarget& target, const CameraRig& rig, Cli
   Target result;
   result.name = target.name;
   result.color = lesson->color.range;
-  result.otherColors = lesson->color.others;
+  result.otherColors = lesson->color.otherRanges;
   result.samples = std::move(lesson->samples);
   result.radius = lesson->part ? lesson->part->radius : 0.0;
   return result;
@@ -63,8 +63,8 @@ Result<Target> learnedTarget(const ClipTarget& target, const CameraRig& rig, Cli
 /// The marks of a clip: its own, or the projections of its positions into the images that hold
 /// them.
 std::vector<MarkedCenter> marksUsedBy(const CalibratedClip& clip) {
-  if (!clip.marks.empty()) {
-    return clip.marks;
+  if (!clip.markedCenters.empty()) {
+    return clip.markedCenters;
   }
   std::vector<MarkedCenter> marks;
   for (std::size_t camera = 0; camera < clip.rig.size(); ++camera) {
@@ -84,7 +84,7 @@ std::vector<std::int64_t> measuredInstants(const ScenarioRun& run) {
   for (const TrajectorySample& sample : run.truth.samples) {
     frames.insert(sample.frame);
   }
-  for (const MarkedCenter& mark : run.marks) {
+  for (const MarkedCenter& mark : run.markedCenters) {
     frames.insert(mark.frame);
   }
   return {frames.begin(), frames.end()};
@@ -106,8 +106,8 @@ Trajectory truthOfClip(const CalibratedClip& clip) {
 
 /// Where the targets are at first: as the clip says, or the earliest position of each.
 std::vector<Eigen::Vector3d> startsOf(const CalibratedClip& clip) {
-  if (!clip.starts.empty()) {
-    return clip.starts;
+  if (!clip.startPositions.empty()) {
+    return clip.startPositions;
   }
   std::vector<Eigen::Vector3d> starts;
   for (std::size_t target = 0; target < clip.targets.size(); ++target) {
@@ -141,9 +141,9 @@ void placeStart(const CalibratedClip& clip, ScenarioRun& run) {
 
 } // namespace
 
-std::optional<Eigen::Vector3d> positionOfMarks(const CameraRig& rig,
-                                               const std::vector<MarkedCenter>& marks,
-                                               std::int64_t instant, std::size_t target) {
+std::optional<Eigen::Vector3d> triangulateMarks(const CameraRig& rig,
+                                                const std::vector<MarkedCenter>& marks,
+                                                std::int64_t instant, std::size_t target) {
   std::vector<Ray> rays;
   for (const MarkedCenter& mark : marks) {
     if (mark.frame == instant && mark.target == target) {
@@ -155,7 +155,7 @@ std::optional<Eigen::Vector3d> positionOfMarks(const CameraRig& rig,
   return nearestPoint(rays);
 }
 
-Result<ScenarioRun> clipRun(const CalibratedClip& clip, std::uint64_t seed) {
+Result<ScenarioRun> makeClipRun(const CalibratedClip& clip, std::uint64_t seed) {
   auto opened = ClipFrames::open(clip.cameras, clip.instants);
   if (!opened) {
     return tl::make_unexpected(opened.error());
@@ -180,8 +180,8 @@ Result<ScenarioRun> clipRun(const CalibratedClip& clip, std::uint64_t seed) {
     run.targets.push_back(std::move(*learned));
   }
   run.truth = truthOfClip(clip);
-  run.marks = marksUsedBy(clip);
-  run.markGate = clip.markGate;
+  run.markedCenters = marksUsedBy(clip);
+  run.markGatePx = clip.markGatePx;
   run.measuredFrames = measuredInstants(run);
   if (startsOf(clip).empty()) {
     return failure(ErrorCode::MissingKey, clip.name, "truth", "no target has a first position");

@@ -35,7 +35,7 @@ struct ClipPosition {
 /// Default half side length of the box in which the search starts, in meters. Rendered scenarios
 /// that start near the truth use the same value.
 inline constexpr double kClipStartHalfSize = 0.1;
-/// Default of CalibratedClip::markGate, pixels. Chosen from the range of 5 to 30 pixels: it is
+/// Default of CalibratedClip::markGatePx, pixels. Chosen from the range of 5 to 30 pixels: it is
 /// about half the width of the colored bands that are tracked in the clip tapes2_limbs.
 inline constexpr double kClipMarkGatePx = 10.0;
 
@@ -47,16 +47,16 @@ struct CalibratedClip {
   std::vector<ClipInstant> instants;
   double framesPerSecond = 30.0;
   std::vector<ClipTarget> targets;
-  std::vector<ClipPosition> positions; ///< true positions; if empty, `marks` is the truth
+  std::vector<ClipPosition> positions; ///< true positions; if empty, `markedCenters` is the truth
   /// Target centers marked in the images. The field `frame` of each mark is an index into
   /// `instants`. If empty, the projections of `positions` are used as marks.
-  std::vector<MarkedCenter> marks;
+  std::vector<MarkedCenter> markedCenters;
   /// Limit, in pixels, for the distance between the projection of an estimate and each mark of its
   /// target, below which the estimate counts as being on the target.
-  double markGate = kClipMarkGatePx;
+  double markGatePx = kClipMarkGatePx;
   /// Initial position of each target, near which the search starts (world, meters). If empty, the
   /// first entry of each target in `positions` is used.
-  std::vector<Eigen::Vector3d> starts;
+  std::vector<Eigen::Vector3d> startPositions;
   /// Margin, in meters, by which the box in which the search starts extends beyond the initial
   /// positions of all targets. Clips with uncertain initial positions have a larger margin.
   double startHalfSize = kClipStartHalfSize;
@@ -67,13 +67,13 @@ struct CalibratedClip {
 /// shifted by up to half of `startHalfSize` along each axis. The seed determines this shift and the
 /// random numbers of the methods. The function opens the files of the clip. Returns Mismatch if
 /// images and calibration have different sizes.
-Result<ScenarioRun> clipRun(const CalibratedClip& clip, std::uint64_t seed);
+Result<ScenarioRun> makeClipRun(const CalibratedClip& clip, std::uint64_t seed);
 
 /// Returns the point (world, meters) where the rays through a target's marks at one instant meet
 /// (nearestPoint()). Returns nothing for fewer than two marks, or if the rays do not meet in front
 /// of the cameras.
-std::optional<Eigen::Vector3d> positionOfMarks(const CameraRig& rig,
-                                               const std::vector<MarkedCenter>& marks,
-                                               std::int64_t instant, std::size_t target);
+std::optional<Eigen::Vector3d> triangulateMarks(const CameraRig& rig,
+                                                const std::vector<MarkedCenter>& marks,
+                                                std::int64_t instant, std::size_t target);
 
 } // namespace dewpoint::experiment

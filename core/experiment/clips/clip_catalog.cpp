@@ -22,7 +22,7 @@ ClipDeclaration handRow() {
   ClipDeclaration clip;
   clip.name = "R1-hand";
   clip.recording = "hand2_desk";
-  clip.sentence =
+  clip.description =
       "A hand over a desk, two cameras, 352 frames: it points, opens, closes and turns; "
       "the forearm has its color.";
   clip.start = kOneClick;
@@ -31,9 +31,10 @@ ClipDeclaration handRow() {
                "the calibration's chessboard is not known";
   clip.origin = TruthOrigin::Marked;
   clip.truthSigma = kHandMarkMm;
-  clip.tunedOn = TuningUse::Viewed;
-  clip.tuned = "color range and parameters of its example project were set by hand, which are not "
-               "used here; the truth was made later than the methods";
+  clip.tuningUse = TuningUse::Viewed;
+  clip.tuningNote =
+      "color range and parameters of its example project were set by hand, which are not "
+      "used here; the truth was made later than the methods";
   clip.needsTruthFolder = true;
   clip.calibrated = handClip;
   return clip;
@@ -42,11 +43,11 @@ ClipDeclaration handRow() {
 ClipDeclaration boxedHandRow() {
   ClipDeclaration clip = handRow();
   clip.name = "R1-hand-boxed";
-  clip.sentence += " One box around the hand says that it is the target, not the forearm.";
+  clip.description += " One box around the hand says that it is the target, not the forearm.";
   clip.start = "one box around the hand in one camera, from which color and radius are learned, "
                "and a box of 0.1 m half size around the first position.";
-  clip.tuned = "that a box marks a part was made and tried on it, with other boxes";
-  clip.tunedOn = TuningUse::Yes;
+  clip.tuningNote = "that a box marks a part was made and tried on it, with other boxes";
+  clip.tuningUse = TuningUse::Yes;
   clip.calibrated = boxedHandClip;
   return clip;
 }
@@ -55,9 +56,9 @@ ClipDeclaration bandsRow() {
   ClipDeclaration clip;
   clip.name = "R1-bands";
   clip.recording = "tapes2_limbs";
-  clip.sentence = "Yellow, light-blue and pink bands on the knee, ankle and wrist of a man who "
-                  "pedals on a chair and swings an arm, two webcams, 163 frames; measured in "
-                  "pixels, as the length of the baseline is not known.";
+  clip.description = "Yellow, light-blue and pink bands on the knee, ankle and wrist of a man who "
+                     "pedals on a chair and swings an arm, two webcams, 163 frames; measured in "
+                     "pixels, as the length of the baseline is not known.";
   clip.start = "one click per band in the left camera, from which its color is learned, and a box "
                "around all three, with 0.3 m around them.";
   clip.truth =
@@ -65,8 +66,8 @@ ClipDeclaration bandsRow() {
       "of the yellow band is left out of it, which lifts its center by up to 5 px";
   clip.origin = TruthOrigin::Segmented;
   clip.truthSigma = kCentroidPx;
-  clip.tunedOn = TuningUse::No;
-  clip.tuned = "no document, test or benchmark uses it";
+  clip.tuningUse = TuningUse::No;
+  clip.tuningNote = "no document, test or benchmark uses it";
   clip.calibrated = bandsClip;
   return clip;
 }
@@ -75,17 +76,19 @@ ClipDeclaration boardRow() {
   ClipDeclaration clip;
   clip.name = "R1-board";
   clip.recording = "charuco4";
-  clip.sentence = "A man waves a board of black and white squares before four webcams, 57 "
-                  "instants, 6 per second, each camera with its own time stamps. Color methods are "
-                  "not made for this: the target is flat, and doors and sky are as white.";
+  clip.description =
+      "A man waves a board of black and white squares before four webcams, 57 "
+      "instants, 6 per second, each camera with its own time stamps. Color methods are "
+      "not made for this: the target is flat, and doors and sky are as white.";
   clip.start = "one click on a white square, from which the color is learned, and a box of 0.1 m "
                "half size around the first position.";
   clip.truth = "the board's center, the mean of opposite corners of the published twelve";
   clip.origin = TruthOrigin::Board;
   clip.truthSigma = kBoardMm;
-  clip.tunedOn = TuningUse::Viewed;
-  clip.tuned = "the people methods' example project and the tests of calibration use it; nothing "
-               "that tracks a target of a color was tried on it";
+  clip.tuningUse = TuningUse::Viewed;
+  clip.tuningNote =
+      "the people methods' example project and the tests of calibration use it; nothing "
+      "that tracks a target of a color was tried on it";
   clip.calibrated = boardClip;
   return clip;
 }
@@ -96,7 +99,7 @@ ClipDeclaration imageRow(const char* name, const char* recording, const char* cl
   ClipDeclaration clip;
   clip.name = name;
   clip.recording = recording;
-  clip.sentence = sentence;
+  clip.description = sentence;
   clip.start = kTrueBox;
   clip.images = [clipName](const ClipFolders& folders) {
     return recordedBoxClip(folders, clipName);
@@ -113,8 +116,8 @@ ClipDeclaration juggleRow(const char* name, const char* clipName) {
   clip.truth = "centers of every frame, marked by a person; a box of 28 px stands for the ball";
   clip.origin = TruthOrigin::Marked;
   clip.truthSigma = kJuggleMarkPx;
-  clip.tunedOn = TuningUse::Yes;
-  clip.tuned =
+  clip.tuningUse = TuningUse::Yes;
+  clip.tuningNote =
       "the defaults of histogram were chosen so that it keeps these balls, and the learning "
       "of colors and boxes from a click was measured on them while it was made";
   return clip;
@@ -128,9 +131,10 @@ ClipDeclaration throwRow(const char* name, const char* clipName) {
   clip.truth = "boxes of every frame by background difference and hue";
   clip.origin = TruthOrigin::Segmented;
   clip.truthSigma = kCentroidPx;
-  clip.tunedOn = TuningUse::Yes;
-  clip.tuned = "histogram's search for the figure in a first box, and the learning of colors and "
-               "boxes from a click, were measured on it while they were made";
+  clip.tuningUse = TuningUse::Yes;
+  clip.tuningNote =
+      "histogram's search for the figure in a first box, and the learning of colors and "
+      "boxes from a click, were measured on it while they were made";
   return clip;
 }
 
@@ -139,8 +143,8 @@ ClipDeclaration otbRow(const char* name, const char* clipName, const char* sente
   clip.truth = "boxes of every frame, drawn by people, of the benchmark OTB-100";
   clip.origin = TruthOrigin::Marked;
   clip.truthSigma = kOtbMarkPx;
-  clip.tunedOn = TuningUse::Yes;
-  clip.tuned = "histogram was compared on it, box by box, while it was made";
+  clip.tuningUse = TuningUse::Yes;
+  clip.tuningNote = "histogram was compared on it, box by box, while it was made";
   return clip;
 }
 

@@ -111,7 +111,7 @@ Result<ClipTable> readClipTable(const std::filesystem::path& file,
       row.push_back(*value);
     }
     if (!wordColumn.empty()) {
-      table.words.push_back(source.cells[positions->back()]);
+      table.wordCells.push_back(source.cells[positions->back()]);
     }
   }
   return table;

@@ -17,7 +17,7 @@ struct ClipTable {
   /// Numbers of each row, with columns in the requested order.
   std::vector<std::vector<double>> rows;
   std::vector<std::string>
-      words; ///< cells of the word column, one per row; empty if no word column was requested
+      wordCells; ///< cells of the word column, one per row; empty if no word column was requested
 };
 
 /// Reads `columns` of a file as numbers, and the column `wordColumn` as text unless its name is

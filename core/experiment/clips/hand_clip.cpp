@@ -70,14 +70,14 @@ Result<CalibratedClip> handClip(const ClipFolders& folders) {
   click.x = kHandClickX;
   click.y = kHandClickY;
   clip.targets = {{"hand", click}};
-  clip.markGate = kHandGatePx;
+  clip.markGatePx = kHandGatePx;
   for (const auto& row : table->rows) {
     const std::int64_t instant = static_cast<std::int64_t>(row[HandColumn::kFrame]) - first;
     constexpr std::size_t kPosition = HandColumn::kPosition;
     clip.positions.push_back(
         {instant, 0, {row[kPosition], row[kPosition + 1], row[kPosition + 2]}});
-    clip.marks.push_back({instant, 0, 0, pixelAt(row, HandColumn::kLeft)});
-    clip.marks.push_back({instant, 0, 1, pixelAt(row, HandColumn::kRight)});
+    clip.markedCenters.push_back({instant, 0, 0, pixelAt(row, HandColumn::kLeft)});
+    clip.markedCenters.push_back({instant, 0, 1, pixelAt(row, HandColumn::kRight)});
   }
   return clip;
 }

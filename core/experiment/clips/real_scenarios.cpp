@@ -60,7 +60,7 @@ ScenarioDeclaration scenarioOf(const ClipDeclaration& clip, const ClipFolders& f
   ScenarioDeclaration scenario;
   scenario.name = clip.name;
   scenario.family = clip.name.substr(0, clip.name.find('-'));
-  scenario.sentence = clipDescription(clip);
+  scenario.description = clipDescription(clip);
   scenario.seeds = clip.seeds;
   scenario.recorded = true;
   if (clip.images) {
@@ -73,7 +73,7 @@ ScenarioDeclaration scenarioOf(const ClipDeclaration& clip, const ClipFolders& f
       if (!source) {
         return tl::make_unexpected(source.error());
       }
-      return clipRun(*source, seed).map([&](ScenarioRun run) {
+      return makeClipRun(*source, seed).map([&](ScenarioRun run) {
         run.truthSigma = sigma;
         return run;
       });
@@ -97,9 +97,9 @@ RealScenarios realScenarios(const ClipFolders& folders, std::span<const ClipDecl
 }
 
 std::string clipDescription(const ClipDeclaration& clip) {
-  return fmt::format("{} Start: {} Truth: {} ({}; ±{:g} {}). Tuned on: {} ({}).", clip.sentence,
+  return fmt::format("{} Start: {} Truth: {} ({}; ±{:g} {}). Tuned on: {} ({}).", clip.description,
                      clip.start, clip.truth, originText(clip.origin), clip.truthSigma,
-                     isInPixels(clip) ? "px" : "mm", tunedText(clip.tunedOn), clip.tuned);
+                     isInPixels(clip) ? "px" : "mm", tunedText(clip.tuningUse), clip.tuningNote);
 }
 
 } // namespace dewpoint::experiment

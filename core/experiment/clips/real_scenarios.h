@@ -12,8 +12,8 @@ namespace dewpoint::experiment {
 
 /// Clip that is left out because its files are missing.
 struct SkippedClip {
-  std::string name;     ///< name of the clip
-  std::string sentence; ///< message that names the clip and the missing files
+  std::string name;        ///< name of the clip
+  std::string description; ///< message that names the clip and the missing files
 };
 
 /// Real clips as scenarios of the suite.

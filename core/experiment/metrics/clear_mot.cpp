@@ -91,7 +91,7 @@ private:
       noteMatch(truth, frame.estimates[static_cast<std::size_t>(estimateOf[i])].identity);
     }
     const auto truths = static_cast<std::int64_t>(frame.truth.size());
-    counts_.truths += truths;
+    counts_.truthCount += truths;
     counts_.matches += matches;
     counts_.misses += truths - matches;
     counts_.falsePositives += static_cast<std::int64_t>(frame.estimates.size()) - matches;
@@ -127,7 +127,7 @@ double ratio(double numerator, std::int64_t denominator) {
 } // namespace
 
 double ClearMot::mota() const {
-  return 1.0 - ratio(static_cast<double>(misses + falsePositives + identitySwitches), truths);
+  return 1.0 - ratio(static_cast<double>(misses + falsePositives + identitySwitches), truthCount);
 }
 
 double ClearMot::motp() const {

@@ -12,7 +12,7 @@ namespace dewpoint::experiment {
 /// an estimate can match only if their distance in space is at most the gate. Fragmentations are
 /// counted as defined by Milan et al. 2016 (MOT16).
 struct ClearMot {
-  std::int64_t truths = 0; ///< number of true targets, summed over the frames
+  std::int64_t truthCount = 0; ///< number of true targets, summed over the frames
   std::int64_t matches = 0;
   std::int64_t misses = 0;
   std::int64_t falsePositives = 0;

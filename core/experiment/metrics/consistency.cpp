@@ -39,28 +39,28 @@ double normalizedErrorSquared(const StateError& sample) {
 Consistency consistency(std::span<const StateError> errors, double level) {
   Consistency result;
   result.samples = static_cast<std::int64_t>(errors.size());
-  result.inside.total = result.samples;
-  result.inside50.total = result.samples;
+  result.coverage95.total = result.samples;
+  result.coverage50.total = result.samples;
   double sum = 0.0;
   for (const StateError& sample : errors) {
     const double value = normalizedErrorSquared(sample);
     if (std::isnan(value)) {
-      ++result.unusable;
+      ++result.unusableCount;
       continue;
     }
     sum += value;
     result.axisNees +=
         (sample.error.array().square() / sample.covariance.diagonal().array()).matrix();
     if (value <= kChiSquared95ThreeDof)
-      ++result.inside.count;
+      ++result.coverage95.count;
     if (value <= kChiSquared50ThreeDof)
-      ++result.inside50.count;
+      ++result.coverage50.count;
   }
-  const auto usable = static_cast<double>(result.samples - result.unusable);
+  const auto usable = static_cast<double>(result.samples - result.unusableCount);
   const bool any = usable > 0.0;
   result.nees = meanBounds(any ? sum / usable : kUndefined, usable, 3.0, level);
   result.axisNees = any ? (result.axisNees / usable).eval() : Eigen::Vector3d::Constant(kUndefined);
-  result.axisBounds = meanBounds(1.0, usable, 1.0, level);
+  result.axisNeesBounds = meanBounds(1.0, usable, 1.0, level);
   return result;
 }
 

@@ -27,15 +27,15 @@ inline constexpr double kChiSquared50ThreeDof = 2.365973884375;
 /// mean is 3 for a consistent estimate, and higher for an overconfident one.
 struct Consistency {
   std::int64_t samples = 0; ///< number of all samples
-  std::int64_t unusable =
+  std::int64_t unusableCount =
       0; ///< number of samples that are not finite, or whose covariance is not positive definite
   Interval nees; ///< mean NEES, with the bounds for a consistent filter, see consistency()
   /// Mean of error² / reported variance for each world axis; 1 is expected.
   Eigen::Vector3d axisNees = Eigen::Vector3d::Zero();
   /// Expected value of each element of axisNees (1), with the bounds for a consistent filter.
-  Interval axisBounds;
-  Proportion inside;   ///< truths in the 95 % ellipsoid; unusable samples count as outside
-  Proportion inside50; ///< truths in the 50 % ellipsoid
+  Interval axisNeesBounds;
+  Proportion coverage95; ///< truths in the 95 % ellipsoid; unusable samples count as outside
+  Proportion coverage50; ///< truths in the 50 % ellipsoid
 };
 
 /// Computes how well the reported covariances agree with the errors. The bounds are the two-sided

@@ -47,7 +47,7 @@ ErrorSplit splitErrors(const std::vector<Eigen::Vector3d>& errors,
   split.summary = summarize(finite);
   split.spread = spreadAbout(split.summary.bias, finite);
   if (const auto view = meanView(cameras))
-    split.meanView = cameraBias(*view, finite);
+    split.meanViewBias = cameraBias(*view, finite);
   for (const TrajectoryCamera& camera : cameras)
     split.cameras.push_back(cameraBias(camera, finite));
   return split;

@@ -12,7 +12,8 @@
 namespace dewpoint::experiment {
 
 /// Components of position errors. World frame, meters. The errors split in two ways: rmse² =
-/// |bias|² + spread², and for each viewing direction in `meanView` and `cameras`, rmse² = alongRms²
+/// |bias|² + spread², and for each viewing direction in `meanViewBias` and `cameras`, rmse² =
+/// alongRms²
 /// + acrossRms².
 struct ErrorSplit {
   /// Number of finite errors; other errors are ignored. If 0, all values are NaN.
@@ -21,7 +22,7 @@ struct ErrorSplit {
   double spread = 0.0;  ///< root mean squared distance from the mean error
   /// Error along (depth) and across (lateral) the mean of the cameras' viewing directions. Empty if
   /// there is no camera, or if the directions cancel (cameras that face each other).
-  std::optional<CameraBias> meanView;
+  std::optional<CameraBias> meanViewBias;
   std::vector<CameraBias> cameras; ///< error along and across the optical axis of each camera
 };
 

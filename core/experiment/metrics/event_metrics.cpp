@@ -76,7 +76,7 @@ Proportion lostFrames(std::span<const TargetFrame> frames, double gate) {
   return lost;
 }
 
-Proportion falseAlarmFrames(std::span<const TrackFrame> frames, double gate) {
+Proportion falseAlarmFrameShare(std::span<const TrackFrame> frames, double gate) {
   Proportion alarms;
   for (const TrackFrame& frame : frames) {
     const Eigen::MatrixXd distance = distances(frame);

@@ -58,6 +58,6 @@ Proportion lostFrames(std::span<const TargetFrame> frames, double gate);
 /// Returns the proportion of frames with a false alarm: of all frames (total), the number in which
 /// an estimate is at least `gate` (meters) away from every true target (count). In a frame without
 /// a target, every estimate is a false alarm.
-Proportion falseAlarmFrames(std::span<const TrackFrame> frames, double gate);
+Proportion falseAlarmFrameShare(std::span<const TrackFrame> frames, double gate);
 
 } // namespace dewpoint::experiment

@@ -22,10 +22,10 @@ ExtentErrors extentErrors(std::span<const ExtentSample> samples) {
   std::vector<double> centroids;
   std::vector<double> sizes;
   for (const ExtentSample& sample : samples) {
-    ++result.near.total;
+    ++result.nearProportion.total;
     if (sample.distance && sample.halfExtent > 0.0 && std::isfinite(*sample.distance)) {
       centroids.push_back(*sample.distance / sample.halfExtent);
-      result.near.count += centroids.back() <= kNearFraction ? 1 : 0;
+      result.nearProportion.count += centroids.back() <= kNearFraction ? 1 : 0;
     }
     if (sample.estimatedRadius && sample.radius > 0.0 && std::isfinite(*sample.estimatedRadius)) {
       sizes.push_back(std::abs(*sample.estimatedRadius - sample.radius) / sample.radius);

@@ -29,13 +29,13 @@ struct ExtentSample {
 struct ExtentErrors {
   /// Number of samples with an estimate whose distance is at most kNearFraction of the half extent.
   /// The total includes samples in which the target is not declared present.
-  Proportion near;
+  Proportion nearProportion;
   double centroid = 0.0; ///< median of distance / halfExtent; NaN without a finite value
   double size = 0.0;     ///< median of |estimatedRadius - radius| / radius; NaN without values
 };
 
 /// Computes the errors relative to the target size. A sample whose true size is not positive counts
-/// as not near in ExtentErrors::near, and does not contribute to `centroid` and `size`.
+/// as not near in ExtentErrors::nearProportion, and does not contribute to `centroid` and `size`.
 ExtentErrors extentErrors(std::span<const ExtentSample> samples);
 
 } // namespace dewpoint::experiment

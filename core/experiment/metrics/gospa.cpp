@@ -25,10 +25,10 @@ Gospa gospa(const TrackFrame& frame, const GospaSetup& setup) {
     ++pairs;
     result.localization += cost(row, column);
   }
-  result.missedCount = static_cast<int>(distance.rows()) - pairs;
-  result.falseCount = static_cast<int>(distance.cols()) - pairs;
-  result.missed = result.missedCount * power(setup.cutoff) / 2.0;
-  result.falseTargets = result.falseCount * power(setup.cutoff) / 2.0;
+  result.missedTargetCount = static_cast<int>(distance.rows()) - pairs;
+  result.falseTargetCount = static_cast<int>(distance.cols()) - pairs;
+  result.missed = result.missedTargetCount * power(setup.cutoff) / 2.0;
+  result.falseTargets = result.falseTargetCount * power(setup.cutoff) / 2.0;
   result.distance =
       std::pow(result.localization + result.missed + result.falseTargets, 1.0 / setup.order);
   return result;
@@ -43,10 +43,10 @@ GospaAverage averageGospa(std::span<const TrackFrame> frames, const GospaSetup& 
     average.localization += share * one.localization;
     average.missed += share * one.missed;
     average.falseTargets += share * one.falseTargets;
-    average.missedPerFrame += share * one.missedCount;
-    average.falsePerFrame += share * one.falseCount;
+    average.missedPerFrame += share * one.missedTargetCount;
+    average.falseTargetsPerFrame += share * one.falseTargetCount;
   }
-  average.rootMean =
+  average.powerMean =
       std::pow(average.localization + average.missed + average.falseTargets, 1.0 / setup.order);
   return average;
 }

@@ -24,20 +24,20 @@ struct Gospa {
   double localization = 0.0;
   double missed = 0.0;
   double falseTargets = 0.0;
-  int missedCount = 0;
-  int falseCount = 0;
+  int missedTargetCount = 0;
+  int falseTargetCount = 0;
 };
 
 /// GOSPA averaged over frames. The three contributions (localization, missed and falseTargets) add
-/// up to rootMean^p.
+/// up to powerMean^p.
 struct GospaAverage {
-  double mean = 0.0;     ///< mean distance, meters
-  double rootMean = 0.0; ///< p-th root of the mean of distance^p, meters
+  double mean = 0.0;      ///< mean distance, meters
+  double powerMean = 0.0; ///< p-th root of the mean of distance^p, meters
   double localization = 0.0;
   double missed = 0.0;
   double falseTargets = 0.0;
   double missedPerFrame = 0.0;
-  double falsePerFrame = 0.0;
+  double falseTargetsPerFrame = 0.0;
 };
 
 /// Returns the GOSPA metric between the true targets and the estimates of one frame. Identities are

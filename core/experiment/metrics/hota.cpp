@@ -119,12 +119,12 @@ HotaAtThreshold scoreAt(const std::vector<Match>& matches, const Appearances& ap
   const auto found = static_cast<double>(result.matches);
   for (const auto& [pair, count] : together) {
     const auto frames = static_cast<double>(count);
-    result.association += frames / found * appearances.alignment(pair, frames);
+    result.associationAccuracy += frames / found * appearances.alignment(pair, frames);
   }
-  result.association = all == 0 ? kNoScore : result.association;
-  result.detection = all == 0 ? kNoScore : found / static_cast<double>(all);
-  result.localization = result.matches == 0 ? kNoScore : similaritySum / found;
-  result.hota = std::sqrt(result.detection * result.association);
+  result.associationAccuracy = all == 0 ? kNoScore : result.associationAccuracy;
+  result.detectionAccuracy = all == 0 ? kNoScore : found / static_cast<double>(all);
+  result.localizationAccuracy = result.matches == 0 ? kNoScore : similaritySum / found;
+  result.hota = std::sqrt(result.detectionAccuracy * result.associationAccuracy);
   return result;
 }
 
@@ -138,15 +138,15 @@ Hota hota(std::span<const TrackFrame> frames, double gate) {
   for (int k = 0; k < kHotaThresholdCount; ++k) {
     HotaAtThreshold& here = result.thresholds[static_cast<std::size_t>(k)];
     here = scoreAt(matches, appearances, (k + 1) / 20.0);
-    result.detection += here.detection / kHotaThresholdCount;
-    result.association += here.association / kHotaThresholdCount;
+    result.detectionAccuracy += here.detectionAccuracy / kHotaThresholdCount;
+    result.associationAccuracy += here.associationAccuracy / kHotaThresholdCount;
     result.hota += here.hota / kHotaThresholdCount;
     if (here.matches > 0) {
-      result.localization += here.localization;
+      result.localizationAccuracy += here.localizationAccuracy;
       ++located;
     }
   }
-  result.localization = located == 0 ? kNoScore : result.localization / located;
+  result.localizationAccuracy = located == 0 ? kNoScore : result.localizationAccuracy / located;
   return result;
 }
 

@@ -20,21 +20,21 @@ struct HotaAtThreshold {
   std::int64_t matches = 0;
   std::int64_t misses = 0;
   std::int64_t falsePositives = 0;
-  double detection = 0.0; ///< DetA = TP / (TP + FN + FP)
+  double detectionAccuracy = 0.0; ///< DetA = TP / (TP + FN + FP)
   /// AssA (association accuracy): mean over the matches (TP) of TPA / (TPA + FNA + FPA); 0 if there
   /// are no matches.
-  double association = 0.0;
-  double localization = 0.0; ///< LocA: mean similarity of the TP
-  double hota = 0.0;         ///< sqrt(DetA * AssA)
+  double associationAccuracy = 0.0;
+  double localizationAccuracy = 0.0; ///< LocA: mean similarity of the TP
+  double hota = 0.0;                 ///< sqrt(DetA * AssA)
 };
 
 /// HOTA scores at each similarity threshold, and their means over the thresholds. LocA is averaged
 /// over the thresholds that have matches.
 struct Hota {
   std::array<HotaAtThreshold, kHotaThresholdCount> thresholds;
-  double detection = 0.0;
-  double association = 0.0;
-  double localization = 0.0;
+  double detectionAccuracy = 0.0;
+  double associationAccuracy = 0.0;
+  double localizationAccuracy = 0.0;
   double hota = 0.0;
 };
 

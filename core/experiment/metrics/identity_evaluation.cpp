@@ -24,7 +24,7 @@ void fill(const Trajectory& trajectory, const IdentityComparison& comparison,
     const int identity =
         identities.emplace(sample.target, static_cast<int>(identities.size())).first->second;
     TrackPoint point{identity, sample.position};
-    if (comparison.ground) {
+    if (comparison.ignoresHeight) {
       point.position.z() = 0.0;
     }
     TrackFrame& frame = frames[sample.frame];
@@ -74,7 +74,7 @@ Result<IdentityEvaluation> evaluateIdentities(const Trajectory& estimate, const 
   IdentityEvaluation result;
   result.comparison = comparison;
   result.frames = static_cast<std::int64_t>(frames->size());
-  result.clear = clearMot(*frames, comparison.gate);
+  result.clearMot = clearMot(*frames, comparison.gate);
   result.hota = hota(*frames, comparison.gate);
   result.gospa = averageGospa(*frames, {comparison.gate, 2.0});
   return result;
@@ -82,40 +82,42 @@ Result<IdentityEvaluation> evaluateIdentities(const Trajectory& estimate, const 
 
 std::string identityText(const IdentityEvaluation& e) {
   std::string text = fmt::format("identities, gate {:.3f} m{}, {} frames\n", e.comparison.gate,
-                                 e.comparison.ground ? " on the floor" : "", e.frames);
-  text += fmt::format("  CLEAR MOT          MOTA {:.3f}, MOTP {:.1f} mm\n", e.clear.mota(),
-                      inMillimeters(e.clear.motp()));
+                                 e.comparison.ignoresHeight ? " on the floor" : "", e.frames);
+  text += fmt::format("  CLEAR MOT          MOTA {:.3f}, MOTP {:.1f} mm\n", e.clearMot.mota(),
+                      inMillimeters(e.clearMot.motp()));
   text += fmt::format("                     {} misses, {} false, {} switches, {} fragmentations "
                       "of {} truths\n",
-                      e.clear.misses, e.clear.falsePositives, e.clear.identitySwitches,
-                      e.clear.fragmentations, e.clear.truths);
+                      e.clearMot.misses, e.clearMot.falsePositives, e.clearMot.identitySwitches,
+                      e.clearMot.fragmentations, e.clearMot.truthCount);
   text += fmt::format("  HOTA               {:.3f} (detection {:.3f}, association {:.3f}, "
                       "localization {:.3f})\n",
-                      e.hota.hota, e.hota.detection, e.hota.association, e.hota.localization);
+                      e.hota.hota, e.hota.detectionAccuracy, e.hota.associationAccuracy,
+                      e.hota.localizationAccuracy);
   text += fmt::format("  GOSPA              {:.1f} mm ({:.3f} missed, {:.3f} false per frame)\n",
-                      inMillimeters(e.gospa.mean), e.gospa.missedPerFrame, e.gospa.falsePerFrame);
+                      inMillimeters(e.gospa.mean), e.gospa.missedPerFrame,
+                      e.gospa.falseTargetsPerFrame);
   return text;
 }
 
 nlohmann::json identityJson(const IdentityEvaluation& e) {
   return {{"unit", "m"},
           {"gate", e.comparison.gate},
-          {"ground", e.comparison.ground},
+          {"ground", e.comparison.ignoresHeight},
           {"frames", e.frames},
-          {"mota", e.clear.mota()},
-          {"motp", e.clear.motp()},
-          {"truths", e.clear.truths},
-          {"misses", e.clear.misses},
-          {"false_positives", e.clear.falsePositives},
-          {"identity_switches", e.clear.identitySwitches},
-          {"fragmentations", e.clear.fragmentations},
+          {"mota", e.clearMot.mota()},
+          {"motp", e.clearMot.motp()},
+          {"truths", e.clearMot.truthCount},
+          {"misses", e.clearMot.misses},
+          {"false_positives", e.clearMot.falsePositives},
+          {"identity_switches", e.clearMot.identitySwitches},
+          {"fragmentations", e.clearMot.fragmentations},
           {"hota", e.hota.hota},
-          {"detection", e.hota.detection},
-          {"association", e.hota.association},
-          {"localization", e.hota.localization},
+          {"detection", e.hota.detectionAccuracy},
+          {"association", e.hota.associationAccuracy},
+          {"localization", e.hota.localizationAccuracy},
           {"gospa", e.gospa.mean},
           {"gospa_missed_per_frame", e.gospa.missedPerFrame},
-          {"gospa_false_per_frame", e.gospa.falsePerFrame}};
+          {"gospa_false_per_frame", e.gospa.falseTargetsPerFrame}};
 }
 
 } // namespace dewpoint::experiment

@@ -18,8 +18,8 @@ namespace dewpoint::experiment {
 /// Options for comparing several targets whose names in the estimate and in the truth are
 /// unrelated.
 struct IdentityComparison {
-  double gate = 0.5;   ///< largest distance of a match, and the GOSPA cutoff, meters
-  bool ground = false; ///< true: positions are compared on the floor, without z
+  double gate = 0.5;          ///< largest distance of a match, and the GOSPA cutoff, meters
+  bool ignoresHeight = false; ///< true: positions are compared on the floor, without z
 };
 
 /// Converts an estimated trajectory and the truth to frames for the multi-target metrics. Only
@@ -34,7 +34,7 @@ Result<std::vector<TrackFrame>> trackFrames(const Trajectory& estimate, const Tr
 struct IdentityEvaluation {
   IdentityComparison comparison;
   std::int64_t frames = 0;
-  ClearMot clear;
+  ClearMot clearMot;
   Hota hota;
   GospaAverage gospa; ///< GOSPA of order 2
 };

@@ -23,7 +23,7 @@ void addForecasts(std::span<const Forecast> forecasts, Reliability& result) {
   for (const Forecast& forecast : forecasts) {
     const double probability = forecast.probability;
     if (!(probability >= 0.0 && probability <= 1.0)) {
-      ++result.unusable;
+      ++result.unusableCount;
       continue;
     }
     const auto slot =
@@ -34,7 +34,7 @@ void addForecasts(std::span<const Forecast> forecasts, Reliability& result) {
     ++result.count;
     bin.meanProbability += probability;
     bin.frequency += outcome;
-    result.brier += (probability - outcome) * (probability - outcome);
+    result.brierScore += (probability - outcome) * (probability - outcome);
   }
 }
 
@@ -55,9 +55,9 @@ Reliability reliability(std::span<const Forecast> forecasts, int binCount) {
     result.expectedError += count / total * difference;
     result.maxError = std::max(result.maxError, difference);
   }
-  result.brier /= total;
+  result.brierScore /= total;
   if (result.count == 0)
-    result.expectedError = result.maxError = result.brier = kNoForecast;
+    result.expectedError = result.maxError = result.brierScore = kNoForecast;
   return result;
 }
 

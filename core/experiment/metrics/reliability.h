@@ -31,10 +31,10 @@ struct Reliability {
   /// Expected calibration error (Naeini, Cooper & Hauskrecht 2015): sum over the bins of count /
   /// total * |frequency - meanProbability|. NaN without usable forecasts.
   double expectedError = 0.0;
-  double maxError = 0.0;     ///< largest difference |frequency - meanProbability|
-  double brier = 0.0;        ///< mean of (probability - outcome)² (Brier 1950)
-  std::int64_t count = 0;    ///< number of usable forecasts
-  std::int64_t unusable = 0; ///< number of forecasts whose probability is not in [0, 1]
+  double maxError = 0.0;          ///< largest difference |frequency - meanProbability|
+  double brierScore = 0.0;        ///< mean of (probability - outcome)² (Brier 1950)
+  std::int64_t count = 0;         ///< number of usable forecasts
+  std::int64_t unusableCount = 0; ///< number of forecasts whose probability is not in [0, 1]
 };
 
 /// Computes how well reported probabilities agree with outcomes, in `binCount` bins of equal width.

@@ -9,7 +9,7 @@ bool isConfidentInTie(const ReportedBelief& belief, int equalCandidates) {
   return belief.declared && belief.probability > 1.0 / equalCandidates + kTieMargin;
 }
 
-Proportion confidentInTie(std::span<const ReportedBelief> beliefs, int equalCandidates) {
+Proportion confidentInTieShare(std::span<const ReportedBelief> beliefs, int equalCandidates) {
   const auto sure = std::ranges::count_if(beliefs, [&](const ReportedBelief& belief) {
     return isConfidentInTie(belief, equalCandidates);
   });

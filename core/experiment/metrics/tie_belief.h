@@ -22,6 +22,6 @@ bool isConfidentInTie(const ReportedBelief& belief, int equalCandidates);
 
 /// Counts the frames in which a method is confident in a tie (isConfidentInTie()), out of all
 /// beliefs, including those in which the method reports nothing.
-Proportion confidentInTie(std::span<const ReportedBelief> beliefs, int equalCandidates);
+Proportion confidentInTieShare(std::span<const ReportedBelief> beliefs, int equalCandidates);
 
 } // namespace dewpoint::experiment

@@ -66,7 +66,8 @@ truthNamesByPosition(const Trajectory& estimate, const Trajectory& truth,
   return result;
 }
 
-Trajectory namedAsTracked(Trajectory truth, const std::map<std::string, std::string>& truthNames) {
+Trajectory withTrackedNames(Trajectory truth,
+                            const std::map<std::string, std::string>& truthNames) {
   std::map<std::string, std::string> trackedNames;
   for (const auto& [tracked, name] : truthNames) {
     trackedNames[name] = tracked;

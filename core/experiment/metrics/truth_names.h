@@ -24,6 +24,6 @@ truthNamesByPosition(const Trajectory& estimate, const Trajectory& truth,
 
 /// Returns the truth with each target renamed to its tracked target, so that evaluate() compares
 /// the two. `truthNames` is the result of truthNamesByPosition().
-Trajectory namedAsTracked(Trajectory truth, const std::map<std::string, std::string>& truthNames);
+Trajectory withTrackedNames(Trajectory truth, const std::map<std::string, std::string>& truthNames);
 
 } // namespace dewpoint::experiment

@@ -22,7 +22,7 @@ struct SeedBlock {
   std::string_view name; ///< name of the block, for example "tuning"
   std::uint64_t first = 0;
   std::uint64_t last = 0;
-  std::string_view sentence; ///< what the seeds are used for, and when their results may be read
+  std::string_view description; ///< what the seeds are used for, and when their results may be read
 };
 
 /// First seed of tuning runs, whose results may be read at any time.

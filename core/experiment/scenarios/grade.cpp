@@ -22,7 +22,7 @@ const char* gradeName(Grade grade) {
   return found != kGrades.end() ? found->name : "";
 }
 
-std::optional<Grade> gradeNamed(const std::string& name) {
+std::optional<Grade> gradeFromName(const std::string& name) {
   for (const NamedGrade& grade : kGrades) {
     if (name == grade.name) {
       return grade.grade;

@@ -17,6 +17,6 @@ enum class Grade { Ideal, Room, Wild, Real };
 /// Returns the name of a grade: "ideal", "room", "wild" or "real".
 const char* gradeName(Grade grade);
 /// Returns the grade with this name, or nothing for an unknown name.
-std::optional<Grade> gradeNamed(const std::string& name);
+std::optional<Grade> gradeFromName(const std::string& name);
 
 } // namespace dewpoint::experiment

@@ -86,17 +86,17 @@ struct ScenarioRun {
   std::vector<ScenarioEvent> events;
   /// Delay of the time stamps of each camera at the end of the run, without jitter, in seconds.
   /// Methods do not know this delay. Empty for real recordings.
-  std::vector<double> delaysAtEnd = {};
+  std::vector<double> finalDelays = {};
   /// Frames with a known truth, ascending. Only these frames are evaluated. If empty, all frames
   /// are evaluated.
   std::vector<std::int64_t> measuredFrames;
   /// True target centers in the images of a real clip. A run with marks but without `truth` is
   /// evaluated in pixels only.
-  std::vector<MarkedCenter> marks;
+  std::vector<MarkedCenter> markedCenters;
   /// Limit in pixels for the distance between a mark and the projection of an estimate. In a frame
   /// with marks, an estimate counts as being on its target if all these distances are below the
   /// limit.
-  double markGate = 0.0;
+  double markGatePx = 0.0;
   /// Number of objects in the images that fit the first target equally well in start position,
   /// color and size. If there are several, no image ever shows which object is the target, so a
   /// correct method reports a probability of at most 1 / equalCandidates for an estimate.
@@ -107,10 +107,10 @@ struct ScenarioRun {
 
 /// Declaration of a scenario of the suite.
 struct ScenarioDeclaration {
-  std::string name;     ///< for example "S4-desk-cloud"
-  std::string family;   ///< for example "S4"
-  std::string sentence; ///< what happens in the scenario
-  int seeds = 20;       ///< default number of runs in a report
+  std::string name;        ///< for example "S4-desk-cloud"
+  std::string family;      ///< for example "S4"
+  std::string description; ///< what happens in the scenario
+  int seeds = 20;          ///< default number of runs in a report
   /// Creates the run for a seed and grade. Returns Undetermined if the random draws allow no run,
   /// for example if they find no position at which everything that must be visible is visible. The
   /// suite then skips this run. Any other error stops the suite.

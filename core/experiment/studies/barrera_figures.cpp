@@ -106,10 +106,11 @@ double sideSpread(const SphereEstimate& estimate, const Eigen::Vector3d& axis) {
 /// The row of a table on one instant of the typical execution.
 std::vector<std::string> rowOf(int iteration, const Instant& instant, const ConvergenceCase& setup,
                                const Eigen::Vector3d& axis) {
-  return {std::to_string(iteration),
-          fmt::format("{:.0f} mm", inMillimeters((instant.estimate.mean - setup.ball).norm())),
-          fmt::format("{:.0f} mm", inMillimeters(depthSpread(instant.estimate, axis))),
-          fmt::format("{:.0f} mm", inMillimeters(sideSpread(instant.estimate, axis)))};
+  return {
+      std::to_string(iteration),
+      fmt::format("{:.0f} mm", inMillimeters((instant.estimate.mean - setup.ballPosition).norm())),
+      fmt::format("{:.0f} mm", inMillimeters(depthSpread(instant.estimate, axis))),
+      fmt::format("{:.0f} mm", inMillimeters(sideSpread(instant.estimate, axis)))};
 }
 
 const std::vector<std::string> kInstantHead{"iteration", "error", "spread along axis 1",
@@ -138,7 +139,7 @@ std::string instantsCsv(const std::map<int, Instant>& instants, const Convergenc
   std::vector<std::vector<double>> columns(names.size());
   for (const auto& [iteration, instant] : instants) {
     columns[0].push_back(iteration);
-    columns[1].push_back((instant.estimate.mean - setup.ball).norm());
+    columns[1].push_back((instant.estimate.mean - setup.ballPosition).norm());
     columns[2].push_back(depthSpread(instant.estimate, axis));
     columns[3].push_back(sideSpread(instant.estimate, axis));
   }
@@ -159,10 +160,10 @@ constexpr const char* kSpreadSentence =
 
 /// How many iterations the runs of a case took, as a part of a sentence.
 std::string medianSentence(const ConvergenceResult& result) {
-  return result.converged == 0
+  return result.convergedRunCount == 0
              ? fmt::format("none of {} converges", result.setup.runs)
              : fmt::format("at iteration {:.0f} in the median of {} that converge, of {},",
-                           result.medianIterations, result.converged, result.setup.runs);
+                           result.medianIterations, result.convergedRunCount, result.setup.runs);
 }
 
 /// The claims of the paper about its figure 3, against the run of the pictures and further runs.
@@ -176,7 +177,7 @@ Status assessFigure3(const std::map<int, Instant>& instants, const ConvergenceCa
     return tl::make_unexpected(far ? near.error() : far.error());
   }
   const auto errorAt = [&](int iteration) {
-    return (instants.at(iteration).estimate.mean - setup.ball).norm();
+    return (instants.at(iteration).estimate.mean - setup.ballPosition).norm();
   };
   page.addParagraph("Pictures and table are of the first of these seeds: " +
                     describeSeeds(options.firstSeed, options.runs) + ".");
@@ -203,7 +204,7 @@ Status assessFigure3(const std::map<int, Instant>& instants, const ConvergenceCa
 
 } // namespace
 
-Status barreraFigure3(const ExperimentOptions& options) {
+Status writeBarreraFigure3(const ExperimentOptions& options) {
   const ConvergenceCase setup = typicalExecution();
   auto instants = instantsOf(setup, options.firstSeed);
   if (!instants) {
@@ -237,7 +238,7 @@ Status barreraFigure3(const ExperimentOptions& options) {
   return page.write(options.folder);
 }
 
-Status barreraFigure4(const ExperimentOptions& options) {
+Status writeBarreraFigure4(const ExperimentOptions& options) {
   const ConvergenceCase setup = typicalExecution();
   const auto instants = instantsOf(setup, options.firstSeed);
   if (!instants) {
@@ -258,7 +259,7 @@ Status barreraFigure4(const ExperimentOptions& options) {
     rows.push_back(rowOf(iteration, instant, setup, rig.front().opticalAxis()));
   }
   Eigen::ArrayXXd positions(3, 3);
-  positions << setup.ball.transpose().array(), rig[0].center().transpose().array(),
+  positions << setup.ballPosition.transpose().array(), rig[0].center().transpose().array(),
       rig[1].center().transpose().array();
   plot.series.push_back(pointSeries("m5", positions, 0, 1, 60.0));
   legend.emplace_back("m5", "the ball and both cameras");

@@ -8,7 +8,7 @@ namespace dewpoint::experiment {
 
 // Functions that reproduce figures of Barrera et al. 2005, section III-A, on the simulated demo.
 // They are used as FigureExperiment::run.
-Status barreraFigure3(const ExperimentOptions& options);
-Status barreraFigure4(const ExperimentOptions& options);
+Status writeBarreraFigure3(const ExperimentOptions& options);
+Status writeBarreraFigure4(const ExperimentOptions& options);
 
 } // namespace dewpoint::experiment

@@ -48,7 +48,7 @@ boxFingerprints(const std::vector<std::string>& methods) {
   const BoxClip clip = simulatedBoxClip(kFirstTuningSeed);
   std::map<std::string, std::string> texts;
   for (const std::string& method : methods.empty() ? boxFollowerNames() : methods) {
-    auto follower = makeFollower(method, kFingerprintParticles, kFirstTuningSeed);
+    auto follower = makeFollowerByName(method, kFingerprintParticles, kFirstTuningSeed);
     if (!follower) {
       return tl::make_unexpected(follower.error());
     }

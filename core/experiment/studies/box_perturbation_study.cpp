@@ -20,14 +20,14 @@ constexpr int kParticles = 300;
 constexpr double kSure = 0.9;
 
 bool isOpenCvs(const std::string& method) {
-  return std::ranges::find(openCvFollowers(), method) != openCvFollowers().end();
+  return std::ranges::find(openCvFollowerNames(), method) != openCvFollowerNames().end();
 }
 
 Result<std::unique_ptr<BoxFollower>> make(const std::string& method, std::uint64_t seed) {
   if (isOpenCvs(method)) {
     return makeOpenCvFollower(method);
   }
-  return makeBoxFollower(method, kParticles, seed);
+  return makeDewpointFollower(method, kParticles, seed);
 }
 
 /// What was claimed on and off the target, over all runs of a row.
@@ -74,8 +74,8 @@ void conclude(const Claims& claims, BoxPerturbationRow& row) {
   row.metrics.precision /= row.runs;
   const int frames = claims.framesOn + claims.framesOff;
   row.reportsConfidence = frames > 0;
-  row.similarityOn = claims.on / std::max(1, claims.framesOn);
-  row.similarityOff = claims.off / std::max(1, claims.framesOff);
+  row.similarityOnTarget = claims.on / std::max(1, claims.framesOn);
+  row.similarityOffTarget = claims.off / std::max(1, claims.framesOff);
   row.confidentlyWrong = double(claims.wrong) / std::max(1, frames);
 }
 

@@ -40,10 +40,10 @@ struct BoxPerturbationRow {
   bool reportsConfidence =
       false; ///< true if the method reports its confidence; only then are the following fields set
   /// Mean reported similarity in frames in which the center is within the clip's radius.
-  double similarityOn = 0.0;
+  double similarityOnTarget = 0.0;
   /// Mean reported similarity in frames in which the center is outside the clip's radius; it counts
   /// as 0 if the method reports the target as hidden.
-  double similarityOff = 0.0;
+  double similarityOffTarget = 0.0;
   /// Fraction of the frames with a reported confidence in which the center is outside the clip's
   /// radius although the similarity is above 0.9.
   double confidentlyWrong = 0.0;

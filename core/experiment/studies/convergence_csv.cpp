@@ -21,10 +21,10 @@ std::string convergenceCsv(const std::vector<ConvergenceResult>& results) {
                      "rmse_mm,depth_bias_mm\n";
   for (const ConvergenceResult& result : results) {
     const ConvergenceCase& setup = result.setup;
-    text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(setup.name), cellsOf(setup.ball),
-                        cellsOf(setup.start), cellsOf(setup.startHalfSize), setup.firstSeed,
-                        setup.runs, result.converged, result.within);
-    text += result.converged > 0
+    text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(setup.name), cellsOf(setup.ballPosition),
+                        cellsOf(setup.startPosition), cellsOf(setup.startHalfSize), setup.firstSeed,
+                        setup.runs, result.convergedRunCount, result.accurateRunCount);
+    text += result.convergedRunCount > 0
                 ? fmt::format(",{:g},{:.6g},{:.6g}\n", result.medianIterations,
                               inMillimeters(result.rmse), inMillimeters(result.depthBias))
                 : std::string(",,,\n");
@@ -36,7 +36,7 @@ std::string driftCsv(const std::vector<DriftResult>& results) {
   std::string text = "first_seed,runs,iterations,mm_per_iteration\n";
   for (const DriftResult& result : results) {
     text += fmt::format("{},{},{},{:.6g}\n", result.firstSeed, result.runs, result.iterations,
-                        inMillimeters(result.meters));
+                        inMillimeters(result.metersPerIteration));
   }
   return text;
 }

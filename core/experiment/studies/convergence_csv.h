@@ -22,7 +22,7 @@ struct DriftResult {
   std::uint64_t firstSeed = kFirstTuningSeed;
   int runs = 0;
   int iterations = 0;
-  double meters = 0.0; ///< drift per iteration, meters
+  double metersPerIteration = 0.0; ///< drift per iteration, meters
 };
 /// Returns the drift results as CSV, one row per result; the drift is in millimeters per iteration.
 std::string driftCsv(const std::vector<DriftResult>& results);

@@ -26,9 +26,9 @@ constexpr int kDistinctFrames = 16; // chosen: frames of a still ball differ by 
 Scene stillScene(const ConvergenceCase& setup) {
   Scene scene = demoScene();
   scene.balls.front().motion = Motion::Still;
-  scene.balls.front().position = setup.ball;
+  scene.balls.front().position = setup.ballPosition;
   scene.cameras = setup.cameras;
-  scene.hasClutter = setup.clutter;
+  scene.hasClutter = setup.hasClutter;
   return scene;
 }
 
@@ -62,7 +62,7 @@ ParameterValues parametersOf(const ConvergenceCase& setup) {
   const char* const axes[] = {"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis) {
     // Within the declared range by construction of the cases.
-    (void)parameters.set(std::string("start_") + axes[axis], setup.start[axis]);
+    (void)parameters.set(std::string("start_") + axes[axis], setup.startPosition[axis]);
     (void)parameters.set(std::string("start_half_") + axes[axis], setup.startHalfSize[axis]);
   }
   return parameters;
@@ -191,9 +191,9 @@ Result<ConvergenceResult> resultOf(const ConvergenceCase& setup, Trial& trial) {
     if (!converged) {
       continue;
     }
-    const ErrorSum errors = errorsFrom(*converged, path->means, setup.ball, trial.axis);
-    ++result.converged;
-    result.within += errors.rmse() < kPaperError ? 1 : 0;
+    const ErrorSum errors = errorsFrom(*converged, path->means, setup.ballPosition, trial.axis);
+    ++result.convergedRunCount;
+    result.accurateRunCount += errors.rmse() < kPaperError ? 1 : 0;
     iterations.push_back(*converged);
     all.add(errors);
   }
@@ -272,8 +272,8 @@ ConvergenceCase figure3Case(int runs, std::uint64_t firstSeed) {
   // Camera 1 looks 27 degrees to the left of +Y: it sees the start 117 px to the left of its
   // image's center, and the ball 102 px to the right.
   setup.cameras[0] = lookingAt(setup.cameras[0], {0.0, 1.0, 0.15});
-  setup.cameras[1] = lookingAt(setup.cameras[1], setup.ball);
-  setup.clutter = false;
+  setup.cameras[1] = lookingAt(setup.cameras[1], setup.ballPosition);
+  setup.hasClutter = false;
   setup.firstSeed = firstSeed;
   return setup;
 }
@@ -293,11 +293,11 @@ Status watchConvergence(const ConvergenceCase& setup, std::uint64_t seed,
 
 Result<std::vector<double>> driftCurve(int runs, int iterations, std::uint64_t firstSeed) {
   ConvergenceCase setup;
-  setup.ball = {0.5, 0.5, 0.15};
-  setup.start = setup.ball;
+  setup.ballPosition = {0.5, 0.5, 0.15};
+  setup.startPosition = setup.ballPosition;
   setup.cameras.resize(1);
   return prepare(stillScene(setup), setup).and_then([&](Trial trial) {
-    return driftOf(setup.start, trial, runs, iterations, firstSeed);
+    return driftOf(setup.startPosition, trial, runs, iterations, firstSeed);
   });
 }
 

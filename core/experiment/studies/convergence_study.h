@@ -21,16 +21,16 @@ namespace dewpoint::experiment {
 /// World frame, meters.
 struct ConvergenceCase {
   std::string name;
-  Eigen::Vector3d ball;
-  Eigen::Vector3d start;
+  Eigen::Vector3d ballPosition;
+  Eigen::Vector3d startPosition;
   /// Half sizes of the box in which the particles start, uniformly distributed; 0: they start at
-  /// `start`.
+  /// `startPosition`.
   Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero();
   int runs = 100;
   int iterations = 150;
   CameraRig cameras = simulation::demoRig();
   /// True: there are books, boxes and other objects on the desk, which can hide the ball.
-  bool clutter = true;
+  bool hasClutter = true;
   std::uint64_t firstSeed = kFirstTuningSeed;
 };
 
@@ -40,8 +40,8 @@ struct ConvergenceCase {
 /// convergence.
 struct ConvergenceResult {
   ConvergenceCase setup;
-  int converged = 0; ///< number of runs whose cloud has converged at the end
-  int within = 0;    ///< number of converged runs with an RMSE below 3 cm after convergence
+  int convergedRunCount = 0; ///< number of runs whose cloud has converged at the end
+  int accurateRunCount = 0;  ///< number of converged runs with an RMSE below 3 cm after convergence
   double medianIterations =
       0.0;                ///< median number of iterations until convergence, over converged runs
   double rmse = 0.0;      ///< RMSE over converged runs, from convergence on, meters

@@ -170,10 +170,10 @@ std::vector<double> fractionStayingInCone(double slope, double depth, double mot
   return shares;
 }
 
-Status barreraFigure5(const ExperimentOptions& options) {
+Status writeBarreraFigure5(const ExperimentOptions& options) {
   ConvergenceCase setup;
-  setup.ball = kBall;
-  setup.start = kBall;
+  setup.ballPosition = kBall;
+  setup.startPosition = kBall;
   setup.iterations = kConeInstants.back();
   setup.cameras.resize(1);
   const auto clouds = cloudsOfOneCamera(setup, options.firstSeed);
@@ -207,7 +207,7 @@ Status barreraFigure5(const ExperimentOptions& options) {
   return page.write(options.folder);
 }
 
-Status barreraDrift(const ExperimentOptions& options) {
+Status writeBarreraDrift(const ExperimentOptions& options) {
   constexpr int kIterations = 60; // of the curve; chosen
   const auto moved = driftCurve(options.runs, kIterations, options.firstSeed);
   if (!moved) {
@@ -254,8 +254,8 @@ Result<StartShares> sharesOf(const std::vector<ConvergenceCase>& cases,
     if (!result) {
       return tl::make_unexpected(result.error());
     }
-    shares.converged.push_back(double(result->converged) / setup.runs);
-    shares.within.push_back(double(result->within) / setup.runs);
+    shares.converged.push_back(double(result->convergedRunCount) / setup.runs);
+    shares.within.push_back(double(result->accurateRunCount) / setup.runs);
     const double part = double(shares.converged.size()) / double(cases.size());
     if (!reportProgress(options, from + (to - from) * part)) {
       return tl::make_unexpected(stoppedExperimentError().error());
@@ -287,7 +287,7 @@ Plot sharePlot(const std::string& what, const std::vector<double>& at, const Sta
 
 } // namespace
 
-Status barreraStarts(const ExperimentOptions& options) {
+Status writeBarreraStarts(const ExperimentOptions& options) {
   const std::vector<double> halves{0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0};
   const std::vector<double> beyond{0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 1.0};
   std::vector<ConvergenceCase> boxes;

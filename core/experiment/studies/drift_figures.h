@@ -18,8 +18,8 @@ std::vector<double> fractionStayingInCone(double slope, double depth, double mot
 
 // Functions that reproduce figures of Barrera et al. 2005, section III-B, on the simulated demo.
 // They are used as FigureExperiment::run.
-Status barreraFigure5(const ExperimentOptions& options);
-Status barreraDrift(const ExperimentOptions& options);
-Status barreraStarts(const ExperimentOptions& options);
+Status writeBarreraFigure5(const ExperimentOptions& options);
+Status writeBarreraDrift(const ExperimentOptions& options);
+Status writeBarreraStarts(const ExperimentOptions& options);
 
 } // namespace dewpoint::experiment

@@ -152,7 +152,7 @@ std::string spreadsCsv(std::span<const double> sigmas, std::span<const DynamicsR
 
 } // namespace
 
-Status dynamicsFigure6(const ExperimentOptions& options) {
+Status writeDynamicsFigure6(const ExperimentOptions& options) {
   const int runs = options.runs;
   FigurePage page("Error after a jump of the object (figure 6)", chosen(kStartsBeside));
   std::vector<std::vector<double>> columns(1);
@@ -167,7 +167,7 @@ Status dynamicsFigure6(const ExperimentOptions& options) {
     const auto errors = meanErrors(setup, runs, options.firstSeed);
     const Convergence one = found.emplace_back(convergenceOf(errors, setup));
     const double limit = maxTrackableSpeed(setup, 10, options.firstSeed);
-    const double most = advanceTowardFarObject(setup, 10, options.firstSeed);
+    const double most = distanceAdvancedTowardFarObject(setup, 10, options.firstSeed);
     rows.push_back({fmt::format("{:.2f} m", sigmas[k]), iterationsText(one.first),
                     fmt::format("{:.2f} m", errors[std::size_t(setup.jumpIteration)]),
                     iterationsText(one.again),
@@ -207,7 +207,7 @@ Status dynamicsFigure6(const ExperimentOptions& options) {
   return page.write(options.folder);
 }
 
-Status dynamicsFigure7(const ExperimentOptions& options) {
+Status writeDynamicsFigure7(const ExperimentOptions& options) {
   // Meters: the range of the paper's figure, in as many steps.
   constexpr int kSigmas = 100;
   constexpr double kLowest = 0.001;
@@ -216,7 +216,7 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
   std::vector<std::vector<double>> columns(3);
   for (int k = 0; k < kSigmas; ++k) {
     DynamicsSetup setup;
-    setup.start = setup.positionBeforeJump; // found already, whatever the sigma
+    setup.startPosition = setup.positionBeforeJump; // found already, whatever the sigma
     setup.motionSigma = kLowest + (kHighest - kLowest) * k / (kSigmas - 1);
     errors.push_back(meanErrors(setup, options.runs, options.firstSeed));
     columns[0].push_back(setup.motionSigma);
@@ -264,7 +264,7 @@ Status dynamicsFigure7(const ExperimentOptions& options) {
   return page.write(options.folder);
 }
 
-Status dynamicsFigure8(const ExperimentOptions& options) {
+Status writeDynamicsFigure8(const ExperimentOptions& options) {
   const std::vector<int> instants{29, 32, 36, 42, 50, 69};
   FigurePage page("The particle cloud over time (figure 8)",
                   "Particles at iterations 29, 32, 36, 42, 50 and 69; the object jumps by 2 m "

@@ -8,8 +8,8 @@ namespace dewpoint::experiment {
 
 // Functions that reproduce figures of Barrera et al. 2005, section III-C. They are used as
 // FigureExperiment::run.
-Status dynamicsFigure6(const ExperimentOptions& options);
-Status dynamicsFigure7(const ExperimentOptions& options);
-Status dynamicsFigure8(const ExperimentOptions& options);
+Status writeDynamicsFigure6(const ExperimentOptions& options);
+Status writeDynamicsFigure7(const ExperimentOptions& options);
+Status writeDynamicsFigure8(const ExperimentOptions& options);
 
 } // namespace dewpoint::experiment

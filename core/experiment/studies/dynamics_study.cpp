@@ -17,9 +17,9 @@ ParameterValues parametersOf(const DynamicsSetup& setup) {
   (void)parameters.set("particles", setup.particles);
   (void)parameters.set("motion_sigma", setup.motionSigma);
   (void)parameters.set("observation_sigma", setup.observationSigma);
-  (void)parameters.set("start_x", setup.start.x());
-  (void)parameters.set("start_y", setup.start.y());
-  (void)parameters.set("start_z", setup.start.z());
+  (void)parameters.set("start_x", setup.startPosition.x());
+  (void)parameters.set("start_y", setup.startPosition.y());
+  (void)parameters.set("start_z", setup.startPosition.z());
   return parameters;
 }
 
@@ -98,7 +98,7 @@ double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed)
   // Chosen: the limit is known to a 256th of the interval in which it lies.
   constexpr int kSteps = 60;
   constexpr int kHalvings = 8;
-  setup.start = Eigen::Vector3d::Zero();
+  setup.startPosition = Eigen::Vector3d::Zero();
   setup.iterations = kSteps;
   double kept = 0.0;
   double lost = 10.0 * setup.motionSigma;
@@ -109,10 +109,10 @@ double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed)
   return kept;
 }
 
-double advanceTowardFarObject(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
+double distanceAdvancedTowardFarObject(DynamicsSetup setup, int runs, std::uint64_t firstSeed) {
   static constexpr double kFar = 50.0; // meters; chosen: beyond what a step can reach
   constexpr int kSteps = 40;           // iterations of which the mean is taken; chosen
-  setup.start = Eigen::Vector3d::Zero();
+  setup.startPosition = Eigen::Vector3d::Zero();
   setup.iterations = kSteps;
   double advance = 0.0;
   for (int k = 0; k < runs; ++k) {

@@ -19,7 +19,7 @@ struct DynamicsSetup {
   int particles = 200;
   double motionSigma = 0.03;
   double observationSigma = 0.1;
-  Eigen::Vector3d start{0.0, -0.6, 0.0}; ///< initial position of the cloud
+  Eigen::Vector3d startPosition{0.0, -0.6, 0.0}; ///< initial position of the cloud
   Eigen::Vector3d positionBeforeJump = Eigen::Vector3d::Zero();
   Eigen::Vector3d positionAfterJump{2.0, 0.0, 0.0};
   int jumpIteration =
@@ -64,7 +64,7 @@ double maxTrackableSpeed(DynamicsSetup setup, int runs, std::uint64_t firstSeed 
 /// averaged over `runs` seeds. Only the particle nearest to the object survives, so this is about
 /// motionSigma times the expected maximum of N standard normal numbers, where N is the number of
 /// particles (2.75 * motionSigma for N = 200).
-double advanceTowardFarObject(DynamicsSetup setup, int runs,
-                              std::uint64_t firstSeed = kFirstTuningSeed);
+double distanceAdvancedTowardFarObject(DynamicsSetup setup, int runs,
+                                       std::uint64_t firstSeed = kFirstTuningSeed);
 
 } // namespace dewpoint::experiment

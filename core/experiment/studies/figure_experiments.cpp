@@ -41,41 +41,41 @@ std::span<const FigureExperiment> figureExperiments() {
       FigureExperiment{"barrera-fig3", "Particles in both camera images",
                        "Barrera et al. 2005, figure 3: the particles projected into both cameras "
                        "while the cloud finds the ball.",
-                       50, &intoFolder<&barreraFigure3>},
+                       50, &intoFolder<&writeBarreraFigure3>},
       FigureExperiment{"barrera-fig4", "Particles from above",
                        "Barrera et al. 2005, figure 4: the particle cloud of figure 3 from above.",
-                       1, &intoFolder<&barreraFigure4>},
+                       1, &intoFolder<&writeBarreraFigure4>},
       FigureExperiment{"barrera-fig5", "Where a single camera finds the color",
                        "Barrera et al. 2005, figure 5: where a single camera finds the color, and "
                        "why the cloud moves away from the camera.",
-                       1, &intoFolder<&barreraFigure5>},
+                       1, &intoFolder<&writeBarreraFigure5>},
       FigureExperiment{"drift", "Drift of the estimate along the optical axis",
                        "Barrera et al. 2005, section III-B: with one camera, the cloud moves away "
                        "from the camera.",
-                       50, &intoFolder<&barreraDrift>},
+                       50, &intoFolder<&writeBarreraDrift>},
       FigureExperiment{
           "starts", "From which starting positions the particles still find the target",
           "Barrera et al. 2005, section III-B: the share of runs that converge, depending on the "
           "size of the start volume, and on how far behind the ball a start point lies.",
-          100, &intoFolder<&barreraStarts>},
+          100, &intoFolder<&writeBarreraStarts>},
       FigureExperiment{"dynamics-fig6", "Error after a jump of the object",
                        "Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.", 100,
-                       &intoFolder<&dynamicsFigure6>},
+                       &intoFolder<&writeDynamicsFigure6>},
       FigureExperiment{"dynamics-fig7", "Error after each iteration, for different motion sigmas",
                        "Barrera et al. 2005, figure 7: the error after the jump of figure 6, for "
                        "motion sigmas from 0.001 to 0.3 m, drawn as an image.",
-                       20, &intoFolder<&dynamicsFigure7>},
+                       20, &intoFolder<&writeDynamicsFigure7>},
       FigureExperiment{"dynamics-fig8", "The particle cloud over time",
                        "Barrera et al. 2005, figure 8: the cloud in six iterations, with a small "
                        "and with a large motion sigma.",
-                       1, &intoFolder<&dynamicsFigure8>},
+                       1, &intoFolder<&writeDynamicsFigure8>},
       FigureExperiment{.name = "mohedano-fig1",
                        .title = "Motion masks and motion likelihood",
-                       .sentence =
+                       .description =
                            "Mohedano et al. 2009, figures 1 and 3: the regions that move in a "
                            "camera's images, and the likelihood of a person at each pixel.",
                        .runs = 1,
-                       .run = &intoFolder<&mohedanoMotionFigures>,
+                       .run = &intoFolder<&writeMohedanoMotionFigures>,
                        .group = ExperimentGroup::Mohedano},
   };
   return kAll;

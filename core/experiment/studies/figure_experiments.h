@@ -20,10 +20,10 @@ std::string_view experimentGroupTitle(ExperimentGroup group);
 /// Experiment that one command runs: it reproduces a figure or table of a paper, or it is one of
 /// Dewpoint's own studies.
 struct FigureExperiment {
-  std::string_view name;     ///< name on the command line
-  std::string_view title;    ///< name in menus and reports
-  std::string_view sentence; ///< what the experiment shows, and its source
-  int runs;                  ///< default number of seeds per case
+  std::string_view name;        ///< name on the command line
+  std::string_view title;       ///< name in menus and reports
+  std::string_view description; ///< what the experiment shows, and its source
+  int runs;                     ///< default number of seeds per case
   /// Runs the experiment and writes its report. Returns FileUnwritable, before any computation
   /// starts, if the output folder cannot be written, and Canceled if the user stops it.
   Status (*run)(const ExperimentOptions& options);

@@ -268,12 +268,12 @@ MaskQuality maskQuality(const cv::Mat& mask, const cv::Mat& people) {
   return quality;
 }
 
-Status mohedanoMotionFigures(const ExperimentOptions& options) {
+Status writeMohedanoMotionFigures(const ExperimentOptions& options) {
   const auto scenario = makePeopleScenario("crossing", PeopleClothes::Different, options.firstSeed);
   if (!scenario) {
     return tl::make_unexpected(scenario.error());
   }
-  const std::vector<PeopleInstant> instants = instantsToShow(*scenario);
+  const std::vector<PeopleInstant> instants = chooseInstantsToShow(*scenario);
   const std::int64_t nearest = instants.at(instants.size() / 2).frame; // before, nearest, after
   OfficeScene scene = scenario->scene;
   scene.cameras.resize(1); // the masks of a camera do not depend on the others

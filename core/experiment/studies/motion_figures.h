@@ -26,6 +26,6 @@ MaskQuality maskQuality(const cv::Mat& mask, const cv::Mat& people);
 /// Reproduces figures 1 (image, motion mask and motion likelihood image D) and 3 (motion masks over
 /// some frames) of Mohedano et al. 2009 in the simulated office. This is a function for
 /// FigureExperiment::run.
-Status mohedanoMotionFigures(const ExperimentOptions& options);
+Status writeMohedanoMotionFigures(const ExperimentOptions& options);
 
 } // namespace dewpoint::experiment

@@ -20,13 +20,13 @@ OfficeInstant renderInstant(const PeopleRecording& recording, const OfficeRender
                             std::int64_t frame) {
   const OfficeScene& scene = renderer.scene();
   OfficeInstant instant;
-  instant.camerasSeeing.assign(scene.people.size(), 0);
+  instant.seeingCameraCounts.assign(scene.people.size(), 0);
   instant.frames = recording.frames(frame);
   for (std::size_t k = 0; k < scene.cameras.size(); ++k) {
     const cv::Mat who = renderer.visiblePeople(k, frame);
     for (std::size_t person = 0; person < scene.people.size(); ++person) {
       const bool seen = cv::countNonZero(who == static_cast<int>(person + 1)) >= kMinVisiblePixels;
-      instant.camerasSeeing[person] += seen ? 1 : 0;
+      instant.seeingCameraCounts[person] += seen ? 1 : 0;
     }
     instant.personIndexImages.push_back(who);
     if (frame % kSilhouetteInterval == 0) {

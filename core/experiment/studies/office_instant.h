@@ -25,7 +25,7 @@ inline constexpr std::int64_t kSilhouetteInterval = 5;
 struct OfficeInstant {
   FrameSetPtr frames; ///< images as they arrive, see PeopleRecording
   /// Number of cameras that see at least kMinVisiblePixels, per person.
-  std::vector<int> camerasSeeing;
+  std::vector<int> seeingCameraCounts;
   std::vector<cv::Mat>
       personIndexImages; ///< visible person at each pixel, per camera; see paintPeople()
   /// Complete silhouettes, indexed by camera, then by person. Empty in frames in which silhouettes
@@ -33,7 +33,7 @@ struct OfficeInstant {
   std::vector<std::vector<cv::Mat>> silhouettes;
 
   /// Returns the visible pixels of a person in a camera (CV_8UC1, nonzero where visible).
-  cv::Mat visible(std::size_t camera, std::size_t person) const {
+  cv::Mat visibleMask(std::size_t camera, std::size_t person) const {
     return personIndexImages[camera] == static_cast<int>(person + 1);
   }
 };

@@ -16,12 +16,12 @@ constexpr double kMeterStep = 1e-4;  // m
 constexpr double kVolumeStep = 1e-4; // m³
 
 void add(const PeopleTrial& trial, Fingerprint& fingerprint) {
-  fingerprint.add(trial.kept ? "kept" : "not kept");
+  fingerprint.add(trial.identitiesKept ? "kept" : "not kept");
   fingerprint.add(trial.identitySwitches, 1.0);
-  const PersonResult& everybody = trial.everybody;
+  const PersonResult& allPersonsResult = trial.allPersonsResult;
   for (const double share :
-       {trial.mota, trial.hota, trial.longestGhost, trial.longestMissed, everybody.found,
-        everybody.silhouette.recall, everybody.silhouette.precision}) {
+       {trial.mota, trial.hota, trial.longestGhost, trial.longestMissed, allPersonsResult.found,
+        allPersonsResult.silhouette.recall, allPersonsResult.silhouette.precision}) {
     fingerprint.add(share, kShareStep);
   }
   fingerprint.add(trial.motp, kMeterStep);

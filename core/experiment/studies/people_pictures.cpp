@@ -105,7 +105,7 @@ void drawPerson(const PersonEstimate& person, const PersonShape& shape, cv::Mat&
 
 } // namespace
 
-std::vector<PeopleInstant> instantsToShow(const PeopleScenario& scenario) {
+std::vector<PeopleInstant> chooseInstantsToShow(const PeopleScenario& scenario) {
   const OfficeScene& scene = scenario.scene;
   const auto instantAt = [&](double time, const char* words) {
     const auto frame = std::llround(time * scene.framesPerSecond);

@@ -25,7 +25,7 @@ struct PeopleInstant {
 /// present and they are closest to each other, and the one after the meeting at which identities
 /// are compared. If a scenario does not compare identities, only the second of these frames is
 /// returned.
-std::vector<PeopleInstant> instantsToShow(const PeopleScenario& scenario);
+std::vector<PeopleInstant> chooseInstantsToShow(const PeopleScenario& scenario);
 
 /// Draws an image (CV_8UC3) like figure 2 of Mohedano et al. 2009. It contains the images of all
 /// cameras, two per row, with the outlines of the 95 % volumes. It also contains the floor from

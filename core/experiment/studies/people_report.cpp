@@ -28,16 +28,17 @@ constexpr int kBarRuns = 30;          ///< that the bars are for
 /// At least `least` of 30 runs keep everybody's identity.
 Bar keeps(const PeopleSummary& one, const std::string& who, int least) {
   return {fmt::format("{}: keeps identities in at least {} of {} runs (here in {} of {})", who,
-                      least, kBarRuns, one.kept, one.runs),
-          one.kept * kBarRuns >= least * one.runs, one.runs};
+                      least, kBarRuns, one.keptRunCount, one.runs),
+          one.keptRunCount * kBarRuns >= least * one.runs, one.runs};
 }
 
 /// What the paper says of motion alone: it mixes people up where MS+C is to keep them.
 Bar loses(const PeopleSummary& one, const std::string& who, int least) {
   return {fmt::format("{}: loses identities, that is keeps them in fewer than {} of {} runs (here "
                       "lost in {} of {}, kept in {})",
-                      who, least, kBarRuns, one.runs - one.kept, one.runs, one.kept),
-          one.kept * kBarRuns < least * one.runs, one.runs};
+                      who, least, kBarRuns, one.runs - one.keptRunCount, one.runs,
+                      one.keptRunCount),
+          one.keptRunCount * kBarRuns < least * one.runs, one.runs};
 }
 
 Bar noFault(const PeopleSummary& one, const std::string& who) {
@@ -251,7 +252,7 @@ FigurePage peopleReport(const std::string& scenario, const std::vector<PeopleTri
   rows.reserve(summaries.size());
   for (const PeopleSummary& one : summaries) {
     rows.push_back({gradeName(one.grade), clothesName(one.clothes), one.method,
-                    fmt::format("{} of {}", one.kept, one.runs),
+                    fmt::format("{} of {}", one.keptRunCount, one.runs),
                     std::to_string(one.identitySwitches), fmt::format("{:.3f}", one.mota),
                     fmt::format("{:.3f}", one.hota), fmt::format("{:.0f}", inMillimeters(one.motp)),
                     fmt::format("{:.3f}", one.gospa), fmt::format("{:.2f}", one.longestGhost),

@@ -21,7 +21,7 @@ studyPeopleSeries(PeopleStudySetup setup, const std::vector<PeopleClothes>& clot
     setup.clothes = kind;
     for (int k = 0; k < seeds && goOn; ++k) {
       setup.seed = first + static_cast<std::uint64_t>(k);
-      setup.pictures = k == 0;
+      setup.drawsPictures = k == 0;
       const auto more = studyPeople(setup, views);
       if (!more) {
         return tl::make_unexpected(more.error());

@@ -120,7 +120,7 @@ public:
     result.hullVolume = volumes_ > 0 ? volume_ / volumes_ : 0.0;
     result.stepMs = steps_ > 0 ? inMilliseconds(seconds_) / steps_ : 0.0;
     result.pictures = pictures_;
-    result.everybody = everybody_.result(0.0);
+    result.allPersonsResult = everybody_.result(0.0);
     result.persons.reserve(tallies_.size());
     for (std::size_t k = 0; k < tallies_.size(); ++k) {
       result.persons.push_back(tallies_[k].result(scenario.scene.people[k].height));
@@ -131,10 +131,10 @@ public:
             static_cast<std::size_t>(std::lround(time * scenario.scene.framesPerSecond));
         return frames_[std::min(frame, frames_.size() - 1)];
       };
-      result.kept = identitiesKept(at(scenario.timeBeforeMeeting), at(scenario.timeAfterMeeting),
-                                   kPeopleGate);
+      result.identitiesKept = areIdentitiesKept(at(scenario.timeBeforeMeeting),
+                                                at(scenario.timeAfterMeeting), kPeopleGate);
     } else {
-      result.kept = clear.identitySwitches == 0;
+      result.identitiesKept = clear.identitySwitches == 0;
     }
     return result;
   }
@@ -169,7 +169,7 @@ private:
     }
     for (const TrackPoint& truth : frame.truth) {
       const auto person = static_cast<std::size_t>(truth.identity);
-      if (instant.camerasSeeing[person] < 2) {
+      if (instant.seeingCameraCounts[person] < 2) {
         continue;
       }
       const bool isFound = pairs.contains(truth.identity);
@@ -209,7 +209,7 @@ private:
   void measureSilhouettes(const OfficeInstant& instant, std::size_t person,
                           const ConvexHull& hull) {
     for (std::size_t camera = 0; camera < projectors_.size(); ++camera) {
-      const cv::Mat visible = instant.visible(camera, person);
+      const cv::Mat visible = instant.visibleMask(camera, person);
       if (cv::countNonZero(visible) < kMinVisiblePixels) {
         continue;
       }
@@ -303,7 +303,7 @@ Status checkPeopleParameters(const PeopleStudySetup& setup) {
   return {};
 }
 
-bool identitiesKept(const TrackFrame& before, const TrackFrame& after, double gate) {
+bool areIdentitiesKept(const TrackFrame& before, const TrackFrame& after, double gate) {
   const auto first = matched(before, gate);
   const auto last = matched(after, gate);
   return !before.truth.empty() && first.size() == before.truth.size() && first == last;
@@ -326,7 +326,7 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
   }
   const OfficeRenderer renderer(recording.scene, recording.views);
   const auto picturedInstants =
-      setup.pictures ? instantsToShow(*scenario) : std::vector<PeopleInstant>();
+      setup.drawsPictures ? chooseInstantsToShow(*scenario) : std::vector<PeopleInstant>();
   for (std::int64_t frame = 0; frame < scenario->scene.frameCount; ++frame) {
     const OfficeInstant instant = renderInstant(recording, renderer, frame);
     for (EvaluatedTracker& one : *all) {

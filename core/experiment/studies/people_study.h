@@ -33,7 +33,7 @@ struct PeopleTrial {
   std::uint64_t seed = 0;
   /// True if every person had an identity before the meeting, and the same identity after the
   /// meeting.
-  bool kept = false;
+  bool identitiesKept = false;
   double mota = 0.0;
   double motp = 0.0; ///< mean distance of matches (ClearMot::motp()), meters
   double hota = 0.0;
@@ -48,9 +48,9 @@ struct PeopleTrial {
   /// Volume that contains 95 % of a person (bodyHull()), m³; mean over people and frames.
   double hullVolume = 0.0;
   double stepMs = 0.0;               ///< mean CPU time per frame with people, ms
-  PersonResult everybody;            ///< results over all people in the scene
+  PersonResult allPersonsResult;     ///< results over all people in the scene
   std::vector<PersonResult> persons; ///< results per person, in scene order
-  std::vector<PeopleImage> pictures; ///< images of instantsToShow(), if requested
+  std::vector<PeopleImage> pictures; ///< images of chooseInstantsToShow(), if requested
 };
 
 /// Largest distance (meters) at which an estimate is assigned to a person: the width of an adult.
@@ -66,7 +66,7 @@ struct PeopleStudySetup {
   std::uint64_t seed = kFirstTuningSeed;
   /// Non-default parameter values. They apply to the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;
-  bool pictures = false; ///< true to draw the images of instantsToShow()
+  bool drawsPictures = false; ///< true to draw the images of chooseInstantsToShow()
 };
 
 /// Checks the parameters. Returns UnknownKey for a parameter that no method has, or BadValue for a
@@ -83,6 +83,6 @@ Result<std::vector<PeopleTrial>> studyPeople(const PeopleStudySetup& setup,
 /// Returns whether all identities were kept: whether every true target is matched to the same
 /// estimate in the frames `before` and `after`, and no estimate to two targets. Pairs farther apart
 /// than `gate` (meters) are not matched.
-bool identitiesKept(const TrackFrame& before, const TrackFrame& after, double gate);
+bool areIdentitiesKept(const TrackFrame& before, const TrackFrame& after, double gate);
 
 } // namespace dewpoint::experiment

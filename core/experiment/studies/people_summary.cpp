@@ -20,11 +20,11 @@ struct EverybodyMean {
   RunningMean precision;
   RunningMean iou;
 
-  void add(const PersonResult& everybody) {
-    found.add(everybody.found);
-    recall.add(everybody.silhouette.recall);
-    precision.add(everybody.silhouette.precision);
-    iou.add(everybody.silhouette.iou);
+  void add(const PersonResult& allPersonsResult) {
+    found.add(allPersonsResult.found);
+    recall.add(allPersonsResult.silhouette.recall);
+    precision.add(allPersonsResult.silhouette.precision);
+    iou.add(allPersonsResult.silhouette.iou);
   }
 };
 
@@ -55,7 +55,7 @@ std::vector<PeopleSummary> summarize(const std::vector<PeopleTrial>& trials) {
     }
     PeopleSummary& sum = *found;
     ++sum.runs;
-    sum.kept += trial.kept ? 1 : 0;
+    sum.keptRunCount += trial.identitiesKept ? 1 : 0;
     sum.identitySwitches += trial.identitySwitches;
     const double share = 1.0 / sum.runs;
     sum.mota += share * (trial.mota - sum.mota);
@@ -67,7 +67,7 @@ std::vector<PeopleSummary> summarize(const std::vector<PeopleTrial>& trials) {
       int& count = matched[static_cast<std::size_t>(found - all.begin())];
       sum.motp += (trial.motp - sum.motp) / ++count;
     }
-    silhouettes[static_cast<std::size_t>(found - all.begin())].add(trial.everybody);
+    silhouettes[static_cast<std::size_t>(found - all.begin())].add(trial.allPersonsResult);
     sum.longestGhost = std::max(sum.longestGhost, trial.longestGhost);
     sum.longestMissed = std::max(sum.longestMissed, trial.longestMissed);
   }
@@ -83,7 +83,7 @@ std::string tableCell(double value, int digits) {
   return std::isnan(value) ? "-" : fmt::format("{:.{}f}", value, digits);
 }
 
-std::string peopleTableHead() {
+std::string peopleTableHeader() {
   return fmt::format(
       "{:<17} {:<5} {:<9} {:<13} {:>7} {:>13} {:>6} {:>6} {:>6} {:>7} {:>7} {:>6} {:>6} "
       "{:>6} {:>6} {:>6} {:>6} {:>6} {:>6}",
@@ -92,14 +92,14 @@ std::string peopleTableHead() {
 }
 
 std::string peopleTableRow(const PeopleSummary& one) {
-  const Interval interval = wilsonInterval({one.kept, one.runs});
+  const Interval interval = wilsonInterval({one.keptRunCount, one.runs});
   return fmt::format(
       "{:<17} {:<5} {:<9} {:<13} {:>3}/{:<3} {:>5.0f}..{:<4.0f} % {:>6} {:>6.3f} {:>6.3f} "
       "{:>7.0f} {:>7.3f} {:>6.2f} {:>6.2f} {:>6.3f} {:>6.2f} {:>6} {:>6} {:>6} {:>6}",
-      one.scenario, gradeName(one.grade), clothesName(one.clothes), one.method, one.kept, one.runs,
-      inPercent(interval.low), inPercent(interval.high), one.identitySwitches, one.mota, one.hota,
-      inMillimeters(one.motp), one.gospa, one.longestGhost, one.longestMissed, one.hullVolume,
-      one.stepMs, tableCell(one.found, 3), tableCell(one.silhouette.recall, 3),
+      one.scenario, gradeName(one.grade), clothesName(one.clothes), one.method, one.keptRunCount,
+      one.runs, inPercent(interval.low), inPercent(interval.high), one.identitySwitches, one.mota,
+      one.hota, inMillimeters(one.motp), one.gospa, one.longestGhost, one.longestMissed,
+      one.hullVolume, one.stepMs, tableCell(one.found, 3), tableCell(one.silhouette.recall, 3),
       tableCell(one.silhouette.precision, 3), tableCell(one.silhouette.iou, 3));
 }
 
@@ -109,12 +109,13 @@ std::string peopleTrialsCsv(const std::vector<PeopleTrial>& trials) {
       "longest_ghost_s,longest_missed_s,hull_volume_m3,step_ms,found,"
       "silhouette_recall,silhouette_precision,silhouette_iou\n";
   for (const PeopleTrial& one : trials) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", one.scenario,
-                        gradeName(one.grade), clothesName(one.clothes), one.method, one.seed,
-                        one.kept ? 1 : 0, one.mota, one.motp, one.hota, one.gospa,
-                        one.identitySwitches, one.longestGhost, one.longestMissed, one.hullVolume,
-                        one.stepMs, one.everybody.found, one.everybody.silhouette.recall,
-                        one.everybody.silhouette.precision, one.everybody.silhouette.iou);
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", one.scenario,
+                    gradeName(one.grade), clothesName(one.clothes), one.method, one.seed,
+                    one.identitiesKept ? 1 : 0, one.mota, one.motp, one.hota, one.gospa,
+                    one.identitySwitches, one.longestGhost, one.longestMissed, one.hullVolume,
+                    one.stepMs, one.allPersonsResult.found, one.allPersonsResult.silhouette.recall,
+                    one.allPersonsResult.silhouette.precision, one.allPersonsResult.silhouette.iou);
   }
   return text;
 }

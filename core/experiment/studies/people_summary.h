@@ -16,7 +16,8 @@ struct PeopleSummary {
   PeopleClothes clothes = PeopleClothes::Different;
   std::string method;
   int runs = 0;
-  int kept = 0; ///< number of runs in which all identities were kept (PeopleTrial::kept)
+  int keptRunCount =
+      0; ///< number of runs in which all identities were kept (PeopleTrial::identitiesKept)
   int identitySwitches = 0;
   double mota = 0.0; ///< mean over runs, like `hota` and `gospa`
   double hota = 0.0;
@@ -26,8 +27,8 @@ struct PeopleSummary {
   double longestMissed = 0.0; ///< value of the worst run, seconds
   double hullVolume = 0.0;    ///< mean over runs, m³
   double stepMs = 0.0;        ///< mean over runs, ms
-  /// Means of the fields `found` and `silhouette` in PeopleTrial::everybody, over the runs that
-  /// have a value; see PersonResult.
+  /// Means of the fields `found` and `silhouette` in PeopleTrial::allPersonsResult, over the runs
+  /// that have a value; see PersonResult.
   double found = std::numeric_limits<double>::quiet_NaN();
   SilhouetteScores silhouette;
 };
@@ -41,7 +42,7 @@ std::vector<PeopleSummary> summarize(const std::vector<PeopleTrial>& trials);
 /// Returns a number with `digits` decimals for a table; "-" if it is NaN.
 std::string tableCell(double value, int digits);
 /// Return the header and one row of the summary table that is printed in a terminal.
-std::string peopleTableHead();
+std::string peopleTableHeader();
 std::string peopleTableRow(const PeopleSummary& summary);
 /// Returns the content of runs.csv, with one row per trial.
 std::string peopleTrialsCsv(const std::vector<PeopleTrial>& trials);

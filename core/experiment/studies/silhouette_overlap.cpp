@@ -63,15 +63,15 @@ cv::Mat filledOutline(const std::vector<Eigen::Vector2d>& outline, cv::Size size
 }
 
 double SilhouetteOverlap::recall() const {
-  return ratio(both, truth);
+  return ratio(commonPixelCount, truePixelCount);
 }
 
 double SilhouetteOverlap::precision() const {
-  return ratio(both, estimate);
+  return ratio(commonPixelCount, estimatedPixelCount);
 }
 
 double SilhouetteOverlap::iou() const {
-  return ratio(both, truth + estimate - both);
+  return ratio(commonPixelCount, truePixelCount + estimatedPixelCount - commonPixelCount);
 }
 
 SilhouetteOverlap overlapOf(const cv::Mat& estimate, const cv::Mat& visible, const cv::Mat& whole) {
@@ -79,9 +79,9 @@ SilhouetteOverlap overlapOf(const cv::Mat& estimate, const cv::Mat& visible, con
   const cv::Mat inVisible = visible != 0;
   const cv::Mat hidden = (whole != 0) & ~inVisible;
   SilhouetteOverlap overlap;
-  overlap.truth = cv::countNonZero(inVisible);
-  overlap.both = cv::countNonZero(inEstimate & inVisible);
-  overlap.estimate = cv::countNonZero(inEstimate & ~hidden);
+  overlap.truePixelCount = cv::countNonZero(inVisible);
+  overlap.commonPixelCount = cv::countNonZero(inEstimate & inVisible);
+  overlap.estimatedPixelCount = cv::countNonZero(inEstimate & ~hidden);
   return overlap;
 }
 

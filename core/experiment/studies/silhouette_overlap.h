@@ -19,13 +19,14 @@ cv::Mat filledOutline(const std::vector<Eigen::Vector2d>& outline, cv::Size size
 
 /// Overlap of an estimated silhouette with the true silhouette of a body in an image, in pixels.
 struct SilhouetteOverlap {
-  std::int64_t both = 0;     ///< number of estimated pixels on the visible body
-  std::int64_t truth = 0;    ///< number of pixels of the visible body
-  std::int64_t estimate = 0; ///< number of estimated pixels, excluding the hidden part of the body
+  std::int64_t commonPixelCount = 0; ///< number of estimated pixels on the visible body
+  std::int64_t truePixelCount = 0;   ///< number of pixels of the visible body
+  std::int64_t estimatedPixelCount =
+      0; ///< number of estimated pixels, excluding the hidden part of the body
 
-  double recall() const;    ///< returns both / truth; NaN if nothing is visible
-  double precision() const; ///< returns both / estimate; NaN for an empty estimate
-  double iou() const;       ///< returns both / union of estimate and truth; NaN if both are empty
+  double recall() const;    ///< returns common / true pixels; NaN if nothing is visible
+  double precision() const; ///< returns common / estimated pixels; NaN for an empty estimate
+  double iou() const; ///< returns intersection / union of estimate and truth; NaN if both are empty
 };
 
 /// Returns the overlap of an estimated silhouette with the true one. All masks have equal size

@@ -87,7 +87,7 @@ FigureExperiment sceneOfPeople(std::string_view name, std::string_view title,
                                ExperimentGroup group = ExperimentGroup::People) {
   return {.name = name,
           .title = title,
-          .sentence = sentence,
+          .description = sentence,
           .runs = 3,
           .run = run,
           .hasClothesOption = true,
@@ -101,7 +101,7 @@ std::span<const FigureExperiment> studyExperiments() {
       FigureExperiment{
           .name = "sugandi-rmse",
           .title = "Box tracking: error, success and precision",
-          .sentence =
+          .description =
               "Sugandi et al. 2009, section 4: compares method sugandi with 100 and with 300 "
               "particles, method histogram, and four trackers of OpenCV, all on the same clips.",
           .runs = 2,

@@ -174,11 +174,11 @@ std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip) {
 
 std::string boxHistogramsHtml(const BoxStudy& study, std::size_t clip) {
   const BoxClipFigures& figures = study.figures[clip];
-  if (figures.reference.empty() || figures.candidate.empty()) {
+  if (figures.referenceHistogram.empty() || figures.candidateHistogram.empty()) {
     return {};
   }
-  const double highest =
-      std::max(std::ranges::max(figures.reference), std::ranges::max(figures.candidate));
+  const double highest = std::max(std::ranges::max(figures.referenceHistogram),
+                                  std::ranges::max(figures.candidateHistogram));
   const auto histogramPlot = [&](const char* title, const std::vector<double>& shares) {
     Plot plot;
     plot.title = title;
@@ -187,25 +187,27 @@ std::string boxHistogramsHtml(const BoxStudy& study, std::size_t clip) {
     plot.series.push_back(lineOf("m0", shares.size(), [&](std::size_t k) { return shares[k]; }));
     return plot;
   };
-  const double similarity = bhattacharyyaCoefficient(figures.candidate, figures.reference);
+  const double similarity =
+      bhattacharyyaCoefficient(figures.candidateHistogram, figures.referenceHistogram);
   return plotsHtml(
       {{"Reference: the colors of the given box, frame 0",
-        histogramPlot("reference histogram", figures.reference)},
+        histogramPlot("reference histogram", figures.referenceHistogram)},
        {fmt::format("Candidate: those of the box found with 300 particles, frame {}; similarity "
                     "{:.3f}",
                     figures.candidateFrame, similarity),
-        histogramPlot("candidate histogram", figures.candidate)}},
+        histogramPlot("candidate histogram", figures.candidateHistogram)}},
       {});
 }
 
 std::string boxHistogramsCsv(const BoxStudy& study) {
   std::string text = "clip,frame,bin,reference,candidate\n";
   for (const BoxClipFigures& figures : study.figures) {
-    const std::size_t bins = figures.reference.empty() ? 0 : figures.candidate.size();
+    const std::size_t bins =
+        figures.referenceHistogram.empty() ? 0 : figures.candidateHistogram.size();
     for (std::size_t bin = 0; bin < bins; ++bin) {
-      if (figures.reference[bin] > 0.0 || figures.candidate[bin] > 0.0) {
+      if (figures.referenceHistogram[bin] > 0.0 || figures.candidateHistogram[bin] > 0.0) {
         text += fmt::format("{},{},{},{},{}\n", csvCell(figures.clip), figures.candidateFrame, bin,
-                            figures.reference[bin], figures.candidate[bin]);
+                            figures.referenceHistogram[bin], figures.candidateHistogram[bin]);
       }
     }
   }

@@ -50,7 +50,7 @@ std::string tableHead() {
 std::string tableRow(const BoxStudyRow& row) {
   return fmt::format("<tr{}><td>{}</td><td>{}</td><td>{:.2f}</td><td>{:.3f}</td><td>{:.1f} %</td>"
                      "<td>{:.1f} %</td><td>{:.2f}</td></tr>",
-                     row.ours ? " class='ours'" : "", htmlEscaped(row.method), row.seeds,
+                     row.isOurs ? " class='ours'" : "", htmlEscaped(row.method), row.seeds,
                      row.metrics.rmse, row.metrics.success, inPercent(row.metrics.precision),
                      inPercent(row.worstPrecision), row.milliseconds);
 }
@@ -73,7 +73,7 @@ std::string barsHtml(const BoxStudy& study) {
   std::string text = "<h2>What must be reached</h2><div class='scroll'><table><tbody>";
   for (const BoxRequirement& bar : study.requirements) {
     text += fmt::format("<tr><td class='text'>{}</td><td><span class='chip {}'>{}</span></td></tr>",
-                        htmlEscaped(bar.sentence), bar.reached ? "good" : "bad",
+                        htmlEscaped(bar.description), bar.reached ? "good" : "bad",
                         bar.reached ? "reached" : "not reached");
   }
   return text + "</tbody></table></div>";
@@ -89,9 +89,10 @@ constexpr const char* kPerturbationRemark =
     "above 0.9.";
 
 std::string claimsText(const BoxPerturbationRow& row) {
-  return row.reportsConfidence ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOn,
-                                             row.similarityOff, inPercent(row.confidentlyWrong))
-                               : std::string();
+  return row.reportsConfidence
+             ? fmt::format("{:>6.2f} {:>6.2f} {:>6.1f} %", row.similarityOnTarget,
+                           row.similarityOffTarget, inPercent(row.confidentlyWrong))
+             : std::string();
 }
 
 std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
@@ -109,10 +110,10 @@ std::string perturbationText(const std::vector<BoxPerturbationRow>& rows) {
 }
 
 std::string claimsCells(const BoxPerturbationRow& row) {
-  return row.reportsConfidence
-             ? fmt::format("<td>{:.2f}</td><td>{:.2f}</td><td>{:.1f} %</td>", row.similarityOn,
-                           row.similarityOff, inPercent(row.confidentlyWrong))
-             : "<td></td><td></td><td></td>";
+  return row.reportsConfidence ? fmt::format("<td>{:.2f}</td><td>{:.2f}</td><td>{:.1f} %</td>",
+                                             row.similarityOnTarget, row.similarityOffTarget,
+                                             inPercent(row.confidentlyWrong))
+                               : "<td></td><td></td><td></td>";
 }
 
 std::string perturbationHtml(const std::vector<BoxPerturbationRow>& rows) {
@@ -141,8 +142,8 @@ std::string perturbedBoxesCsv(const std::vector<BoxPerturbationRow>& rows) {
     text += fmt::format("{},{},{},{},{},{},{},{}", csvCell(row.clip), csvCell(row.method),
                         row.scale, row.runs, row.metrics.rmse, row.metrics.success,
                         row.metrics.precision, row.worstPrecision);
-    text += row.reportsConfidence ? fmt::format(",{},{},{}\n", row.similarityOn, row.similarityOff,
-                                                row.confidentlyWrong)
+    text += row.reportsConfidence ? fmt::format(",{},{},{}\n", row.similarityOnTarget,
+                                                row.similarityOffTarget, row.confidentlyWrong)
                                   : ",,,\n";
   }
   return text;
@@ -160,14 +161,14 @@ std::string boxStudyText(const BoxStudy& study) {
   }
   text += '\n';
   for (const BoxRequirement& bar : study.requirements) {
-    text += fmt::format("{:<12} {}\n", bar.reached ? "reached" : "NOT REACHED", bar.sentence);
+    text += fmt::format("{:<12} {}\n", bar.reached ? "reached" : "NOT REACHED", bar.description);
   }
   text += '\n';
   for (const char* remark : kRemarks) {
     text += fmt::format("{}\n", remark);
   }
   text += fmt::format("{}\n", seedRemark(study));
-  return study.perturbed.empty() ? text : text + perturbationText(study.perturbed);
+  return study.perturbedRows.empty() ? text : text + perturbationText(study.perturbedRows);
 }
 
 std::string boxStudyCsv(const BoxStudy& study) {
@@ -191,7 +192,7 @@ std::string boxStudyHtml(const BoxStudy& study) {
   for (std::size_t clip = 0; clip < study.figures.size(); ++clip) {
     text += clipHtml(study, clip);
   }
-  text += study.perturbed.empty() ? "" : perturbationHtml(study.perturbed);
+  text += study.perturbedRows.empty() ? "" : perturbationHtml(study.perturbedRows);
   text += "<h2>How to read it</h2>";
   for (const char* remark : kRemarks) {
     text += fmt::format("<p>{}</p>", htmlEscaped(remark));
@@ -209,8 +210,8 @@ Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder)
   for (std::size_t clip = 0; clip < study.figures.size(); ++clip) {
     files.emplace_back(boxFramesFileName(clip), encodeImage(study.figures[clip].frames, ".jpg"));
   }
-  if (!study.perturbed.empty()) {
-    files.emplace_back("sloppy-boxes.csv", perturbedBoxesCsv(study.perturbed));
+  if (!study.perturbedRows.empty()) {
+    files.emplace_back("sloppy-boxes.csv", perturbedBoxesCsv(study.perturbedRows));
   }
   files.emplace_back(kBoxReport, boxStudyHtml(study));
   for (const auto& [name, bytes] : files) {

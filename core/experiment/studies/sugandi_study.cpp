@@ -28,7 +28,7 @@ struct Contender {
 
 std::vector<Contender> contenders() {
   std::vector<Contender> all{{"sugandi", 100}, {"sugandi", 300}, {"histogram", 300}};
-  for (const std::string& name : openCvFollowers()) {
+  for (const std::string& name : openCvFollowerNames()) {
     all.push_back({name, 0});
   }
   return all;
@@ -36,7 +36,7 @@ std::vector<Contender> contenders() {
 
 Result<std::unique_ptr<BoxFollower>> make(const Contender& contender, std::uint64_t seed) {
   if (contender.particles > 0) {
-    return makeBoxFollower(contender.method, contender.particles, seed);
+    return makeDewpointFollower(contender.method, contender.particles, seed);
   }
   return makeOpenCvFollower(contender.method);
 }
@@ -70,9 +70,9 @@ Result<BoxStudyRow> measure(const BoxClip& clip, const std::vector<cv::Mat>& ima
   BoxStudyRow row;
   row.clip = clip.name;
   row.method = contender.shown();
-  row.ours = contender.particles > 0;
+  row.isOurs = contender.particles > 0;
   row.exactBoxes = clip.exactBoxes;
-  row.seeds = row.ours ? seeds : 1;
+  row.seeds = row.isOurs ? seeds : 1;
   row.worstPrecision = 1.0;
   for (int k = 0; k < row.seeds; ++k) {
     auto follower = make(contender, firstSeed + static_cast<std::uint64_t>(k));
@@ -107,7 +107,7 @@ BoxRequirement peerBar(const std::vector<BoxStudyRow>& rows, const BoxStudyRow& 
   const BoxStudyRow* best = nullptr;
   for (const BoxStudyRow& row : rows) {
     const bool isBetter = best == nullptr || row.metrics.success > best->metrics.success;
-    best = row.clip == ours.clip && !row.ours && isBetter ? &row : best;
+    best = row.clip == ours.clip && !row.isOurs && isBetter ? &row : best;
   }
   const double peer = best != nullptr ? best->metrics.success : 0.0;
   return {fmt::format("{}: histogram's success {:.3f} is at least the best peer's ({} {:.3f})",
@@ -145,10 +145,10 @@ BoxClipFigures clipFiguresOf(const BoxClip& clip, const std::vector<cv::Mat>& im
   figures.clip = clip.name;
   figures.truth = clip.truth;
   figures.frames = drawBoxFrames(images, clip.truth, few, many);
-  figures.reference = boxHistogram(images.front(), clip.truth.front());
+  figures.referenceHistogram = boxHistogram(images.front(), clip.truth.front());
   figures.candidateFrame = images.size() / 2;
   if (const auto& found = many.boxes[figures.candidateFrame]) {
-    figures.candidate = boxHistogram(images[figures.candidateFrame], *found);
+    figures.candidateHistogram = boxHistogram(images[figures.candidateFrame], *found);
   }
   return figures;
 }

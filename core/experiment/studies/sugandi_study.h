@@ -26,8 +26,8 @@ inline constexpr const char* kBoxReport = "sugandi-rmse.html";
 /// means over the seeds.
 struct BoxStudyRow {
   std::string clip;
-  std::string method; ///< display name: "sugandi, 100 particles", "csrt"
-  bool ours = false;  ///< true: one of Dewpoint's own methods; false: one of OpenCV's
+  std::string method;  ///< display name: "sugandi, 100 particles", "csrt"
+  bool isOurs = false; ///< true: one of Dewpoint's own methods; false: one of OpenCV's
   bool exactBoxes = true;
   int seeds = 1;
   BoxMetrics metrics;
@@ -40,7 +40,7 @@ struct BoxStudyRow {
 
 /// Requirement of the study, and whether it is met.
 struct BoxRequirement {
-  std::string sentence;
+  std::string description;
   bool reached = false;
 };
 
@@ -51,10 +51,10 @@ struct BoxClipFigures {
   cv::Mat frames; ///< image from drawBoxFrames()
   /// Color histogram of the first box, which was given to the method (boxHistogram()). Empty if the
   /// box is outside the image.
-  std::vector<double> reference;
+  std::vector<double> referenceHistogram;
   /// Color histogram of the box that `sugandi` with 300 particles found in `candidateFrame`,
   /// halfway through the clip. Empty if the box is outside the image.
-  std::vector<double> candidate;
+  std::vector<double> candidateHistogram;
   std::size_t candidateFrame = 0;
 };
 
@@ -64,7 +64,7 @@ struct BoxStudy {
   std::vector<BoxRequirement> requirements;
   std::vector<BoxClipFigures> figures; ///< one per clip
   std::vector<BoxPerturbationRow>
-      perturbed; ///< results of studyPerturbedBoxes(); empty unless requested
+      perturbedRows; ///< results of studyPerturbedBoxes(); empty unless requested
   std::uint64_t firstSeed = kFirstTuningSeed;
   int seeds = 1; ///< number of seeds for Dewpoint's own methods
 };

@@ -29,12 +29,13 @@ constexpr double kGreatestEceOfScenario = 0.1;
 /// What a grade asks of the stated belief. Percent.
 struct BeliefLimits {
   const char* grade;
-  double covered;                       ///< least share of truths in the 95 % ellipsoid...
-  double coveredAtMost;                 ///< ... and the greatest: more is too vague
-  double coveredWorst;                  ///< least share in any scenario
-  double confidentlyWrong;              ///< greatest share of frames in any scenario
-  std::optional<double> confidentInTie; ///< the same; nothing where no run has equal candidates
-  bool existence;                       ///< whether P(exists) has a bar over all runs, too
+  double covered;          ///< least share of truths in the 95 % ellipsoid...
+  double coveredAtMost;    ///< ... and the greatest: more is too vague
+  double coveredWorst;     ///< least share in any scenario
+  double confidentlyWrong; ///< greatest share of frames in any scenario
+  std::optional<double>
+      confidentInTieShare; ///< the same; nothing where no run has equal candidates
+  bool existence;          ///< whether P(exists) has a bar over all runs, too
 };
 
 /// `ideal` has a bar for P(exists) over all runs already, and nothing of what `room` asks may be
@@ -118,13 +119,13 @@ void addBelief(const BeliefLimits& limits, std::vector<SuiteRequirement>& bars) 
                        "Expected calibration error of P(exists), all runs", "", kNoLowerLimit,
                        kGreatestEce, pooledEceOfRuns));
   }
-  if (limits.confidentInTie) {
+  if (limits.confidentInTieShare) {
     bars.push_back(aim(
         kBeliefItem, limits.grade,
         fmt::format("Sure of a tie: frames with P(exists) more than {:g} above one over the number "
                     "of equal candidates, worst scenario",
                     kTieMargin),
-        "%", kNoLowerLimit, *limits.confidentInTie,
+        "%", kNoLowerLimit, *limits.confidentInTieShare,
         worstOverScenarios(beliefMetric("sure_of_tie_percent")), {"S19-even-start"}));
   }
 }

@@ -50,7 +50,7 @@ const std::vector<std::string>& imageClipMethods() {
 Result<std::optional<SuiteResult>> followClip(const BoxClip& clip,
                                               const std::vector<cv::Mat>& images, const RunKey& key,
                                               const std::function<bool()>& stop) {
-  auto follower = makeFollower(key.method, kClipParticles, key.seed);
+  auto follower = makeFollowerByName(key.method, kClipParticles, key.seed);
   if (!follower) {
     return tl::make_unexpected(follower.error());
   }

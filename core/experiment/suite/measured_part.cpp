@@ -21,7 +21,7 @@ ScenarioRun measuredPart(const ScenarioRun& run) {
     return part;
   }
   part.measuredFrames.clear();
-  part.marks.clear();
+  part.markedCenters.clear();
   part.events.clear();
   part.frames = nullptr;
   part.frameCount = static_cast<std::int64_t>(run.measuredFrames.size());

@@ -30,8 +30,9 @@ void fillBelief(const std::vector<Forecast>& forecasts, SuiteResult& result) {
 } // namespace
 
 PixelRecorder::PixelRecorder(const ScenarioRun& run)
-    : cameras_(run.rig.begin(), run.rig.end()), gate_(run.markGate), samples_(run.targets.size()) {
-  for (const MarkedCenter& mark : run.marks) {
+    : cameras_(run.rig.begin(), run.rig.end()), gate_(run.markGatePx),
+      samples_(run.targets.size()) {
+  for (const MarkedCenter& mark : run.markedCenters) {
     marks_[mark.frame].push_back(mark);
   }
 }

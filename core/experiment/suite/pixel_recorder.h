@@ -17,11 +17,11 @@
 namespace dewpoint::experiment {
 
 /// Evaluates one method in the images of a run that has marks: true target centers in the images,
-/// ScenarioRun::marks. The estimates of the method are projected into the cameras of the run's rig.
-/// In a frame with marks, a target is followed if the method declares it present and if, for each
-/// mark of the target, the distance to the projection is below ScenarioRun::markGate. The estimate
-/// with index k is compared with the marks of target k, so no two targets of the run may look the
-/// same.
+/// ScenarioRun::markedCenters. The estimates of the method are projected into the cameras of the
+/// run's rig. In a frame with marks, a target is followed if the method declares it present and if,
+/// for each mark of the target, the distance to the projection is below ScenarioRun::markGatePx.
+/// The estimate with index k is compared with the marks of target k, so no two targets of the run
+/// may look the same.
 class PixelRecorder {
 public:
   /// Creates a recorder for a run. It records nothing if the run has no marks.

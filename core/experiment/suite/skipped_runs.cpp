@@ -49,21 +49,21 @@ bool isSkipped(const SkippedRuns& skipped, const std::string& scenario, Grade gr
          first->seed == seed;
 }
 
-std::string skippedSentence(const SkippedRun& run) {
+std::string skippedRunDescription(const SkippedRun& run) {
   return fmt::format("{}, grade {}, seed {} is skipped: {}.", run.scenario, gradeName(run.grade),
                      run.seed, run.reason);
 }
 
-std::string skippedHeader() {
+std::string skippedCsvHeader() {
   return kSkippedHeader;
 }
 
-std::string skippedText(const SkippedRun& run) {
+std::string skippedCsvLine(const SkippedRun& run) {
   return fmt::format("{},{},{},{}", run.scenario, gradeName(run.grade), run.seed,
                      quoted(run.reason));
 }
 
-std::optional<SkippedRun> parseSkipped(const std::string& line) {
+std::optional<SkippedRun> parseSkippedRun(const std::string& line) {
   const std::size_t first = line.find(',');
   const std::size_t second = line.find(',', first + 1);
   const std::size_t third = line.find(',', second + 1);
@@ -71,7 +71,7 @@ std::optional<SkippedRun> parseSkipped(const std::string& line) {
       third == std::string::npos) {
     return std::nullopt;
   }
-  const auto grade = gradeNamed(line.substr(first + 1, second - first - 1));
+  const auto grade = gradeFromName(line.substr(first + 1, second - first - 1));
   const auto seed =
       toNumber<std::uint64_t>(std::string_view(line).substr(second + 1, third - second - 1));
   const auto reason = unquoted(line.substr(third + 1));

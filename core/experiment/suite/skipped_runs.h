@@ -33,14 +33,14 @@ bool isSkipped(const SkippedRuns& skipped, const std::string& scenario, Grade gr
                std::uint64_t seed);
 
 /// Returns a sentence for the user that names a skipped run and the reason.
-std::string skippedSentence(const SkippedRun& run);
+std::string skippedRunDescription(const SkippedRun& run);
 
 /// Return the header and one line of skipped.csv, without the line end. The reason is in quotation
 /// marks.
-std::string skippedHeader();
-std::string skippedText(const SkippedRun& run);
+std::string skippedCsvHeader();
+std::string skippedCsvLine(const SkippedRun& run);
 /// Parses a line of skipped.csv. Returns nothing if the line is incomplete.
-std::optional<SkippedRun> parseSkipped(const std::string& line);
+std::optional<SkippedRun> parseSkippedRun(const std::string& line);
 
 /// Scenario in one grade (level of realism).
 struct ScenarioGrade {

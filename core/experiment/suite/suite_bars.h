@@ -14,8 +14,8 @@ inline constexpr double kNoLowerLimit = -std::numeric_limits<double>::infinity()
 
 /// Requirement for the `dewpoint` method in one grade.
 struct SuiteRequirement {
-  int item = 0;         ///< number of the requirement in the list
-  std::string sentence; ///< what is measured, and in which scenarios
+  int number = 0;          ///< number of the requirement in the list
+  std::string description; ///< what is measured, and in which scenarios
   std::string unit;
   double low = 0.0; ///< lower limit of the value
   double high = 0.0;

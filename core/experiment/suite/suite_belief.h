@@ -12,9 +12,9 @@ namespace dewpoint::experiment {
 
 /// Metric for the quality of a method's reported confidence.
 struct BeliefMetric {
-  const char* name;     ///< name in files, for example "coverage95_percent"
-  const char* head;     ///< column header in a table, as HTML
-  const char* sentence; ///< description of the metric, in one sentence
+  const char* name;        ///< name in files, for example "coverage95_percent"
+  const char* headerHtml;  ///< column header in a table, as HTML
+  const char* description; ///< description of the metric, in one sentence
   /// Computes the value for the runs of one method in one scenario. Returns NaN if the runs have no
   /// such value.
   double (*compute)(std::span<const SuiteResult* const> runs);

@@ -83,7 +83,7 @@ suiteFingerprints(const std::vector<std::string>& methods) {
   scenarios.reserve(kFixedRuns.size()); // jobs point to them
   std::vector<SuiteJob> jobs;
   for (const FixedRun& run : kFixedRuns) {
-    const auto grade = gradeNamed(run.grade);
+    const auto grade = gradeFromName(run.grade);
     if (!grade) {
       continue;
     }

@@ -74,7 +74,7 @@ std::string skippedRuns(const SuiteReport& report) {
                   "seeds did not fit the scenario. The results do not contain them.</summary><ul>",
                   report.skipped.size());
   for (const SkippedRun& run : report.skipped) {
-    text += fmt::format("<li>{}</li>", htmlEscaped(skippedSentence(run)));
+    text += fmt::format("<li>{}</li>", htmlEscaped(skippedRunDescription(run)));
   }
   return text + "</ul></details>";
 }
@@ -263,7 +263,7 @@ std::string scenarioRows(const SuiteReport& report) {
       scenario = first.scenario;
       const ScenarioDeclaration* known = declared(report, scenario);
       text += fmt::format("<h3>{}</h3><p>{}</p>", htmlEscaped(scenario),
-                          known != nullptr ? htmlEscaped(known->sentence) : std::string());
+                          known != nullptr ? htmlEscaped(known->description) : std::string());
     }
     text += block(cells.subspan(begin, end - begin), again);
     begin = end;
@@ -293,7 +293,7 @@ std::string explanation() {
       "it did not happen before the run ended. Medians and means are over runs. The columns of "
       "<code>runs.csv</code>, one row per run:</p><dl>";
   for (const SuiteColumn& column : suiteColumns()) {
-    text += fmt::format("<dt>{}</dt><dd>{}</dd>", column.name, htmlEscaped(column.sentence));
+    text += fmt::format("<dt>{}</dt><dd>{}</dd>", column.name, htmlEscaped(column.description));
   }
   return text + "</dl>";
 }

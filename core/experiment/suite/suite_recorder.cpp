@@ -126,10 +126,10 @@ void fillErrors(const std::vector<Eigen::Vector3d>& errors, const CameraRig& rig
   row.p95Mm = inMillimeters(split.summary.p95);
   row.maxMm = inMillimeters(split.summary.max);
   row.biasMm = inMillimeters(split.summary.bias.norm());
-  if (split.meanView) {
-    row.depthMm = inMillimeters(split.meanView->alongAxisRms);
-    row.lateralMm = inMillimeters(split.meanView->acrossAxisRms);
-    row.depthBiasMm = inMillimeters(split.meanView->alongAxisBias);
+  if (split.meanViewBias) {
+    row.depthMm = inMillimeters(split.meanViewBias->alongAxisRms);
+    row.lateralMm = inMillimeters(split.meanViewBias->acrossAxisRms);
+    row.depthBiasMm = inMillimeters(split.meanViewBias->alongAxisBias);
   }
 }
 
@@ -139,7 +139,7 @@ void fillTracks(const std::vector<TrackFrame>& frames, SuiteRow& row) {
   row.mota = mot.mota();
   row.identitySwitches = static_cast<double>(mot.identitySwitches);
   row.hota = hota(frames, kMatchGate).hota;
-  row.falseAlarmPercent = inPercent(falseAlarmFrames(frames, kMatchGate).value());
+  row.falseAlarmPercent = inPercent(falseAlarmFrameShare(frames, kMatchGate).value());
 }
 
 void fillReliability(const std::vector<Forecast>& forecasts, SuiteResult& result) {
@@ -160,8 +160,8 @@ bool isInside95(const StateError& sample) {
 void fillConsistency(const std::vector<StateError>& samples, SuiteRow& row) {
   const Consistency fit = consistency(samples);
   row.nees = fit.nees.value;
-  row.coverage95Percent = inPercent(fit.inside.value());
-  row.coverage50Percent = inPercent(fit.inside50.value());
+  row.coverage95Percent = inPercent(fit.coverage95.value());
+  row.coverage50Percent = inPercent(fit.coverage50.value());
 }
 
 /// Nothing where there was nothing to measure.
@@ -171,7 +171,7 @@ SuiteRow::Value figureOrNone(double value) {
 
 void fillExtents(const std::vector<ExtentSample>& samples, SuiteRow& row) {
   const ExtentErrors errors = extentErrors(samples);
-  row.nearCentroidPercent = figureOrNone(inPercent(errors.near.value()));
+  row.nearCentroidPercent = figureOrNone(inPercent(errors.nearProportion.value()));
   row.centroidErrorPercent = figureOrNone(inPercent(errors.centroid));
   row.sizeErrorPercent = figureOrNone(inPercent(errors.size));
 }
@@ -368,8 +368,8 @@ SuiteResult SuiteRecorder::result(double usPerFrame) const {
   fillReliability(samples.forecasts, result);
   fillOverconfidence(samples.beliefs, row);
   if (run_.equalCandidates > 1) {
-    row.confidentInTiePercent =
-        figureOrNone(inPercent(confidentInTie(samples.firstBeliefs, run_.equalCandidates).value()));
+    row.confidentInTiePercent = figureOrNone(
+        inPercent(confidentInTieShare(samples.firstBeliefs, run_.equalCandidates).value()));
   }
   fillTracks(trackFrames(), row);
   if (samples.lost.total > 0) {

@@ -31,10 +31,10 @@ Json interval(const Interval& value) {
 
 Json barJson(const RequirementResult& result) {
   Json json;
-  json["item"] = result.requirement->item;
+  json["item"] = result.requirement->number;
   json["grade"] = result.requirement->grade;
   json["next_version"] = result.requirement->isAim;
-  json["requirement"] = result.requirement->sentence;
+  json["requirement"] = result.requirement->description;
   json["scenarios"] = result.requirement->scenarios;
   json["unit"] = result.requirement->unit;
   json["low"] = number(result.requirement->low);

@@ -34,7 +34,7 @@ std::optional<RunKey> parseKey(const std::vector<std::string>& fields) {
   if (fields.size() < kKeyFields || fields[0].empty() || fields[2].empty()) {
     return std::nullopt;
   }
-  const auto grade = gradeNamed(fields[1]);
+  const auto grade = gradeFromName(fields[1]);
   const auto seed = toNumber<std::uint64_t>(fields[3]);
   return grade && seed ? std::optional(RunKey{fields[0], *grade, fields[2], *seed}) : std::nullopt;
 }
@@ -77,12 +77,12 @@ std::optional<ReliabilityCount> parseReliability(const std::string& text) {
 
 } // namespace
 
-std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names) {
+std::optional<std::vector<Grade>> gradesFromNames(const std::vector<std::string>& names) {
   std::set<Grade> grades;
   for (const std::string& name : names) {
     if (name == "both") {
       grades.insert({Grade::Ideal, Grade::Room});
-    } else if (const auto grade = gradeNamed(name)) {
+    } else if (const auto grade = gradeFromName(name)) {
       grades.insert(*grade);
     } else {
       return std::nullopt;

@@ -26,7 +26,7 @@ inline constexpr int kReliabilityBins = 10;
 
 /// Returns the grades with these names, without duplicates, easiest first. The name "both" stands
 /// for ideal and room. Returns nothing if a name is unknown or the list is empty.
-std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names);
+std::optional<std::vector<Grade>> gradesFromNames(const std::vector<std::string>& names);
 
 /// Identifies a run of the suite.
 struct RunKey {
@@ -86,7 +86,7 @@ struct SuiteRow {
 struct SuiteColumn {
   const char* name;
   SuiteRow::Value SuiteRow::*value;
-  const char* sentence; ///< meaning of the column, for the report
+  const char* description; ///< meaning of the column, for the report
 };
 /// Returns the columns in the order of runs.csv.
 std::span<const SuiteColumn> suiteColumns();

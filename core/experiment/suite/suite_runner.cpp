@@ -104,7 +104,7 @@ SuiteResult suiteResultOf(const EvaluatedTracker& contestant, const ScenarioRun&
                           const std::string& method) {
   const auto frameCount = static_cast<double>(std::max<std::int64_t>(1, run.frameCount));
   const double usPerFrame = 1e6 * contestant.seconds / frameCount;
-  if (run.truth.samples.empty() && !run.marks.empty()) {
+  if (run.truth.samples.empty() && !run.markedCenters.empty()) {
     return contestant.pixels.result({run.scenario, run.grade, method, run.seed}, usPerFrame);
   }
   SuiteResult result = contestant.recorder.result(usPerFrame);

@@ -110,7 +110,7 @@ Result<SuiteResults> SuiteStore::read(const std::filesystem::path& folder) {
 }
 
 Result<SkippedRuns> SuiteStore::readSkipped(const std::filesystem::path& folder) {
-  return readItems<SkippedRun>(folder / kSkipped, skippedHeader(), parseSkipped)
+  return readItems<SkippedRun>(folder / kSkipped, skippedCsvHeader(), parseSkippedRun)
       .map([](const std::vector<SkippedRun>& runs) {
         return SkippedRuns(runs.begin(), runs.end());
       });
@@ -167,9 +167,9 @@ Status SuiteStore::append(const SkippedRun& run) {
 }
 
 Status SuiteStore::writeSkipped() const {
-  std::string text = skippedHeader() + "\n";
+  std::string text = skippedCsvHeader() + "\n";
   for (const SkippedRun& run : skipped_) {
-    text += skippedText(run) + "\n";
+    text += skippedCsvLine(run) + "\n";
   }
   return writeTextFile(folder_ / kSkipped, text);
 }

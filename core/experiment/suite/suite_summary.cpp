@@ -132,7 +132,7 @@ Reliability pooledReliability(std::span<const SuiteResult* const> runs) {
     }
   }
   pooled.expectedError = pooled.count > 0 ? 0.0 : kNoValue;
-  pooled.brier = kNoValue; // needs each forecast
+  pooled.brierScore = kNoValue; // needs each forecast
   for (std::size_t k = 0; k < sums.size(); ++k) {
     const auto count = static_cast<double>(sums[k].count);
     const ReliabilityBin bin{static_cast<double>(k) / kReliabilityBins,

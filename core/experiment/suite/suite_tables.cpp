@@ -258,8 +258,8 @@ std::string requirementTable(std::span<const RequirementResult> requirements) {
         result.requirement->isAim ? " <span class='chip'>next version</span>" : "";
     text += fmt::format("<tr><td>{}</td><td class='text'>{}{}</td><td>{}</td><td>{}</td><td>{}</td>"
                         "<td class='text'>{}</td></tr>",
-                        result.requirement->item, htmlEscaped(result.requirement->sentence), aim,
-                        requirementOf(*result.requirement), valueOf(result), result.runs,
+                        result.requirement->number, htmlEscaped(result.requirement->description),
+                        aim, requirementOf(*result.requirement), valueOf(result), result.runs,
                         assessmentOf(result));
   }
   return text + "</tbody></table></div>";
@@ -268,7 +268,7 @@ std::string requirementTable(std::span<const RequirementResult> requirements) {
 std::string beliefTable(std::span<const BeliefSummary> methods) {
   std::string text = "<div class='scroll'><table><thead><tr><th>method</th><th>scenarios</th>";
   for (const BeliefMetric& metric : beliefMetrics()) {
-    text += fmt::format("<th>{}</th>", metric.head);
+    text += fmt::format("<th>{}</th>", metric.headerHtml);
   }
   text += "</tr></thead><tbody>";
   for (const BeliefSummary& summary : methods) {

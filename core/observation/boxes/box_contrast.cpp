@@ -22,7 +22,7 @@ constexpr double kOuterWidth = 0.6;
 
 BoxContrast::BoxContrast(const cv::Mat& bgr, const Eigen::Vector2d& pixel)
     : size_(bgr.size()), palette_(bgr, {static_cast<int>(pixel.x()), static_cast<int>(pixel.y())}) {
-  constexpr std::size_t kColors = ColorPalette::kColors;
+  constexpr std::size_t kColors = ColorPalette::kColorCount;
   const std::size_t stride = static_cast<std::size_t>(size_.width + 1) * kColors;
   sums_.assign(stride * static_cast<std::size_t>(size_.height + 1), 0);
   for (int y = 0; y < size_.height; ++y) {
@@ -51,7 +51,7 @@ void BoxContrast::add(double left, double top, double right, double bottom, Colo
   }
   const int* corners[] = {integralAt(from, above), integralAt(to, above), integralAt(from, below),
                           integralAt(to, below)};
-  for (std::size_t k = 0; k < ColorPalette::kColors; ++k) {
+  for (std::size_t k = 0; k < ColorPalette::kColorCount; ++k) {
     colors.counts[k] += corners[3][k] - corners[2][k] - corners[1][k] + corners[0][k];
   }
   colors.pixels += double(to - from) * (below - above);
@@ -81,14 +81,14 @@ double BoxContrast::at(const ImageBox& box) const {
       known_.pixels <= 0.0) {
     return 0.0;
   }
-  for (std::size_t k = 0; k < ColorPalette::kColors; ++k) {
+  for (std::size_t k = 0; k < ColorPalette::kColorCount; ++k) {
     ring.counts[k] -= figure.counts[k];
   }
   const Shares inside = palette_.spreadOverSimilarColors(figure.counts);
   const Shares around = palette_.spreadOverSimilarColors(ring.counts);
   double difference = 0.0;
   double differenceAtKnown = 0.0;
-  for (std::size_t k = 0; k < ColorPalette::kColors; ++k) {
+  for (std::size_t k = 0; k < ColorPalette::kColorCount; ++k) {
     const double f = inside[k] / figure.pixels;
     const double b = around[k] / ring.pixels;
     const double evidence = f + b > 0.0 ? (f - b) / (f + b) : 0.0;

@@ -36,7 +36,7 @@ private:
   const int* integralAt(int x, int y) const {
     return &sums_[(static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width + 1) +
                    static_cast<std::size_t>(x)) *
-                  ColorPalette::kColors];
+                  ColorPalette::kColorCount];
   }
 
   cv::Size size_;

@@ -189,10 +189,10 @@ Status TakeRecorder::writeNotes(bool finished) const {
     one["name"] = camera.name;
     one["video"] = camera.video;
     one["images"] = camera.counts.images;
-    one["dropped"] = camera.counts.dropped;
-    one["images_changed"] = camera.counts.isChanged;
-    one["pre_roll_images"] = camera.counts.preRollImages;
-    one["pre_roll_shortened"] = camera.preRoll.shortened;
+    one["dropped"] = camera.counts.droppedImageCount;
+    one["images_changed"] = camera.counts.arePixelsChanged;
+    one["pre_roll_images"] = camera.counts.preRollImageCount;
+    one["pre_roll_shortened"] = camera.preRoll.isShortened;
     one["bytes"] = camera.counts.bytes;
     one["frames_per_second"] = camera.counts.framesPerSecond;
     one["time_origin"] = timeOriginName(camera.counts.origin);

@@ -150,7 +150,7 @@ std::vector<ExposureInView> exposuresInView(const TrackSnapshot& snapshot, int c
         view.exposure = exposureOfSample(image, *newest);
       }
     }
-    if (view.exposure.pixels >= kFewestMeasured) {
+    if (view.exposure.pixelCount >= kFewestMeasured) {
       found.push_back(std::move(view));
     }
   }

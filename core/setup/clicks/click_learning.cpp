@@ -285,7 +285,7 @@ void applyLearningResult(const ClickLearningResult& lesson, std::size_t target, 
     }
   }
   taught.color = lesson.color.range;
-  taught.otherColors = lesson.color.others;
+  taught.otherColors = lesson.color.otherRanges;
   taught.samples = lesson.samples;
   if (lesson.part && taught.radius <= 0.0) {
     constexpr double kRadiusStep = 1e-4; // meters: finer is not known

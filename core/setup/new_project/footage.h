@@ -13,7 +13,7 @@ namespace dewpoint::setup {
 /// ("camera 2" before "camera 10"). Letters are ordered regardless of case and of accents (those of
 /// Latin-1, in UTF-8). Digits precede letters, and all other characters precede digits. Names that
 /// compare equal are ordered by their bytes. This order is for lists shown to users; for the frames
-/// of an image folder, see naturallyBefore().
+/// of an image folder, see isBeforeInNaturalOrder().
 bool isBeforeInDisplayOrder(const std::string& name, const std::string& other);
 
 /// Returns files sorted by name (without the folder) with isBeforeInDisplayOrder(). Use it for

@@ -28,8 +28,8 @@ TEST(ColorLock, SwitchesAutomaticsOffAtTheirPresentValues) {
                                          {"gain", 64},
                                          {"white_balance_automatic", 0},
                                          {"white_balance_temperature", 4200}}));
-  EXPECT_TRUE(lock->refused.empty());
-  EXPECT_TRUE(lock->missing.empty());
+  EXPECT_TRUE(lock->refusals.empty());
+  EXPECT_TRUE(lock->missingControls.empty());
   EXPECT_EQ(machine->valueOf("video0", V4L2_CID_EXPOSURE_AUTO), 1);
   EXPECT_EQ(machine->valueOf("video0", V4L2_CID_AUTO_WHITE_BALANCE), 0);
   EXPECT_EQ(machine->valueOf("video0", V4L2_CID_EXPOSURE_ABSOLUTE), 250);
@@ -42,12 +42,12 @@ TEST(ColorLock, SaysWhatTheDeviceCannotDo) {
   controls.erase(controls.begin() + 2);               // no gain
   const auto lock = lockColors(*accessTo(machineWith(controls)), kLockedPath);
   ASSERT_TRUE(lock) << sentence(lock.error());
-  ASSERT_EQ(lock->refused.size(), 2U);
-  EXPECT_EQ(lock->refused[0].automatic, ColorAutomatic::Exposure);
-  EXPECT_EQ(lock->refused[0].control, "auto_exposure");
-  EXPECT_NE(lock->refused[0].reason.find("refused"), std::string::npos);
-  EXPECT_EQ(lock->refused[1].control, "white_balance_automatic");
-  EXPECT_EQ(lock->missing, std::vector<ColorAutomatic>{ColorAutomatic::Gain});
+  ASSERT_EQ(lock->refusals.size(), 2U);
+  EXPECT_EQ(lock->refusals[0].automatic, ColorAutomatic::Exposure);
+  EXPECT_EQ(lock->refusals[0].control, "auto_exposure");
+  EXPECT_NE(lock->refusals[0].reason.find("refused"), std::string::npos);
+  EXPECT_EQ(lock->refusals[1].control, "white_balance_automatic");
+  EXPECT_EQ(lock->missingControls, std::vector<ColorAutomatic>{ColorAutomatic::Gain});
   EXPECT_EQ(lock->values, (ControlValues{{"brightness", 128}}));
 }
 

@@ -78,7 +78,7 @@ TEST(DeviceMonitor, ReportsWhatComesAndGoes) {
   EXPECT_TRUE(reports(lists, {"/dev/video2"}));
   machine->unplug("video2");
   EXPECT_TRUE(reports(lists, {}));
-  EXPECT_TRUE(monitor.latest()->empty());
+  EXPECT_TRUE(monitor.latestDevices()->empty());
 }
 
 TEST(DeviceMonitor, TriesUnusableDevicesAgain) {
@@ -130,7 +130,7 @@ TEST(DeviceMonitor, EndsWithoutTheDriver) {
     while (!access->asked) {
       std::this_thread::sleep_for(1ms);
     }
-    EXPECT_EQ(monitor.latest(), nullptr);
+    EXPECT_EQ(monitor.latestDevices(), nullptr);
   } // does not wait
   EXPECT_FALSE(access->answered);
   access->released = true;

@@ -47,8 +47,8 @@ TEST(UsbBandwidth, OneRawCameraFitsWhereTwoDoNot) {
   ASSERT_EQ(shortages.size(), 1U);
   EXPECT_EQ(shortages[0].bus, 1);
   EXPECT_EQ(shortages[0].requests, (std::vector<std::size_t>{0, 1, 2}));
-  EXPECT_DOUBLE_EQ(shortages[0].needed, 3.0 * bitsPerSecond(vga));
-  EXPECT_DOUBLE_EQ(shortages[0].available, kUsb2Bits);
+  EXPECT_DOUBLE_EQ(shortages[0].neededBitsPerSecond, 3.0 * bitsPerSecond(vga));
+  EXPECT_DOUBLE_EQ(shortages[0].availableBitsPerSecond, kUsb2Bits);
 }
 
 TEST(UsbBandwidth, ProposesCompressionAtTheSameSize) {

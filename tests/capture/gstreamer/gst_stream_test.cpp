@@ -227,7 +227,7 @@ TEST(GstStream, AFiniteSourceEnds) {
   EXPECT_EQ(feed->imageCount(), 12);             // ... but none is missing for a recording
   EXPECT_TRUE(stream->hasEnded());
   EXPECT_EQ(stream->lostReason(), "the stream has ended");
-  EXPECT_TRUE(feed->endedSince());
+  EXPECT_TRUE(feed->endTime());
 }
 
 TEST(GstStream, AcceptsPipelinesWithAndWithoutASink) {

@@ -53,7 +53,7 @@ TEST_F(PreRollTest, KeepsTheLastSeconds) {
   EXPECT_EQ(numberOf(preRoll.images().back()), 99);
   EXPECT_EQ(preRoll.status().images, 11U);
   EXPECT_DOUBLE_EQ(preRoll.status().seconds, 1.0);
-  EXPECT_FALSE(preRoll.status().shortened);
+  EXPECT_FALSE(preRoll.status().isShortened);
 }
 
 TEST_F(PreRollTest, BeginsWithAKeyFrame) {
@@ -73,7 +73,7 @@ TEST_F(PreRollTest, MemoryIsLimitedAndThatIsReported) {
     preRoll.add(imageNumber(k, 8));
     EXPECT_LE(preRoll.status().bytes, 30 * kImageBytes);
   }
-  EXPECT_TRUE(preRoll.status().shortened);
+  EXPECT_TRUE(preRoll.status().isShortened);
   EXPECT_EQ(numberOf(preRoll.images().front()) % 8, 0);
   EXPECT_EQ(preRoll.status().bytes, preRoll.images().size() * kImageBytes);
   PreRoll tiny({10s, 3 * kImageBytes}); // not even one group fits
@@ -107,7 +107,7 @@ TEST_F(PreRollTest, AReceiverGetsWhatWasKeptFirst) {
   EXPECT_FALSE(feed.preRollBegin()); // what was recorded is not kept again
   feed.put(imageNumber(6));
   EXPECT_TRUE(feed.preRollBegin());
-  feed.setEnded();
+  feed.markEnded();
   EXPECT_FALSE(feed.preRollBegin());
   feed.put(imageNumber(7));
   feed.setPreRoll({});
@@ -142,9 +142,9 @@ TEST_F(PreRollTest, IsWrittenBeforeTheRestWithItsTimes) {
     recording.stop();
     const RecordedCounts counts = recording.counts();
     EXPECT_FALSE(counts.problem);
-    EXPECT_GE(counts.preRollImages, 40) << encoding;
+    EXPECT_GE(counts.preRollImageCount, 40) << encoding;
     EXPECT_GE(counts.images, 75) << encoding;
-    EXPECT_EQ(counts.dropped, 0) << encoding;
+    EXPECT_EQ(counts.droppedImageCount, 0) << encoding;
     EXPECT_NEAR(counts.framesPerSecond, 30.0, 0.3) << encoding; // no hole at the start
     cv::VideoCapture video(folder / "left.mkv", cv::CAP_FFMPEG);
     std::int64_t images = 0;

@@ -37,7 +37,7 @@ void expectSamePixels(const std::string& location, RawStorage raw) {
     }
   }
   recording.stop();
-  EXPECT_FALSE(recording.counts().isChanged) << location;
+  EXPECT_FALSE(recording.counts().arePixelsChanged) << location;
   const std::vector<std::int64_t> stamps = recording.stamps();
   ASSERT_EQ(std::ssize(stamps), recording.counts().images) << location;
   auto stored = StoredStream::open(folder / "left.mkv", "camera 'left'");
@@ -83,7 +83,7 @@ TEST(StoredStream, RawImagesStoredAsJpegAreReportedAsChanged) {
   while (recording.counts().images < 3 && StoredClock::now() < deadline && stream->grab()) {
   }
   recording.stop();
-  EXPECT_TRUE(recording.counts().isChanged);
+  EXPECT_TRUE(recording.counts().arePixelsChanged);
 }
 
 TEST(StoredStream, AFileThatIsNotThereIsNamed) {

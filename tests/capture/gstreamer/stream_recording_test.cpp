@@ -119,7 +119,7 @@ TEST(StreamRecording, OpensAsARecordingWithItsTimes) {
     const RecordedCounts counts = recording.counts();
     EXPECT_FALSE(counts.problem) << sentence(*counts.problem);
     EXPECT_GE(counts.images, 40) << encoding;
-    EXPECT_EQ(counts.dropped, 0) << encoding;
+    EXPECT_EQ(counts.droppedImageCount, 0) << encoding;
     EXPECT_NEAR(counts.framesPerSecond, 30.0, 0.1);
     EXPECT_EQ(counts.origin, TimeOrigin::Driver);
     EXPECT_GT(counts.bytes, 1000);
@@ -207,7 +207,7 @@ TEST(StreamRecording, LosslessImagesKeepEachColor) {
   }
   EXPECT_EQ(waitForImages(recording, 5).images, 5);
   recording.stop();
-  EXPECT_FALSE(recording.counts().isChanged);
+  EXPECT_FALSE(recording.counts().arePixelsChanged);
   cv::VideoCapture video(folder / "left.mkv", cv::CAP_FFMPEG);
   for (const cv::Mat& image : sent) {
     cv::Mat read;
@@ -305,14 +305,14 @@ TEST(StreamRecording, AChangedFormatIsReportedAndKeepsTheFile) {
   waitForImages(recording, 5);
   small.feed->disconnect();
   large.feed->connect(pass);
-  EXPECT_TRUE(
-      waitUntil([&] { return recording.counts().problem && recording.counts().dropped > 0; }));
+  EXPECT_TRUE(waitUntil(
+      [&] { return recording.counts().problem && recording.counts().droppedImageCount > 0; }));
   large.feed->disconnect();
   small.feed->connect(pass);
   const auto before = recording.counts();
   ASSERT_TRUE(before.problem);
   EXPECT_NE(before.problem->detail.find("320 x 240"), std::string::npos);
-  EXPECT_GT(before.dropped, 0);
+  EXPECT_GT(before.droppedImageCount, 0);
   waitForImages(recording, before.images + 5);
   small.feed->disconnect();
   recording.stop();

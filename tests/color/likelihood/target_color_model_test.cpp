@@ -139,7 +139,7 @@ TEST(TargetColorModel, OtherLightIsTheTargetToo) {
   for (const BgrColor& color :
        {BgrColor{20, 20, 100}, BgrColor{32, 32, 160}, BgrColor{50, 50, 250}, BgrColor{56, 56, 168},
         BgrColor{40, 56, 192}, BgrColor{56, 40, 192}}) {
-    EXPECT_GT(nats(table, color), TargetColorModel::kPrior)
+    EXPECT_GT(nats(table, color), TargetColorModel::kPriorLogRatio)
         << int(color[1]) << ' ' << int(color[2]);
   }
   EXPECT_LT(nats(table, kGray), 0.0);

@@ -23,7 +23,7 @@ TEST(PositionKalmanFilter, FirstUpdateByHand) {
 
 TEST(PositionKalmanFilter, PredictsThroughGapsAndThenForgets) {
   PositionKalmanFilter point;
-  EXPECT_FALSE(point.started());
+  EXPECT_FALSE(point.isStarted());
   for (int k = 0; k < 30; ++k) { // 1 m/s along x, at 30 frames/s
     point.predict(1.0 / 30.0);
     point.update({k / 30.0, 0, 0}, kSmall);
@@ -31,10 +31,10 @@ TEST(PositionKalmanFilter, PredictsThroughGapsAndThenForgets) {
   for (int k = 30; k < 44; ++k) { // the 14 frames up to 0.47 s are within the half second
     point.predict(1.0 / 30.0);
   }
-  ASSERT_TRUE(point.started());
+  ASSERT_TRUE(point.isStarted());
   EXPECT_NEAR(point.position().x(), 43.0 / 30.0, 0.01);
   point.predict(1.0 / 15.0); // 0.53 s
-  EXPECT_FALSE(point.started());
+  EXPECT_FALSE(point.isStarted());
 }
 
 TEST(PositionKalmanFilter, RefusesOutliersButBelievesTheThird) {

@@ -50,7 +50,7 @@ TEST(BoxFollower, OursAndTheTrackersOfOpenCvFollowAPlainDisc) {
     if (name == "kcf-box") {
       continue; // it does not follow a disc that changes its background
     }
-    auto follower = makeFollower(name, 300, 5);
+    auto follower = makeFollowerByName(name, 300, 5);
     ASSERT_TRUE(follower) << name;
     const double worst = worstErrorOf(**follower);
     EXPECT_GE(worst, 0.0) << name << " has lost it";
@@ -59,13 +59,13 @@ TEST(BoxFollower, OursAndTheTrackersOfOpenCvFollowAPlainDisc) {
 }
 
 TEST(BoxFollower, OursStateHowSureTheyAreAndOpenCvsDoNot) {
-  auto ours = makeBoxFollower("histogram", 100, 3);
+  auto ours = makeDewpointFollower("histogram", 100, 3);
   ASSERT_TRUE(ours);
   worstErrorOf(**ours);
   ASSERT_TRUE((*ours)->confidence());
   EXPECT_GT((*ours)->confidence()->similarity, 0.5);
   EXPECT_TRUE((*ours)->confidence()->visible);
-  for (const std::string& name : openCvFollowers()) {
+  for (const std::string& name : openCvFollowerNames()) {
     const auto peer = makeOpenCvFollower(name);
     ASSERT_NE(peer, nullptr) << name;
     worstErrorOf(*peer);
@@ -74,8 +74,8 @@ TEST(BoxFollower, OursStateHowSureTheyAreAndOpenCvsDoNot) {
 }
 
 TEST(BoxFollower, TheSameSeedGivesTheSameBoxes) {
-  auto one = makeBoxFollower("sugandi", 100, 3);
-  auto other = makeBoxFollower("sugandi", 100, 3);
+  auto one = makeDewpointFollower("sugandi", 100, 3);
+  auto other = makeDewpointFollower("sugandi", 100, 3);
   ASSERT_TRUE((*one)->start(imageAt(0), boxAt(0)));
   ASSERT_TRUE((*other)->start(imageAt(0), boxAt(0)));
   for (int frame = 1; frame < 10; ++frame) {
@@ -84,7 +84,7 @@ TEST(BoxFollower, TheSameSeedGivesTheSameBoxes) {
 }
 
 TEST(BoxFollower, AnUnknownNameIsNotFound) {
-  const auto unknown = makeFollower("medianflow-box", 100, 1);
+  const auto unknown = makeFollowerByName("medianflow-box", 100, 1);
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().code, ErrorCode::NotFound);
 }

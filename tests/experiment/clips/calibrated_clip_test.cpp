@@ -14,7 +14,7 @@ const auto kNeverStop = [] { return false; };
 
 TEST(CalibratedClip, BecomesARunWithTheTruthOfItsInstants) {
   const test::TemporaryFolder folder;
-  const auto run = clipRun(test::makeSmallClip(folder), 7);
+  const auto run = makeClipRun(test::makeSmallClip(folder), 7);
   ASSERT_TRUE(run) << sentence(run.error());
   EXPECT_EQ(run->grade, Grade::Real);
   EXPECT_EQ(run->frameCount, 10); // frames 2 to 11
@@ -22,11 +22,11 @@ TEST(CalibratedClip, BecomesARunWithTheTruthOfItsInstants) {
   ASSERT_EQ(run->truth.samples.size(), 5U);
   EXPECT_EQ(run->truth.samples[1].target, "disk");
   EXPECT_NEAR(run->truth.samples[1].time, 2.0 / 30.0, 1e-12) << "from the first instant on";
-  ASSERT_EQ(run->marks.size(), 10U) << "the projections into both cameras";
+  ASSERT_EQ(run->markedCenters.size(), 10U) << "the projections into both cameras";
   // x = -0.03 m, 1 m away: 200 * (-0.03 + 0.1) + 80 = 94, and 40 pixels less in the other camera.
-  EXPECT_NEAR(run->marks[0].pixel.x(), 94.0, 1e-9);
-  EXPECT_NEAR(run->marks[0].pixel.y(), 64.0, 1e-9);
-  EXPECT_NEAR(run->marks[5].pixel.x(), 54.0, 1e-9);
+  EXPECT_NEAR(run->markedCenters[0].pixel.x(), 94.0, 1e-9);
+  EXPECT_NEAR(run->markedCenters[0].pixel.y(), 64.0, 1e-9);
+  EXPECT_NEAR(run->markedCenters[5].pixel.x(), 54.0, 1e-9);
   const auto frames = run->frames(3);
   EXPECT_EQ(frames->index, 3);
   EXPECT_EQ(frames->time, timeStamp(5.0 / 30.0 - 2.0 / 30.0));
@@ -37,7 +37,7 @@ TEST(CalibratedClip, BecomesARunWithTheTruthOfItsInstants) {
 
 TEST(CalibratedClip, LearnsTheColorOfTheClick) {
   const test::TemporaryFolder folder;
-  const auto run = clipRun(test::makeSmallClip(folder), 1);
+  const auto run = makeClipRun(test::makeSmallClip(folder), 1);
   ASSERT_TRUE(run) << sentence(run.error());
   ASSERT_EQ(run->targets.size(), 1U);
   ASSERT_EQ(run->targets[0].samples.size(), 2U); // what was clicked, and what was found
@@ -51,9 +51,9 @@ TEST(CalibratedClip, LearnsTheColorOfTheClick) {
 TEST(CalibratedClip, StartsAroundTheFirstPositionAsTheSeedDraws) {
   const test::TemporaryFolder folder;
   const auto clip = test::makeSmallClip(folder);
-  const auto one = clipRun(clip, 1);
-  const auto again = clipRun(clip, 1);
-  const auto other = clipRun(clip, 2);
+  const auto one = makeClipRun(clip, 1);
+  const auto again = makeClipRun(clip, 1);
+  const auto other = makeClipRun(clip, 2);
   ASSERT_TRUE(one && again && other);
   EXPECT_EQ(one->startCenter, again->startCenter);
   EXPECT_NE(one->startCenter, other->startCenter);
@@ -66,12 +66,12 @@ TEST(CalibratedClip, RefusesFilesThatDoNotFit) {
   const test::TemporaryFolder folder;
   auto clip = test::makeSmallClip(folder);
   clip.rig[1].intrinsics.width = 320;
-  EXPECT_EQ(clipRun(clip, 1).error().code, ErrorCode::Mismatch);
+  EXPECT_EQ(makeClipRun(clip, 1).error().code, ErrorCode::Mismatch);
   clip = test::makeSmallClip(folder);
   clip.instants = simultaneousInstants(0, test::kSmallClipFrames + 1, 2, 30.0);
-  EXPECT_EQ(clipRun(clip, 1).error().code, ErrorCode::EndedEarly);
+  EXPECT_EQ(makeClipRun(clip, 1).error().code, ErrorCode::EndedEarly);
   clip.cameras[0] = folder / "none.mp4";
-  EXPECT_EQ(clipRun(clip, 1).error().code, ErrorCode::FileMissing);
+  EXPECT_EQ(makeClipRun(clip, 1).error().code, ErrorCode::FileMissing);
 }
 
 TEST(CalibratedClip, FindsWhereMarksMeet) {
@@ -79,11 +79,11 @@ TEST(CalibratedClip, FindsWhereMarksMeet) {
   // The projections of (0, 0.02, 1): 100 and 60 px, as in the comment of smallClipPosition().
   const std::vector<MarkedCenter> marks{
       {4, 1, 0, {100.0, 64.0}}, {4, 1, 1, {60.0, 64.0}}, {5, 1, 0, {0.0, 0.0}}};
-  const auto position = positionOfMarks(rig, marks, 4, 1);
+  const auto position = triangulateMarks(rig, marks, 4, 1);
   ASSERT_TRUE(position.has_value());
   EXPECT_LT((*position - Eigen::Vector3d(0.0, 0.02, 1.0)).norm(), 1e-9);
-  EXPECT_FALSE(positionOfMarks(rig, marks, 5, 1).has_value()) << "one mark alone";
-  EXPECT_FALSE(positionOfMarks(rig, marks, 4, 0).has_value()) << "another target";
+  EXPECT_FALSE(triangulateMarks(rig, marks, 5, 1).has_value()) << "one mark alone";
+  EXPECT_FALSE(triangulateMarks(rig, marks, 4, 0).has_value()) << "another target";
 }
 
 /// A clip as a scenario of the suite.
@@ -93,7 +93,7 @@ ScenarioDeclaration scenarioWith(const CalibratedClip& clip) {
   scenario.family = "R1";
   scenario.seeds = 1;
   scenario.recorded = true;
-  scenario.make = [clip](std::uint64_t seed, Grade) { return clipRun(clip, seed); };
+  scenario.make = [clip](std::uint64_t seed, Grade) { return makeClipRun(clip, seed); };
   return scenario;
 }
 
@@ -136,10 +136,10 @@ TEST(CalibratedClip, IsMeasuredInPixelsWithoutPositions) {
   CalibratedClip clip = test::makeSmallClip(folder);
   for (std::int64_t instant = 0; instant < 10; ++instant) { // marked 3 px beside the disk
     const double x = 94.0 + 2.0 * static_cast<double>(instant);
-    clip.marks.push_back({instant, 0, 0, {x, 67.0}});
+    clip.markedCenters.push_back({instant, 0, 0, {x, 67.0}});
   }
   clip.positions.clear();
-  clip.starts = {test::smallClipPosition(2)};
+  clip.startPositions = {test::smallClipPosition(2)};
   const SuiteRow row = rowOfTriangulation(clip);
   EXPECT_EQ(row.frames, 10.0);
   EXPECT_FALSE(row.rmseMm.has_value());

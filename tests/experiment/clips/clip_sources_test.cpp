@@ -27,7 +27,7 @@ TEST(HandClip, HasFortyMarkedFramesThatAgreeWithTheirPositions) {
   ASSERT_TRUE(clip) << sentence(clip.error());
   ASSERT_EQ(clip->rig.size(), 2U);
   EXPECT_EQ(clip->positions.size(), 40U); // bench/clips/README.md
-  EXPECT_EQ(clip->marks.size(), 80U);
+  EXPECT_EQ(clip->markedCenters.size(), 80U);
   EXPECT_EQ(clip->instants.size(), 352U); // frames 12 to 363
   EXPECT_EQ(clip->instants.front().frames, (std::vector<std::int64_t>{12, 12}));
   EXPECT_EQ(clip->targets.front().click.frame, 9) << "frame 21";
@@ -36,7 +36,7 @@ TEST(HandClip, HasFortyMarkedFramesThatAgreeWithTheirPositions) {
   for (std::size_t k = 0; k < clip->positions.size(); ++k) {
     double sum = 0.0;
     for (std::size_t camera = 0; camera < 2; ++camera) {
-      const MarkedCenter& mark = clip->marks[2 * k + camera];
+      const MarkedCenter& mark = clip->markedCenters[2 * k + camera];
       EXPECT_EQ(mark.frame, clip->positions[k].instant);
       const auto pixel = Projector(clip->rig[camera]).project(clip->positions[k].position);
       ASSERT_TRUE(pixel.has_value());
@@ -98,12 +98,12 @@ TEST(BandsClip, HasThreeBandsInEveryFrame) {
   const auto clip = bandsClip(folders());
   ASSERT_TRUE(clip) << sentence(clip.error());
   EXPECT_EQ(clip->instants.size(), 163U); // README of the recording
-  EXPECT_EQ(clip->marks.size(), 163U * 3U * 2U);
-  ASSERT_EQ(clip->starts.size(), 3U);
+  EXPECT_EQ(clip->markedCenters.size(), 163U * 3U * 2U);
+  ASSERT_EQ(clip->startPositions.size(), 3U);
   // Worked from the file by the midpoint of the two rays, in baselines and the left camera's axes:
   // the yellow band is at (-0.309, 1.066, 8.113) in the first frame.
   const Eigen::Vector3d yellow = kBandBaseline * Eigen::Vector3d(-0.309, 8.113, -1.066);
-  EXPECT_LT((clip->starts[0] - yellow).norm(), 0.005);
+  EXPECT_LT((clip->startPositions[0] - yellow).norm(), 0.005);
   EXPECT_NEAR((clip->rig[0].center() - clip->rig[1].center()).norm(), kBandBaseline, 1e-9);
 }
 

@@ -15,7 +15,7 @@ TEST(ClipTable, GivesTheColumnsThatAreRequested) {
   const auto table = readClipTable(folder / "t.csv", {"v", "frame"}, "color");
   ASSERT_TRUE(table) << sentence(table.error());
   EXPECT_EQ(table->rows, (std::vector<std::vector<double>>{{-2.0, 3.0}, {8.0, 4.0}}));
-  EXPECT_EQ(table->words, (std::vector<std::string>{"red", "blue"}));
+  EXPECT_EQ(table->wordCells, (std::vector<std::string>{"red", "blue"}));
 }
 
 TEST(ClipTable, NamesWhatIsWrong) {

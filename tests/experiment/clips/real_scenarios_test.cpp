@@ -26,10 +26,10 @@ TEST(ClipCatalog, HasCompleteRows) {
     EXPECT_TRUE(clip.name.starts_with(clip.calibrated ? "R1-" : "R2-")) << clip.name;
     EXPECT_NE(clip.calibrated == nullptr, clip.images == nullptr) << clip.name;
     for (const std::string& text :
-         {clip.recording, clip.sentence, clip.start, clip.truth, clip.tuned}) {
+         {clip.recording, clip.description, clip.start, clip.truth, clip.tuningNote}) {
       EXPECT_FALSE(text.empty()) << clip.name;
     }
-    EXPECT_TRUE(clip.sentence.ends_with('.') && clip.start.ends_with('.')) << clip.name;
+    EXPECT_TRUE(clip.description.ends_with('.') && clip.start.ends_with('.')) << clip.name;
     EXPECT_GT(clip.truthSigma, 0.0) << clip.name;
     EXPECT_GT(clip.seeds, 0) << clip.name;
     EXPECT_EQ(clip.name.find(','), std::string::npos) << "the name is a cell of runs.csv";
@@ -65,14 +65,14 @@ TEST(RealScenarios, SayWhatIsSkippedByName) {
   EXPECT_EQ(real.scenarios.size() + real.skipped.size(), clipCatalog().size());
   const auto hand = std::ranges::find(real.skipped, "R1-hand", &SkippedClip::name);
   ASSERT_NE(hand, real.skipped.end());
-  EXPECT_TRUE(hand->sentence.starts_with("R1-hand is skipped: ")) << hand->sentence;
-  EXPECT_NE(hand->sentence.find("hand2_desk"), std::string::npos) << hand->sentence;
+  EXPECT_TRUE(hand->description.starts_with("R1-hand is skipped: ")) << hand->description;
+  EXPECT_NE(hand->description.find("hand2_desk"), std::string::npos) << hand->description;
 
   fs::create_directories(folder / "hand2_desk");
   const auto more = realScenarios({folder / "", folder / "no truth"}, clipCatalog());
   const auto again = std::ranges::find(more.skipped, "R1-hand", &SkippedClip::name);
   ASSERT_NE(again, more.skipped.end()) << "its truth is missing as well";
-  EXPECT_NE(again->sentence.find("no truth"), std::string::npos) << again->sentence;
+  EXPECT_NE(again->description.find("no truth"), std::string::npos) << again->description;
 
   const auto none = realScenarios({}, clipCatalog());
   EXPECT_TRUE(none.scenarios.empty());
@@ -89,8 +89,8 @@ TEST(RealScenarios, AreOfOneGradeAndSayWhatWasTuned) {
   EXPECT_EQ(red.family, "R2");
   EXPECT_TRUE(red.recorded);
   ASSERT_TRUE(red.clip);
-  EXPECT_NE(red.sentence.find("Tuned on: yes ("), std::string::npos) << red.sentence;
-  EXPECT_NE(red.sentence.find("±3 px"), std::string::npos) << red.sentence;
+  EXPECT_NE(red.description.find("Tuned on: yes ("), std::string::npos) << red.description;
+  EXPECT_NE(red.description.find("±3 px"), std::string::npos) << red.description;
   EXPECT_FALSE(red.clip()) << "the folder is there, but empty: an error, no skipped clip";
 }
 

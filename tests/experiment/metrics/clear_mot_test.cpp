@@ -78,7 +78,7 @@ TEST(ClearMot, AnAbsentTruthIsNoGap) {
   std::vector<TrackFrame> frames = withGap(10);
   frames[2].truth.clear();
   const ClearMot result = clearMot(frames, kMotGate);
-  EXPECT_EQ(result.truths, 4);
+  EXPECT_EQ(result.truthCount, 4);
   EXPECT_EQ(result.misses, 0);
   EXPECT_EQ(result.fragmentations, 0);
   EXPECT_DOUBLE_EQ(result.mota(), 1.0);

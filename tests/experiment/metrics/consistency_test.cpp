@@ -60,10 +60,10 @@ TEST(Consistency, HandWorked) {
   EXPECT_DOUBLE_EQ(result.axisNees[0], 5.0);
   EXPECT_DOUBLE_EQ(result.axisNees[1], 0.5);
   EXPECT_DOUBLE_EQ(result.axisNees[2], 0.5);
-  EXPECT_NEAR(result.axisBounds.low, -std::log(0.975), 1e-11);
-  EXPECT_NEAR(result.axisBounds.high, -std::log(0.025), 1e-11);
-  EXPECT_EQ(result.inside.count, 1);
-  EXPECT_EQ(result.inside.total, 2);
+  EXPECT_NEAR(result.axisNeesBounds.low, -std::log(0.975), 1e-11);
+  EXPECT_NEAR(result.axisNeesBounds.high, -std::log(0.025), 1e-11);
+  EXPECT_EQ(result.coverage95.count, 1);
+  EXPECT_EQ(result.coverage95.total, 2);
 }
 
 // Covariance [[2, 1], [1, 2]] in x and y has the inverse [[2, -1], [-1, 2]] / 3: error (1, 1, 0)
@@ -83,10 +83,10 @@ TEST(Consistency, CountsBothEllipsoids) {
                                        sampleOf({0.0, 2.0, 0.0}, unit),
                                        sampleOf({0.0, 0.0, 3.0}, unit)};
   const Consistency result = consistency(errors);
-  EXPECT_EQ(result.inside50.count, 1);
-  EXPECT_EQ(result.inside50.total, 3);
-  EXPECT_EQ(result.inside.count, 2);
-  EXPECT_EQ(result.inside.total, 3);
+  EXPECT_EQ(result.coverage50.count, 1);
+  EXPECT_EQ(result.coverage50.total, 3);
+  EXPECT_EQ(result.coverage95.count, 2);
+  EXPECT_EQ(result.coverage95.total, 3);
 }
 
 TEST(Consistency, UnusableSamplesCountAsOutside) {
@@ -95,16 +95,16 @@ TEST(Consistency, UnusableSamplesCountAsOutside) {
       sampleOf(error, {1.0, 1.0, 1.0}), sampleOf(error, {0.0, 0.0, 0.0}),
       sampleOf(error, {1.0, -1.0, 1.0}), sampleOf({kNotANumber, 0.0, 0.0}, {1.0, 1.0, 1.0})};
   const Consistency result = consistency(errors);
-  EXPECT_EQ(result.unusable, 3);
+  EXPECT_EQ(result.unusableCount, 3);
   EXPECT_NEAR(result.nees.value, 0.01, 1e-15);
-  EXPECT_EQ(result.inside.count, 1);
-  EXPECT_EQ(result.inside.total, 4);
-  EXPECT_EQ(result.inside50.count, 1);
-  EXPECT_EQ(result.inside50.total, 4);
+  EXPECT_EQ(result.coverage95.count, 1);
+  EXPECT_EQ(result.coverage95.total, 4);
+  EXPECT_EQ(result.coverage50.count, 1);
+  EXPECT_EQ(result.coverage50.total, 4);
   const Consistency none = consistency({});
   EXPECT_TRUE(std::isnan(none.nees.value));
-  EXPECT_TRUE(std::isnan(none.inside.value()));
-  EXPECT_TRUE(std::isnan(none.inside50.value()));
+  EXPECT_TRUE(std::isnan(none.coverage95.value()));
+  EXPECT_TRUE(std::isnan(none.coverage50.value()));
 }
 
 // Errors drawn from the stated covariance, 4,000 of them, seed 3: consistent at the 99.9 % level,
@@ -120,10 +120,10 @@ TEST(Consistency, TrueCovariancesPass) {
   const Consistency result = consistency(errors, 0.999);
   EXPECT_GT(result.nees.value, result.nees.low);
   EXPECT_LT(result.nees.value, result.nees.high);
-  EXPECT_GT(result.axisNees.minCoeff(), result.axisBounds.low);
-  EXPECT_LT(result.axisNees.maxCoeff(), result.axisBounds.high);
-  EXPECT_NEAR(result.inside.value(), 0.95, 0.014);
-  EXPECT_NEAR(result.inside50.value(), 0.5, 0.032) << "4 sqrt(0.5 * 0.5 / 4000)";
+  EXPECT_GT(result.axisNees.minCoeff(), result.axisNeesBounds.low);
+  EXPECT_LT(result.axisNees.maxCoeff(), result.axisNeesBounds.high);
+  EXPECT_NEAR(result.coverage95.value(), 0.95, 0.014);
+  EXPECT_NEAR(result.coverage50.value(), 0.5, 0.032) << "4 sqrt(0.5 * 0.5 / 4000)";
 }
 
 } // namespace

@@ -32,8 +32,8 @@ TEST(ErrorSplit, HandWorked) {
   EXPECT_DOUBLE_EQ(split.cameras[0].acrossAxisBias, 2.0);
   EXPECT_DOUBLE_EQ(split.cameras[0].alongAxisRms, std::sqrt(5.0));
   EXPECT_DOUBLE_EQ(split.cameras[0].acrossAxisRms, std::sqrt(8.0));
-  ASSERT_TRUE(split.meanView.has_value());
-  EXPECT_DOUBLE_EQ(split.meanView->alongAxisRms, std::sqrt(5.0)); // of one camera: its own axis
+  ASSERT_TRUE(split.meanViewBias.has_value());
+  EXPECT_DOUBLE_EQ(split.meanViewBias->alongAxisRms, std::sqrt(5.0)); // of one camera: its own axis
 }
 
 // Cameras along x and y see along (1, 1, 0) / sqrt(2) on average: error (1, 1, 1) is sqrt(2) deep
@@ -41,17 +41,17 @@ TEST(ErrorSplit, HandWorked) {
 TEST(ErrorSplit, MeanViewOfTwoCameras) {
   const ErrorSplit split = splitErrors(
       {{1.0, 1.0, 1.0}}, {{"x", kOrigin, {1.0, 0.0, 0.0}}, {"y", kOrigin, {0.0, 1.0, 0.0}}});
-  ASSERT_TRUE(split.meanView.has_value());
-  EXPECT_NEAR(split.meanView->alongAxisBias, std::sqrt(2.0), 1e-15);
-  EXPECT_NEAR(split.meanView->acrossAxisRms, 1.0, 1e-15);
+  ASSERT_TRUE(split.meanViewBias.has_value());
+  EXPECT_NEAR(split.meanViewBias->alongAxisBias, std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(split.meanViewBias->acrossAxisRms, 1.0, 1e-15);
 }
 
 TEST(ErrorSplit, CamerasFaceToFaceHaveNoMeanView) {
   const std::vector<TrajectoryCamera> cameras{{"x", kOrigin, {1.0, 0.0, 0.0}},
                                               {"y", kOrigin, {-1.0, 0.0, 0.0}}};
-  EXPECT_FALSE(splitErrors({{1.0, 0.0, 0.0}}, cameras).meanView.has_value());
+  EXPECT_FALSE(splitErrors({{1.0, 0.0, 0.0}}, cameras).meanViewBias.has_value());
   EXPECT_EQ(splitErrors({{1.0, 0.0, 0.0}}, cameras).cameras.size(), 2U);
-  EXPECT_FALSE(splitErrors({{1.0, 0.0, 0.0}}, {}).meanView.has_value());
+  EXPECT_FALSE(splitErrors({{1.0, 0.0, 0.0}}, {}).meanViewBias.has_value());
 }
 
 TEST(ErrorSplit, ErrorsThatAreNoNumbersAreLeftOut) {

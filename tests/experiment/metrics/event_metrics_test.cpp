@@ -98,10 +98,10 @@ TEST(EventMetrics, InvisibleFramesAreNotLost) {
 
 // w, n and g are false alarms; undeclared frames are not.
 TEST(EventMetrics, FalseAlarms) {
-  const Proportion alarms = falseAlarmFrames(story("ffwnufag"), kEventGate);
+  const Proportion alarms = falseAlarmFrameShare(story("ffwnufag"), kEventGate);
   EXPECT_EQ(alarms.count, 3);
   EXPECT_EQ(alarms.total, 8);
-  EXPECT_EQ(falseAlarmFrames({}, kEventGate).total, 0);
+  EXPECT_EQ(falseAlarmFrameShare({}, kEventGate).total, 0);
 }
 
 // Any truth will do: an estimate that swapped to the neighbor is no false alarm. A frame counts
@@ -110,7 +110,7 @@ TEST(EventMetrics, FalseAlarmsLookAtAllTruths) {
   const std::vector<TrackFrame> frames{
       frameOnAxis({{1, 0.0}, {2, 5.0}}, {{7, 5.01}, {8, 5.02}}),
       frameOnAxis({{1, 0.0}, {2, 5.0}}, {{7, 0.0}, {8, 2.0}, {9, 3.0}})};
-  EXPECT_EQ(falseAlarmFrames(frames, kEventGate).count, 1);
+  EXPECT_EQ(falseAlarmFrameShare(frames, kEventGate).count, 1);
 }
 
 } // namespace

@@ -21,8 +21,8 @@ TEST(ExtentErrors, NearIsWithinAQuarterOfTheHalfExtent) {
   const std::vector<ExtentSample> samples{sampleOff(0.04), sampleOff(0.05), sampleOff(0.06),
                                           sampleOff(0.3), silent};
   const ExtentErrors errors = extentErrors(samples);
-  EXPECT_EQ(errors.near.count, 2);
-  EXPECT_EQ(errors.near.total, 5) << "what is not declared is not near";
+  EXPECT_EQ(errors.nearProportion.count, 2);
+  EXPECT_EQ(errors.nearProportion.total, 5) << "what is not declared is not near";
   EXPECT_NEAR(errors.centroid, (0.25 + 0.3) / 2.0, 1e-12) << "0.2, 0.25, 0.3 and 1.5";
   EXPECT_TRUE(std::isnan(errors.size)) << "nobody estimates it";
 }
@@ -36,13 +36,13 @@ TEST(ExtentErrors, CountSizesTooLargeAndTooSmallAlike) {
 }
 
 TEST(ExtentErrors, NothingUsableIsLeftOut) {
-  EXPECT_TRUE(std::isnan(extentErrors({}).near.value()));
+  EXPECT_TRUE(std::isnan(extentErrors({}).nearProportion.value()));
   EXPECT_TRUE(std::isnan(extentErrors({}).centroid));
   std::vector<ExtentSample> samples{sampleOff(std::numeric_limits<double>::quiet_NaN()),
                                     {0.0, 0.0, 0.0, 0.1}};
   const ExtentErrors errors = extentErrors(samples);
-  EXPECT_EQ(errors.near.count, 0);
-  EXPECT_EQ(errors.near.total, 2);
+  EXPECT_EQ(errors.nearProportion.count, 0);
+  EXPECT_EQ(errors.nearProportion.total, 2);
   EXPECT_TRUE(std::isnan(errors.centroid));
   EXPECT_TRUE(std::isnan(errors.size));
 }

@@ -15,7 +15,7 @@ const GospaSetup kUnit{1.0, 2.0}; // cutoff 1 m, p = 2: a missed or false target
 TEST(Gospa, EmptySetsAreEqual) {
   const Gospa result = gospa(frameOnAxis({}, {}), kUnit);
   EXPECT_EQ(result.distance, 0.0);
-  EXPECT_EQ(result.missedCount + result.falseCount, 0);
+  EXPECT_EQ(result.missedTargetCount + result.falseTargetCount, 0);
 }
 
 // One pair 0.3 apart, one truth missed: 0.09 + 1/2 = 0.59.
@@ -24,7 +24,7 @@ TEST(Gospa, OneFoundOneMissed) {
   EXPECT_NEAR(result.localization, 0.09, 1e-15);
   EXPECT_EQ(result.missed, 0.5);
   EXPECT_EQ(result.falseTargets, 0.0);
-  EXPECT_EQ(result.missedCount, 1);
+  EXPECT_EQ(result.missedTargetCount, 1);
   EXPECT_NEAR(result.distance, std::sqrt(0.59), 1e-15);
 }
 
@@ -33,7 +33,7 @@ TEST(Gospa, OneFoundOneMissed) {
 TEST(Gospa, UnbalancedTowardsFalse) {
   const Gospa result = gospa(frameOnAxis({{1, 0.0}}, {{1, 0.3}, {2, -0.1}, {3, 5.0}}), kUnit);
   EXPECT_NEAR(result.localization, 0.01, 1e-15);
-  EXPECT_EQ(result.falseCount, 2);
+  EXPECT_EQ(result.falseTargetCount, 2);
   EXPECT_EQ(result.falseTargets, 1.0);
   EXPECT_NEAR(result.distance, std::sqrt(1.01), 1e-15);
 }
@@ -44,8 +44,8 @@ TEST(Gospa, BeyondTheCutoffIsMissedAndFalse) {
     const Gospa result = gospa(frameOnAxis({{1, 0.0}}, {{1, x}}), kUnit);
     EXPECT_EQ(result.distance, 1.0);
     EXPECT_EQ(result.localization, 0.0);
-    EXPECT_EQ(result.missedCount, 1);
-    EXPECT_EQ(result.falseCount, 1);
+    EXPECT_EQ(result.missedTargetCount, 1);
+    EXPECT_EQ(result.falseTargetCount, 1);
   }
 }
 
@@ -64,8 +64,8 @@ TEST(Gospa, OrderOne) {
 
 TEST(Gospa, AnEstimateThatIsNoNumberIsFalseAndItsTruthMissed) {
   const Gospa result = gospa(frameOnAxis({{1, 0.0}}, {{1, kNotANumber}}), kUnit);
-  EXPECT_EQ(result.missedCount, 1);
-  EXPECT_EQ(result.falseCount, 1);
+  EXPECT_EQ(result.missedTargetCount, 1);
+  EXPECT_EQ(result.falseTargetCount, 1);
   EXPECT_EQ(result.distance, 1.0); // sqrt(1/2 + 1/2)
 }
 
@@ -76,11 +76,11 @@ TEST(Gospa, Averages) {
                                        frameOnAxis({{1, 0.0}}, {})};
   const GospaAverage result = averageGospa(frames, kUnit);
   EXPECT_NEAR(result.mean, (0.3 + std::sqrt(0.5)) / 2.0, 1e-15);
-  EXPECT_NEAR(result.rootMean, std::sqrt(0.295), 1e-15);
+  EXPECT_NEAR(result.powerMean, std::sqrt(0.295), 1e-15);
   EXPECT_NEAR(result.localization, 0.045, 1e-15);
   EXPECT_EQ(result.missed, 0.25);
   EXPECT_EQ(result.missedPerFrame, 0.5);
-  EXPECT_EQ(result.falsePerFrame, 0.0);
+  EXPECT_EQ(result.falseTargetsPerFrame, 0.0);
   EXPECT_EQ(averageGospa({}, kUnit).mean, 0.0);
 }
 

@@ -17,9 +17,9 @@ TEST(Hota, PerfectIsOne) {
                                        frameOnAxis({{1, 0.1}, {2, 0.9}}, {{7, 0.1}, {8, 0.9}})};
   const Hota result = hota(frames, kHotaGate);
   EXPECT_DOUBLE_EQ(result.hota, 1.0);
-  EXPECT_DOUBLE_EQ(result.detection, 1.0);
-  EXPECT_DOUBLE_EQ(result.association, 1.0);
-  EXPECT_DOUBLE_EQ(result.localization, 1.0);
+  EXPECT_DOUBLE_EQ(result.detectionAccuracy, 1.0);
+  EXPECT_DOUBLE_EQ(result.associationAccuracy, 1.0);
+  EXPECT_DOUBLE_EQ(result.localizationAccuracy, 1.0);
 }
 
 // Four frames, one truth: estimate 10 on it (similarity 1) twice, then estimate 11 at 0.05
@@ -36,15 +36,15 @@ TEST(Hota, FourFramesByHand) {
   EXPECT_EQ(result.thresholds[9].threshold, 0.5);
   EXPECT_EQ(result.thresholds[9].matches, 4);
   EXPECT_DOUBLE_EQ(result.thresholds[9].hota, std::sqrt(0.5));
-  EXPECT_DOUBLE_EQ(result.thresholds[9].localization, 0.75);
+  EXPECT_DOUBLE_EQ(result.thresholds[9].localizationAccuracy, 0.75);
   EXPECT_EQ(result.thresholds[10].matches, 2);
   EXPECT_EQ(result.thresholds[10].misses, 2);
   EXPECT_EQ(result.thresholds[10].falsePositives, 2);
-  EXPECT_DOUBLE_EQ(result.thresholds[10].detection, 1.0 / 3.0);
-  EXPECT_DOUBLE_EQ(result.thresholds[10].association, 0.5);
-  EXPECT_NEAR(result.detection, (10.0 + 9.0 / 3.0) / 19.0, 1e-14);
-  EXPECT_NEAR(result.association, 0.5, 1e-14);
-  EXPECT_NEAR(result.localization, (10.0 * 0.75 + 9.0) / 19.0, 1e-14);
+  EXPECT_DOUBLE_EQ(result.thresholds[10].detectionAccuracy, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(result.thresholds[10].associationAccuracy, 0.5);
+  EXPECT_NEAR(result.detectionAccuracy, (10.0 + 9.0 / 3.0) / 19.0, 1e-14);
+  EXPECT_NEAR(result.associationAccuracy, 0.5, 1e-14);
+  EXPECT_NEAR(result.localizationAccuracy, (10.0 * 0.75 + 9.0) / 19.0, 1e-14);
   EXPECT_NEAR(result.hota, (10.0 * std::sqrt(0.5) + 9.0 * std::sqrt(1.0 / 6.0)) / 19.0, 1e-14);
 }
 
@@ -59,10 +59,10 @@ TEST(Hota, TheLongPartnershipIsPreferred) {
   frames.push_back(frameOnAxis({{1, 0.0}}, {{11, 0.04}, {10, 0.06}}));
   const Hota result = hota(frames, kHotaGate);
   EXPECT_EQ(result.thresholds[7].matches, 4);
-  EXPECT_DOUBLE_EQ(result.thresholds[7].detection, 0.8);
-  EXPECT_DOUBLE_EQ(result.thresholds[7].association, 1.0);
-  EXPECT_DOUBLE_EQ(result.thresholds[8].detection, 0.5);
-  EXPECT_DOUBLE_EQ(result.thresholds[8].association, 0.6);
+  EXPECT_DOUBLE_EQ(result.thresholds[7].detectionAccuracy, 0.8);
+  EXPECT_DOUBLE_EQ(result.thresholds[7].associationAccuracy, 1.0);
+  EXPECT_DOUBLE_EQ(result.thresholds[8].detectionAccuracy, 0.5);
+  EXPECT_DOUBLE_EQ(result.thresholds[8].associationAccuracy, 0.6);
   EXPECT_NEAR(result.hota, (8.0 * std::sqrt(0.8) + 11.0 * std::sqrt(0.3)) / 19.0, 1e-14);
 }
 
@@ -72,8 +72,8 @@ TEST(Hota, ASwapHalvesTheAssociationNotTheDetection) {
   const std::vector<TrackFrame> frames{frameOnAxis({{1, 0.0}, {2, 1.0}}, {{10, 0.0}, {11, 1.0}}),
                                        frameOnAxis({{1, 0.0}, {2, 1.0}}, {{11, 0.0}, {10, 1.0}})};
   const Hota result = hota(frames, kHotaGate);
-  EXPECT_DOUBLE_EQ(result.detection, 1.0);
-  EXPECT_NEAR(result.association, 1.0 / 3.0, 1e-15);
+  EXPECT_DOUBLE_EQ(result.detectionAccuracy, 1.0);
+  EXPECT_NEAR(result.associationAccuracy, 1.0 / 3.0, 1e-15);
   EXPECT_NEAR(result.hota, std::sqrt(1.0 / 3.0), 1e-15);
 }
 
@@ -81,7 +81,7 @@ TEST(Hota, NothingToJudge) {
   EXPECT_TRUE(std::isnan(hota({}, kHotaGate).hota));
   const Hota missed = hota(std::vector<TrackFrame>{frameOnAxis({{1, 0.0}}, {})}, kHotaGate);
   EXPECT_EQ(missed.hota, 0.0);
-  EXPECT_TRUE(std::isnan(missed.localization));
+  EXPECT_TRUE(std::isnan(missed.localizationAccuracy));
   EXPECT_EQ(hota(std::vector<TrackFrame>{frameOnAxis({}, {{1, 0.0}})}, kHotaGate).hota, 0.0);
 }
 

@@ -34,13 +34,13 @@ TEST(IdentityEvaluation, CountsSwitchesAndPlacesOnTheFloor) {
   const auto result = evaluateIdentities(estimate, truth, {0.5, true});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->frames, 4);
-  EXPECT_EQ(result->clear.truths, 8);
-  EXPECT_EQ(result->clear.matches, 8);
-  EXPECT_EQ(result->clear.identitySwitches, 2);
-  EXPECT_NEAR(result->clear.mota(), 1.0 - 2.0 / 8.0, 1e-12);
-  EXPECT_NEAR(result->clear.motp(), 0.05, 1e-12); // 0 and 0.1 m
+  EXPECT_EQ(result->clearMot.truthCount, 8);
+  EXPECT_EQ(result->clearMot.matches, 8);
+  EXPECT_EQ(result->clearMot.identitySwitches, 2);
+  EXPECT_NEAR(result->clearMot.mota(), 1.0 - 2.0 / 8.0, 1e-12);
+  EXPECT_NEAR(result->clearMot.motp(), 0.05, 1e-12); // 0 and 0.1 m
   // Each truth is half of its time with each estimate: TPA / (TPA + FNA + FPA) = 2 / 6.
-  EXPECT_NEAR(result->hota.thresholds[0].association, 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(result->hota.thresholds[0].associationAccuracy, 1.0 / 3.0, 1e-12);
   EXPECT_EQ(identityJson(*result)["identity_switches"], 2);
   EXPECT_NE(identityText(*result).find("2 switches"), std::string::npos);
 }
@@ -51,8 +51,8 @@ TEST(IdentityEvaluation, WithHeightsNothingMatches) {
   exchange(estimate, truth);
   const auto result = evaluateIdentities(estimate, truth, {0.5, false});
   ASSERT_TRUE(result);
-  EXPECT_EQ(result->clear.matches, 0); // 0.9 m apart
-  EXPECT_EQ(result->clear.falsePositives, 8);
+  EXPECT_EQ(result->clearMot.matches, 0); // 0.9 m apart
+  EXPECT_EQ(result->clearMot.falsePositives, 8);
 }
 
 TEST(IdentityEvaluation, NotValidIsNotThere) {
@@ -62,8 +62,8 @@ TEST(IdentityEvaluation, NotValidIsNotThere) {
   truth.samples[6].valid = false; // "left" has left at the last frame
   const auto result = evaluateIdentities(estimate, truth, {0.5, true});
   ASSERT_TRUE(result);
-  EXPECT_EQ(result->clear.truths, 7);
-  EXPECT_EQ(result->clear.falsePositives, 1);
+  EXPECT_EQ(result->clearMot.truthCount, 7);
+  EXPECT_EQ(result->clearMot.falsePositives, 1);
 }
 
 TEST(IdentityEvaluation, NeedsCommonFrames) {

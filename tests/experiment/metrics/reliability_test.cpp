@@ -26,7 +26,7 @@ TEST(Reliability, HandWorked) {
   EXPECT_DOUBLE_EQ(result.bins[1].frequency, 1.0);
   EXPECT_NEAR(result.expectedError, 0.24, 1e-15);
   EXPECT_NEAR(result.maxError, 0.3, 1e-15);
-  EXPECT_NEAR(result.brier, 0.152, 1e-15);
+  EXPECT_NEAR(result.brierScore, 0.152, 1e-15);
 }
 
 // 0.75 stated, three of four happened.
@@ -39,7 +39,7 @@ TEST(Reliability, EmptyBinsAndUnusableForecasts) {
   const std::vector<Forecast> forecasts{
       {std::numeric_limits<double>::quiet_NaN(), true}, {1.5, true}, {-0.1, true}, {0.0, false}};
   const Reliability result = reliability(forecasts);
-  EXPECT_EQ(result.unusable, 3);
+  EXPECT_EQ(result.unusableCount, 3);
   EXPECT_EQ(result.count, 1);
   EXPECT_EQ(result.expectedError, 0.0);
   EXPECT_TRUE(std::isnan(result.bins[5].frequency));

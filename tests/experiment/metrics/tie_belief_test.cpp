@@ -37,10 +37,10 @@ TEST(TieBelief, WithoutEqualCandidatesNobodyIsTooSure) {
 TEST(TieBelief, SharesAreOfAllBeliefs) {
   const std::vector<ReportedBelief> beliefs{beliefOf(0.5), beliefOf(0.7), beliefOf(0.99),
                                             beliefOf(0.0, false), beliefOf(0.52)};
-  const Proportion share = confidentInTie(beliefs, 2);
+  const Proportion share = confidentInTieShare(beliefs, 2);
   EXPECT_EQ(share.count, 2);
   EXPECT_EQ(share.total, 5);
-  EXPECT_TRUE(std::isnan(confidentInTie({}, 2).value()));
+  EXPECT_TRUE(std::isnan(confidentInTieShare({}, 2).value()));
 }
 
 } // namespace

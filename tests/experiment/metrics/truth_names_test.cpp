@@ -33,7 +33,7 @@ TEST(TruthNames, OfTargetsAlikeFollowThePositions) {
   const auto names = truthNamesByPosition(estimate, truth, {{"ball 1", "ball 2"}});
   EXPECT_EQ(names,
             (std::map<std::string, std::string>{{"ball 1", "ball 2"}, {"ball 2", "ball 1"}}));
-  const auto compared = evaluate(estimate, namedAsTracked(truth, names));
+  const auto compared = evaluate(estimate, withTrackedNames(truth, names));
   ASSERT_TRUE(compared);
   for (const Evaluation& one : *compared) {
     EXPECT_EQ(one.framesToConverge, 0);

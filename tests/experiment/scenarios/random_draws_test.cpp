@@ -66,10 +66,10 @@ TEST(RandomDraws, TheHashOfATextIsTheSameEverywhere) {
 
 TEST(Grade, NamesGoThereAndBack) {
   for (const Grade grade : {Grade::Ideal, Grade::Room, Grade::Wild, Grade::Real}) {
-    EXPECT_EQ(gradeNamed(gradeName(grade)), grade);
+    EXPECT_EQ(gradeFromName(gradeName(grade)), grade);
   }
-  EXPECT_FALSE(gradeNamed("both"));
-  EXPECT_FALSE(gradeNamed(""));
+  EXPECT_FALSE(gradeFromName("both"));
+  EXPECT_FALSE(gradeFromName(""));
 }
 
 TEST(PinkTarget, HasAUsableColor) {

@@ -13,8 +13,8 @@ constexpr const char* kHead =
 TEST(ConvergenceCsv, HasARowPerCase) {
   ConvergenceResult result;
   result.setup = barreraConvergenceCases(7, kFirstReportingSeed).front();
-  result.converged = 5;
-  result.within = 4;
+  result.convergedRunCount = 5;
+  result.accurateRunCount = 4;
   result.medianIterations = 16.5;
   result.rmse = 0.0043; // meters
   result.depthBias = -0.001;
@@ -27,7 +27,7 @@ TEST(ConvergenceCsv, HasARowPerCase) {
 TEST(ConvergenceCsv, SaysNothingOfRunsThatThereAreNot) {
   ConvergenceResult result;
   result.setup.name = "none";
-  result.setup.ball = result.setup.start = Eigen::Vector3d::Zero();
+  result.setup.ballPosition = result.setup.startPosition = Eigen::Vector3d::Zero();
   result.setup.runs = 2;
   EXPECT_EQ(convergenceCsv({result}), std::string(kHead) + "none,0,0,0,0,0,0,0,0,0,1,2,0,0,,,\n");
 }

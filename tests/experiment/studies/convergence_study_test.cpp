@@ -35,9 +35,9 @@ TEST(ConvergedFrom, KnowsNothingOfTheTruth) {
   ASSERT_NE(aside, cases.end());
   const auto result = studyConvergence(*aside);
   ASSERT_TRUE(result);
-  EXPECT_GT(result->converged, 0);
+  EXPECT_GT(result->convergedRunCount, 0);
   EXPECT_GT(result->rmse, 0.015); // measured: 28 mm
-  EXPECT_LE(result->within, result->converged);
+  EXPECT_LE(result->accurateRunCount, result->convergedRunCount);
 }
 
 TEST(Figure3Case, HasTheBallWholeInBothImagesAndTheStartInCamera1s) {
@@ -45,17 +45,18 @@ TEST(Figure3Case, HasTheBallWholeInBothImagesAndTheStartInCamera1s) {
   constexpr double kRadius = 0.035; // the demo's ball, meters
   ASSERT_EQ(setup.cameras.size(), 2U);
   for (const Camera& camera : setup.cameras) {
-    const auto pixel = Projector(camera).project(setup.ball);
+    const auto pixel = Projector(camera).project(setup.ballPosition);
     ASSERT_TRUE(pixel);
-    const double distance = (setup.ball - camera.center()).norm();
+    const double distance = (setup.ballPosition - camera.center()).norm();
     const double radiusPx = 1.2 * camera.intrinsics.focalX * kRadius / distance; // slanted: larger
     EXPECT_GT(pixel->x(), radiusPx) << camera.name;
     EXPECT_LT(pixel->x(), camera.intrinsics.width - 1 - radiusPx) << camera.name;
     EXPECT_GT(pixel->y(), radiusPx) << camera.name;
     EXPECT_LT(pixel->y(), camera.intrinsics.height - 1 - radiusPx) << camera.name;
   }
-  EXPECT_NEAR((setup.ball - setup.cameras[0].center()).norm(), 1.12, 0.01); // sqrt(0.2² + 1.1²)
-  const auto start = Projector(setup.cameras[0]).project(setup.start);
+  EXPECT_NEAR((setup.ballPosition - setup.cameras[0].center()).norm(), 1.12,
+              0.01); // sqrt(0.2² + 1.1²)
+  const auto start = Projector(setup.cameras[0]).project(setup.startPosition);
   ASSERT_TRUE(start);
   // f tan(45 - 26.6 degrees) = 350 * 0.333 px left of the center, 159.5.
   EXPECT_NEAR(start->x(), 42.6, 1.0);

@@ -48,7 +48,7 @@ TEST(DynamicsStudy, ALargerSigmaArrivesSoonerAndWider) {
 TEST(DynamicsStudy, ATinySigmaDoesNotArriveBeforeIterationSeventy) {
   DynamicsSetup setup;
   setup.motionSigma = 0.005;
-  setup.start = setup.positionBeforeJump;
+  setup.startPosition = setup.positionBeforeJump;
   EXPECT_GT(runDynamics(setup, 1).errors[69], 1.0);
 }
 
@@ -63,7 +63,7 @@ TEST(DynamicsStudy, ACloudMovesByTheFarthestOfItsParticles) {
   DynamicsSetup setup;
   setup.motionSigma = 0.06;
   // Expected largest of 200 standard normals: 2.746. Far away only the nearest particle survives.
-  const double most = advanceTowardFarObject(setup, 10);
+  const double most = distanceAdvancedTowardFarObject(setup, 10);
   EXPECT_NEAR(most / setup.motionSigma, 2.746, 0.1);
   EXPECT_LT(maxTrackableSpeed(setup, 4), most);
 }

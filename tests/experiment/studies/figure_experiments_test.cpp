@@ -105,7 +105,7 @@ TEST(BarreraStarts, TheVerdictFollowsFromAllStarts) {
 }
 
 TEST(BarreraFigure3, PrintsWhatWasRun) {
-  const std::string page = pageOf(&barreraFigure3, "figure3_runs"); // two runs
+  const std::string page = pageOf(&writeBarreraFigure3, "figure3_runs"); // two runs
   // Both medians are of the two runs of this very call, or none of them converges.
   EXPECT_TRUE(page.find(", of 2, with this ball") != std::string::npos ||
               page.find("none of 2 converges with this ball") != std::string::npos);
@@ -143,7 +143,7 @@ TEST(MaskQuality, CountsPiecesAndPixels) {
 }
 
 TEST(DynamicsFigure7, SaysOnceWhereTheCloudStarts) {
-  const std::string page = pageOf(&dynamicsFigure7, "figure7_start");
+  const std::string page = pageOf(&writeDynamicsFigure7, "figure7_start");
   EXPECT_EQ(page.find("0.6 m from the object"), std::string::npos);
   EXPECT_NE(page.find("the cloud starts on the object"), std::string::npos);
 }

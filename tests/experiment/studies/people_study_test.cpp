@@ -43,11 +43,11 @@ TEST(IdentitiesKept, NeedsTheSamePairs) {
   const Eigen::Vector3d right(1.0, 0.0, 0.0);
   const TrackFrame before{0, 0.0, {{0, left}, {1, right}}, {{7, left}, {9, right}}};
   TrackFrame after{9, 1.0, {{0, right}, {1, left}}, {{7, right}, {9, left}}};
-  EXPECT_TRUE(identitiesKept(before, after, 0.5));
+  EXPECT_TRUE(areIdentitiesKept(before, after, 0.5));
   std::swap(after.estimates[0].identity, after.estimates[1].identity);
-  EXPECT_FALSE(identitiesKept(before, after, 0.5));
+  EXPECT_FALSE(areIdentitiesKept(before, after, 0.5));
   after.estimates.pop_back();
-  EXPECT_FALSE(identitiesKept(before, after, 0.5));
+  EXPECT_FALSE(areIdentitiesKept(before, after, 0.5));
 }
 
 TEST(PeopleStudy, OursKeepsTwoInSimilarClothesApart) {
@@ -61,7 +61,7 @@ TEST(PeopleStudy, OursKeepsTwoInSimilarClothesApart) {
   ASSERT_TRUE(trials);
   ASSERT_EQ(trials->size(), 1U);
   const PeopleTrial& trial = trials->front();
-  EXPECT_TRUE(trial.kept);
+  EXPECT_TRUE(trial.identitiesKept);
   EXPECT_GT(trial.mota, 0.85);
   EXPECT_LT(trial.motp, 0.1);         // meters
   EXPECT_LE(trial.longestGhost, 1.0); // seconds: the bar
@@ -70,10 +70,10 @@ TEST(PeopleStudy, OursKeepsTwoInSimilarClothesApart) {
   EXPECT_GT(trial.hullVolume, 0.04);
   EXPECT_LT(trial.hullVolume, 0.4);
   // Births take 0.2 s of about 4 s; a hull that is drawn around a body covers most of it.
-  EXPECT_GT(trial.everybody.found, 0.8);
-  EXPECT_GT(trial.everybody.silhouette.recall, 0.5);
-  EXPECT_GT(trial.everybody.silhouette.precision, 0.2);
-  EXPECT_LT(trial.everybody.silhouette.iou, trial.everybody.silhouette.recall);
+  EXPECT_GT(trial.allPersonsResult.found, 0.8);
+  EXPECT_GT(trial.allPersonsResult.silhouette.recall, 0.5);
+  EXPECT_GT(trial.allPersonsResult.silhouette.precision, 0.2);
+  EXPECT_LT(trial.allPersonsResult.silhouette.iou, trial.allPersonsResult.silhouette.recall);
   ASSERT_EQ(trial.persons.size(), 2U);
   EXPECT_GT(trial.persons[0].height, 1.6);
   EXPECT_LT(trial.persons[0].heightError, 0.3);
@@ -90,8 +90,8 @@ TEST(PeopleStudy, MotionAloneCoversMoreThanMotionAndColor) {
   const auto trials = studyPeople(setup, views);
   ASSERT_TRUE(trials);
   ASSERT_EQ(trials->size(), 2U);
-  const double motion = (*trials)[0].everybody.silhouette.recall;
-  const double color = (*trials)[1].everybody.silhouette.recall;
+  const double motion = (*trials)[0].allPersonsResult.silhouette.recall;
+  const double color = (*trials)[1].allPersonsResult.silhouette.recall;
   EXPECT_GT(motion, color);
   EXPECT_GT(color, 0.1);
   EXPECT_LT(motion, 0.9);
@@ -111,8 +111,8 @@ TEST(PeopleStudy, MotionAloneLosesTwoWhoWalkTogetherAndColorKeepsThem) {
   ASSERT_EQ(trials->size(), 2U);
   ASSERT_EQ((*trials)[0].method, "mohedano-ms");
   ASSERT_EQ((*trials)[1].method, "mohedano-msc");
-  EXPECT_FALSE((*trials)[0].kept);
-  EXPECT_TRUE((*trials)[1].kept);
+  EXPECT_FALSE((*trials)[0].identitiesKept);
+  EXPECT_TRUE((*trials)[1].identitiesKept);
 }
 
 TEST(PeopleStudy, RunsInARoomAsItDoesInAnIdealOne) {
@@ -122,13 +122,13 @@ TEST(PeopleStudy, RunsInARoomAsItDoesInAnIdealOne) {
   setup.grade = Grade::Room;
   setup.methods = {"people"};
   setup.seed = 1;
-  setup.pictures = true;
+  setup.drawsPictures = true;
   const auto trials = studyPeople(setup, views);
   ASSERT_TRUE(trials);
   const PeopleTrial& trial = trials->front();
   EXPECT_EQ(trial.grade, Grade::Room);
   EXPECT_EQ(trial.persons.size(), 2U);
-  EXPECT_TRUE(std::isfinite(trial.everybody.found)); // two cameras see somebody at times
+  EXPECT_TRUE(std::isfinite(trial.allPersonsResult.found)); // two cameras see somebody at times
   EXPECT_EQ(trial.pictures.size(), 3U);
 }
 
@@ -147,18 +147,18 @@ TEST(PeopleSummary, CountsAndTakesTheWorst) {
   PeopleTrial trial;
   trial.scenario = "crossing";
   trial.method = "people";
-  trial.kept = true;
+  trial.identitiesKept = true;
   trial.mota = 0.8;
   trial.longestGhost = 0.5;
   PeopleTrial second = trial;
-  second.kept = false;
+  second.identitiesKept = false;
   second.mota = 0.6;
   second.longestGhost = 1.5;
   second.motp = std::nan("");
   const auto sums = summarize({trial, second});
   ASSERT_EQ(sums.size(), 1U);
   EXPECT_EQ(sums[0].runs, 2);
-  EXPECT_EQ(sums[0].kept, 1);
+  EXPECT_EQ(sums[0].keptRunCount, 1);
   EXPECT_NEAR(sums[0].mota, 0.7, 1e-12);
   EXPECT_EQ(sums[0].longestGhost, 1.5);
   EXPECT_EQ(sums[0].motp, 0.0);
@@ -169,11 +169,11 @@ TEST(PeopleSummary, AveragesSilhouettesOverTheRunsThatHaveSome) {
   PeopleTrial trial;
   trial.scenario = "apart";
   trial.method = "people";
-  trial.everybody.found = 0.5;
-  trial.everybody.silhouette = {0.8, 0.6, 0.5};
+  trial.allPersonsResult.found = 0.5;
+  trial.allPersonsResult.silhouette = {0.8, 0.6, 0.5};
   PeopleTrial second = trial;
-  second.everybody.found = 0.0;
-  second.everybody.silhouette = {};
+  second.allPersonsResult.found = 0.0;
+  second.allPersonsResult.silhouette = {};
   const auto sums = summarize({trial, second});
   ASSERT_EQ(sums.size(), 1U);
   EXPECT_DOUBLE_EQ(sums[0].found, 0.25);
@@ -190,7 +190,7 @@ PeopleTrial trialOf(const char* scenario, const char* method, bool kept) {
   PeopleTrial trial;
   trial.scenario = scenario;
   trial.method = method;
-  trial.kept = kept;
+  trial.identitiesKept = kept;
   return trial;
 }
 
@@ -213,9 +213,9 @@ TEST(PeopleReport, NamesTheGrade) {
   room.grade = Grade::Room;
   const auto sums = summarize({ideal, room});
   ASSERT_EQ(sums.size(), 2U); // grades are not mixed
-  EXPECT_EQ(sums[0].kept, 1);
+  EXPECT_EQ(sums[0].keptRunCount, 1);
   EXPECT_EQ(sums[1].grade, Grade::Room);
-  EXPECT_EQ(sums[1].kept, 0);
+  EXPECT_EQ(sums[1].keptRunCount, 0);
   EXPECT_NE(peopleTableRow(sums[1]).find("room"), std::string::npos);
   const std::string page = peopleReport("apart", {ideal, room}).html();
   EXPECT_NE(page.find("Grade ideal:"), std::string::npos);
@@ -247,14 +247,14 @@ TEST(PeopleReport, IdentitiesOfThoseWhoComeAndGoAreJudgedToo) {
 TEST(PeopleReport, SaysWhatMotionAloneCovers) {
   std::vector<PeopleTrial> trials{trialOf("apart", "mohedano-ms", true),
                                   trialOf("apart", "mohedano-msc", true)};
-  trials[0].everybody.silhouette.recall = 0.44;
-  trials[1].everybody.silhouette.recall = 0.27;
+  trials[0].allPersonsResult.silhouette.recall = 0.44;
+  trials[1].allPersonsResult.silhouette.recall = 0.27;
   const std::string part = peopleReport("apart", trials).html();
   EXPECT_NE(part.find("chip part'>reproduced in part"), std::string::npos);
   EXPECT_NE(part.find("MS covers 0.44"), std::string::npos);
-  trials[0].everybody.silhouette.recall = 0.85;
+  trials[0].allPersonsResult.silhouette.recall = 0.85;
   EXPECT_NE(peopleReport("apart", trials).html().find("chip good'>reproduced<"), std::string::npos);
-  trials[1].everybody.silhouette.recall = 0.9;
+  trials[1].allPersonsResult.silhouette.recall = 0.9;
   EXPECT_NE(peopleReport("apart", trials).html().find("chip bad'>not reproduced"),
             std::string::npos);
 }
@@ -285,7 +285,7 @@ TEST(PeopleReport, EverydayScenesHaveBarsToo) {
 TEST(PeoplePictures, ShowTheMeetingAndBothSidesOfIt) {
   const auto crossing = makePeopleScenario("crossing", PeopleClothes::Different, 1);
   ASSERT_TRUE(crossing);
-  const auto moments = instantsToShow(*crossing);
+  const auto moments = chooseInstantsToShow(*crossing);
   ASSERT_EQ(moments.size(), 3U);
   EXPECT_LT(moments[0].frame, moments[1].frame);
   EXPECT_LT(moments[1].frame, moments[2].frame);
@@ -295,7 +295,7 @@ TEST(PeoplePictures, ShowTheMeetingAndBothSidesOfIt) {
             0.7); // 0.45 to 0.6 m is aimed at
   const auto visit = makePeopleScenario("enter-leave", PeopleClothes::Different, 1);
   ASSERT_TRUE(visit);
-  EXPECT_EQ(instantsToShow(*visit).size(), 1U);
+  EXPECT_EQ(chooseInstantsToShow(*visit).size(), 1U);
 }
 
 TEST(PeopleStudy, AParameterThatNoMethodHasIsSaid) {

@@ -53,9 +53,9 @@ TEST(FilledOutline, IsCutByTheImage) {
 TEST(SilhouetteOverlap, CountsAsByHand) {
   const SilhouetteOverlap overlap =
       overlapOf(maskOf({5, 3, 10, 6}), maskOf({0, 0, 10, 6}), maskOf({0, 0, 10, 10}));
-  EXPECT_EQ(overlap.both, 15);
-  EXPECT_EQ(overlap.truth, 60);
-  EXPECT_EQ(overlap.estimate, 45);
+  EXPECT_EQ(overlap.commonPixelCount, 15);
+  EXPECT_EQ(overlap.truePixelCount, 60);
+  EXPECT_EQ(overlap.estimatedPixelCount, 45);
   EXPECT_DOUBLE_EQ(overlap.recall(), 15.0 / 60.0);
   EXPECT_DOUBLE_EQ(overlap.precision(), 15.0 / 45.0);
   EXPECT_DOUBLE_EQ(overlap.iou(), 15.0 / 90.0);

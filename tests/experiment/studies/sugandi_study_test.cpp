@@ -97,12 +97,12 @@ TEST(SugandiStudy, DrawsTracksAndFrames) {
   }
   EXPECT_EQ(page.find("nan"), std::string::npos);
   // Both histograms sum to 1 over the rows of the file.
-  ASSERT_EQ(study->figures[0].reference.size(), 512U);
-  ASSERT_EQ(study->figures[0].candidate.size(), 512U);
+  ASSERT_EQ(study->figures[0].referenceHistogram.size(), 512U);
+  ASSERT_EQ(study->figures[0].candidateHistogram.size(), 512U);
   EXPECT_EQ(study->figures[0].candidateFrame, 3U); // of six
-  EXPECT_NEAR(
-      std::accumulate(study->figures[0].candidate.begin(), study->figures[0].candidate.end(), 0.0),
-      1.0, 1e-9);
+  EXPECT_NEAR(std::accumulate(study->figures[0].candidateHistogram.begin(),
+                              study->figures[0].candidateHistogram.end(), 0.0),
+              1.0, 1e-9);
   EXPECT_GT(std::ranges::count(boxHistogramsCsv(*study), '\n'), 2);
   for (const char* name :
        {"clip-1.jpg", "tracks.csv", "histograms.csv", "sugandi-rmse.csv", "sugandi-rmse.txt"}) {
@@ -116,7 +116,7 @@ double sugandiRmse(const BoxClip& clip, const std::vector<cv::Mat>& images, int 
                    int seeds) {
   double sum = 0.0;
   for (int seed = 1; seed <= seeds; ++seed) {
-    const auto follower = makeBoxFollower("sugandi", particles, std::uint64_t(seed));
+    const auto follower = makeDewpointFollower("sugandi", particles, std::uint64_t(seed));
     EXPECT_TRUE(follower);
     EXPECT_TRUE((*follower)->start(images.front(), clip.truth.front()));
     std::vector<std::optional<ImageBox>> found{clip.truth.front()};
@@ -158,13 +158,13 @@ TEST(BoxPerturbationStudy, ReportsASizePerRow) {
   auto rows = studyPerturbedBoxes({clip}, 2, [](const BoxPerturbationRow&) { return true; },
                                   {"histogram", "camshift"});
   ASSERT_TRUE(rows);
-  study.perturbed = std::move(*rows);
-  ASSERT_EQ(study.perturbed.size(), 8U); // two methods, four sizes
-  EXPECT_EQ(study.perturbed.front().runs, 10);
-  EXPECT_EQ(study.perturbed.back().runs, 5); // CamShift has no seeds
-  EXPECT_TRUE(study.perturbed.front().reportsConfidence);
-  EXPECT_FALSE(study.perturbed.back().reportsConfidence);
-  EXPECT_EQ(std::ranges::count(perturbedBoxesCsv(study.perturbed), '\n'), 9);
+  study.perturbedRows = std::move(*rows);
+  ASSERT_EQ(study.perturbedRows.size(), 8U); // two methods, four sizes
+  EXPECT_EQ(study.perturbedRows.front().runs, 10);
+  EXPECT_EQ(study.perturbedRows.back().runs, 5); // CamShift has no seeds
+  EXPECT_TRUE(study.perturbedRows.front().reportsConfidence);
+  EXPECT_FALSE(study.perturbedRows.back().reportsConfidence);
+  EXPECT_EQ(std::ranges::count(perturbedBoxesCsv(study.perturbedRows), '\n'), 9);
   EXPECT_NE(boxStudyText(study).find("Imprecise first boxes"), std::string::npos);
   EXPECT_NE(boxStudyHtml(study).find("Imprecise first boxes"), std::string::npos);
 }
@@ -200,7 +200,7 @@ TEST(SugandiStudy, HistogramStaysOnTheJuggledBalls) {
   ASSERT_TRUE(study);
   for (const BoxRequirement& bar :
        study->requirements) { // within a ball's radius on at least 85 % of the frames
-    EXPECT_TRUE(bar.reached) << bar.sentence;
+    EXPECT_TRUE(bar.reached) << bar.description;
   }
 }
 

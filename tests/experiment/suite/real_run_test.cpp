@@ -92,9 +92,9 @@ ScenarioRun markedRun() {
   run.rig.resize(1);
   run.rig[0].intrinsics = {100, 80, 100.0, 100.0, 50.0, 40.0};
   run.targets.resize(1);
-  run.markGate = 10.0;
+  run.markGatePx = 10.0;
   for (std::int64_t frame = 0; frame < 10; ++frame) {
-    run.marks.push_back({frame, 0, 0, {50.0, 40.0}});
+    run.markedCenters.push_back({frame, 0, 0, {50.0, 40.0}});
   }
   return run;
 }
@@ -137,7 +137,7 @@ TEST(PixelRecorder, TakesTheWorstOfTheCameras) {
   ScenarioRun run = markedRun();
   run.rig.push_back(run.rig[0]);
   for (std::int64_t frame = 0; frame < 10; ++frame) {
-    run.marks.push_back({frame, 0, 1, {62.0, 40.0}}); // 12 px from a mean at the center
+    run.markedCenters.push_back({frame, 0, 1, {62.0, 40.0}}); // 12 px from a mean at the center
   }
   PixelRecorder recorder(run);
   for (std::int64_t frame = 0; frame < 10; ++frame) {
@@ -151,7 +151,7 @@ TEST(PixelRecorder, TakesTheWorstOfTheCameras) {
 
 TEST(PixelRecorder, SaysNothingWithoutMarks) {
   ScenarioRun run = markedRun();
-  run.marks.clear();
+  run.markedCenters.clear();
   PixelRecorder recorder(run);
   recorder.add(0, {estimateBeside(0.0, true, 1.0)});
   EXPECT_FALSE(recorder.rmsePx().has_value());
@@ -249,7 +249,7 @@ TEST(SuiteReport, ShowsClipsInPixelsAndNamesThoseThatAreMissing) {
   std::vector<ScenarioDeclaration> catalog(1);
   catalog[0].name = "R2-disk";
   catalog[0].family = "R2";
-  catalog[0].sentence = "A disk. Tuned on: no.";
+  catalog[0].description = "A disk. Tuned on: no.";
   catalog[0].recorded = true;
   catalog[0].clip = [] { return Result<BoxClip>(diskClip()); };
   SuiteRequest request;

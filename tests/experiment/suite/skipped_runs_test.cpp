@@ -88,12 +88,12 @@ std::set<RunKey> keysOf(const SuiteResults& results) {
 }
 
 TEST(SkippedRuns, AreReadBackAsTheyWereWritten) {
-  EXPECT_EQ(skippedText(kSome), "S13-one-camera,wild,1005003,\"no position, \"\"at all\"\"\"");
-  EXPECT_EQ(parseSkipped(skippedText(kSome)), kSome);
+  EXPECT_EQ(skippedCsvLine(kSome), "S13-one-camera,wild,1005003,\"no position, \"\"at all\"\"\"");
+  EXPECT_EQ(parseSkippedRun(skippedCsvLine(kSome)), kSome);
   for (const char* const broken :
        {"", "S13,wild,1", "S13,wild,1,no", "S13,wild,1,\"no", "S13,wild,x,\"no\"",
         "S13,mild,1,\"no\"", ",wild,1,\"no\"", "S13,wild,1,\"a\"b\""}) {
-    EXPECT_FALSE(parseSkipped(broken).has_value()) << broken;
+    EXPECT_FALSE(parseSkippedRun(broken).has_value()) << broken;
   }
 }
 
@@ -177,8 +177,8 @@ TEST(SkippedRuns, AreWhatAScenarioSaysThatFindsNoPosition) {
 
 TEST(SkippedRuns, RefuseABrokenFile) {
   const test::TemporaryFolder folder;
-  std::ofstream(folder / "skipped.csv") << skippedHeader() << "\nnonsense\n"
-                                        << skippedText(kSome) << "\n";
+  std::ofstream(folder / "skipped.csv") << skippedCsvHeader() << "\nnonsense\n"
+                                        << skippedCsvLine(kSome) << "\n";
   EXPECT_EQ(SuiteStore::open(folder / "").error().code, ErrorCode::NotParsed);
   std::ofstream(folder / "skipped.csv", std::ios::trunc) << "scenario,other\n";
   EXPECT_EQ(SuiteStore::open(folder / "").error().code, ErrorCode::Mismatch);

@@ -16,7 +16,7 @@ RequirementResult barOf(const std::vector<RequirementResult>& results, const std
                         const std::string& beginning) {
   const auto found = std::ranges::find_if(results, [&](const RequirementResult& result) {
     return result.requirement->grade == grade &&
-           result.requirement->sentence.starts_with(beginning);
+           result.requirement->description.starts_with(beginning);
   });
   EXPECT_NE(found, results.end()) << grade << ": " << beginning;
   return found == results.end() ? RequirementResult{&suiteRequirements().front()} : *found;
@@ -30,7 +30,7 @@ TEST(SuiteBars, OfThisVersionAreForIdealImagesAndAsStrictAsEver) {
   for (const SuiteRequirement& bar : suiteRequirements()) {
     if (!bar.isAim) {
       present.push_back(bar.high);
-      EXPECT_EQ(bar.grade, "ideal") << bar.sentence;
+      EXPECT_EQ(bar.grade, "ideal") << bar.description;
     }
   }
   EXPECT_EQ(present, expected);

@@ -48,14 +48,14 @@ TEST(SuiteRow, RefusesWhatIsNotWhole) {
 
 TEST(SuiteGrades, AreAListOfNames) {
   using Grades = std::vector<Grade>;
-  EXPECT_EQ(gradesNamed({"both"}), (Grades{Grade::Ideal, Grade::Room}));
-  EXPECT_EQ(gradesNamed({"wild", "ideal", "wild"}), (Grades{Grade::Ideal, Grade::Wild}));
-  EXPECT_EQ(gradesNamed({"real", "both"}), (Grades{Grade::Ideal, Grade::Room, Grade::Real}));
-  EXPECT_EQ(gradesNamed({"room"}), (Grades{Grade::Room}));
-  EXPECT_FALSE(gradesNamed({"room", "bright"}).has_value());
-  EXPECT_FALSE(gradesNamed({}).has_value());
+  EXPECT_EQ(gradesFromNames({"both"}), (Grades{Grade::Ideal, Grade::Room}));
+  EXPECT_EQ(gradesFromNames({"wild", "ideal", "wild"}), (Grades{Grade::Ideal, Grade::Wild}));
+  EXPECT_EQ(gradesFromNames({"real", "both"}), (Grades{Grade::Ideal, Grade::Room, Grade::Real}));
+  EXPECT_EQ(gradesFromNames({"room"}), (Grades{Grade::Room}));
+  EXPECT_FALSE(gradesFromNames({"room", "bright"}).has_value());
+  EXPECT_FALSE(gradesFromNames({}).has_value());
   for (const Grade grade : {Grade::Ideal, Grade::Room, Grade::Wild, Grade::Real}) {
-    EXPECT_EQ(gradeNamed(gradeName(grade)), grade);
+    EXPECT_EQ(gradeFromName(gradeName(grade)), grade);
   }
 }
 

@@ -63,7 +63,8 @@ TEST(TargetExposures, ATrackedTargetIsMeasuredInsideItsOutline) {
   EXPECT_EQ(left[0].name, "ball");
   EXPECT_TRUE(left[0].isTracked);
   EXPECT_EQ(left[0].exposure.fault(), ExposureFault::None);
-  EXPECT_EQ(left[0].exposure.histogram[25], left[0].exposure.pixels); // nothing of the gray wall
+  EXPECT_EQ(left[0].exposure.histogram[25],
+            left[0].exposure.pixelCount); // nothing of the gray wall
   const auto right = exposuresInView(ball.snapshot, 1);
   ASSERT_EQ(right.size(), 1U);
   EXPECT_DOUBLE_EQ(right[0].exposure.clippedShare(), 1.0);
@@ -111,12 +112,12 @@ TEST(TargetExposures, WithoutAnImageThereIsNothing) {
 TEST(TargetExposures, TheWorstOfSeveralIsFound) {
   EXPECT_EQ(worstExposure({}), nullptr);
   std::vector<ExposureInView> views(3);
-  views[0].exposure.pixels = 100;
-  views[0].exposure.dark = 80;
-  views[1].exposure.pixels = 100;
-  views[1].exposure.clipped = 25;
-  views[2].exposure.pixels = 100;
-  views[2].exposure.clipped = 10;
+  views[0].exposure.pixelCount = 100;
+  views[0].exposure.darkCount = 80;
+  views[1].exposure.pixelCount = 100;
+  views[1].exposure.clippedCount = 25;
+  views[2].exposure.pixelCount = 100;
+  views[2].exposure.clippedCount = 10;
   EXPECT_EQ(worstExposure(views), &views[1]);
   views.erase(views.begin() + 1);
   EXPECT_EQ(worstExposure(views), &views[0]);

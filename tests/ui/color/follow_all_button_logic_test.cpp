@@ -15,7 +15,7 @@ namespace {
 ColorAssessment threeAlike() {
   ColorAssessment assessment;
   assessment.similarObjectCount = 3;
-  assessment.suggestion = Suggestion::FollowAll;
+  assessment.suggestion = ColorSuggestion::FollowAll;
   return assessment;
 }
 
@@ -57,10 +57,10 @@ TEST_F(FollowAllButtonTest, AddsATargetForEachOfTheOthersAsOneStep) {
 
 TEST_F(FollowAllButtonTest, OffersNothingElse) {
   ColorAssessment assessment = threeAlike();
-  assessment.suggestion = Suggestion::RemoveDistractor;
+  assessment.suggestion = ColorSuggestion::RemoveDistractor;
   button_.offer(&assessment, 0);
   EXPECT_FALSE(button_.isOffering());
-  assessment.suggestion = Suggestion::FollowAll;
+  assessment.suggestion = ColorSuggestion::FollowAll;
   button_.offer(&assessment, -1); // a new target
   EXPECT_FALSE(button_.isOffering());
   button_.offer(nullptr, 0);

@@ -217,8 +217,8 @@ void TakeWindowTest::aTakeBeginsBeforeItsStart() {
   QVERIFY(waitFor([this] {
     const TakeStatus now = takes().status();
     return std::ranges::all_of(now.cameras, [](const auto& camera) {
-      return camera.counts.preRollImages >= 15 &&
-             camera.counts.images > camera.counts.preRollImages;
+      return camera.counts.preRollImageCount >= 15 &&
+             camera.counts.images > camera.counts.preRollImageCount;
     });
   }));
   QSignalSpy stopped(&takes(), &TakeController::stopped);

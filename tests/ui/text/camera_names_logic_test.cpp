@@ -44,7 +44,7 @@ TEST(CameraNames, WhereSomethingElseMatchesIsNamedToo) {
   assessment.targetShare = 1.0;
   DistractorRegion region;
   region.camera = 1;
-  region.color = ColorWord::Red;
+  region.color = ColorName::Red;
   assessment.distractors.push_back(region);
   Q_EMIT learner->assessed(assessment);
   const QString text = panel.findChild<QLabel*>(QStringLiteral("colorAssessment"))->text();

@@ -263,7 +263,7 @@ void TranslationTest::anAssessmentSaysWhatItsScoreIsMadeOf() {
       alone.contains(QStringLiteral("stands out well (97 of 100 points). Almost nothing else")),
       qPrintable(alone));
   assessment.backgroundShare = 0.0007;
-  assessment.distractors.emplace_back().color = ColorWord::Green;
+  assessment.distractors.emplace_back().color = ColorName::Green;
   const QString good = colorAssessmentText(assessment, {QStringLiteral("left")});
   QVERIFY2(good.contains(QStringLiteral("Only 0.07 % of the background has this color too, which "
                                         "is little compared with the target.")) &&

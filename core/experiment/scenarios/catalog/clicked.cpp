@@ -102,7 +102,7 @@ void take(const std::optional<setup::ClickLearningResult>& lesson, ScenarioRun& 
   target.color = ColorRange{};
   if (lesson) {
     target.color = lesson->color.range;
-    target.otherColors = lesson->color.others;
+    target.otherColors = lesson->color.otherRanges;
     target.samples = lesson->samples;
   }
 }
@@ -210,7 +210,7 @@ bool clicked(ScenarioDraft& draft, const Eigen::Vector3d& color) {
 
 } // namespace
 
-std::vector<ScenarioRecipe> clickedScenarios() {
+std::vector<ScenarioRecipe> clickedTargetScenarios() {
   const auto recipe = [](const char* word, const Eigen::Vector3d& color) {
     ScenarioRecipe result{
         fmt::format("S22-{}", word),

@@ -56,7 +56,7 @@ bool crossing(ScenarioDraft& draft, std::size_t count, std::int64_t frames) {
     while (draft.targets.size() < count && addBall(draft)) {
     }
     if (draft.targets.size() == count) {
-      startAroundAll(draft);
+      startAroundAllTargets(draft);
       return true;
     }
   }

@@ -117,7 +117,7 @@ bool crowd(ScenarioDraft& draft, std::size_t distractors) {
 
 /// Two balls, and a search that starts in the middle between them: nothing tells which is meant.
 bool evenStart(ScenarioDraft& draft) {
-  /// Around the two balls' centers, meters; as startAroundAll().
+  /// Around the two balls' centers, meters; as startAroundAllTargets().
   constexpr double kAround = 0.05;
   draft.frameCount = kDefaultFrameCount;
   const auto region = crowdRegion(draft);

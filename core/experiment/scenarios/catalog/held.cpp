@@ -145,7 +145,7 @@ bool held(ScenarioDraft& draft, bool later) {
 
 } // namespace
 
-std::vector<ScenarioRecipe> handHeldScenarios() {
+std::vector<ScenarioRecipe> handHeldTargetScenarios() {
   const auto recipe = [](const char* name, const char* sentence, bool later) {
     ScenarioRecipe result{name, sentence, demoRig()};
     result.complete = [later](ScenarioDraft& draft) { return held(draft, later); };

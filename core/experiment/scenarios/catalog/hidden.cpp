@@ -195,7 +195,7 @@ std::vector<ScenarioRecipe> occlusionScenarios() {
   moving.complete = [](ScenarioDraft& draft) { return halfHidden(draft, withMovingPlate); };
   ScenarioRecipe third = moving;
   third.name = "S2-three-cameras";
-  third.sentence = "The same with a third camera that sees all of the ball.";
+  third.description = "The same with a third camera that sees all of the ball.";
   third.rig = threeCameraDeskRig();
   return {still, moving, third};
 }

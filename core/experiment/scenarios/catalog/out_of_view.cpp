@@ -72,7 +72,7 @@ bool leaves(const ScenarioDraft& draft, const Detour& path, const std::vector<bo
 void addLeavingTarget(ScenarioDraft& draft, const Detour& path) {
   addTarget(draft, path);
   startNearTruth(draft);
-  addUnseenEvents(draft, [&](std::size_t camera, std::int64_t frame) {
+  addInvisibilityEvents(draft, [&](std::size_t camera, std::int64_t frame) {
     return visibilityOf(*draft.stage.views[camera], path(draft.timeOf(frame)),
                         draft.ballRadius()) != Visibility::None;
   });
@@ -290,7 +290,7 @@ bool behindFurniture(ScenarioDraft& draft) {
     }
     addTarget(draft, path);
     startNearTruth(draft);
-    addUnseenEvents(draft, [&](std::size_t camera, std::int64_t frame) {
+    addInvisibilityEvents(draft, [&](std::size_t camera, std::int64_t frame) {
       const auto hidden = hiddenBy(boxes, draft.rig[camera].center(), path(draft.timeOf(frame)));
       return hidden && *hidden < 1.0;
     });

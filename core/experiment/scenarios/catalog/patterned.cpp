@@ -19,7 +19,7 @@ bool patterned(ScenarioDraft& draft, BallPattern pattern) {
 
 } // namespace
 
-std::vector<ScenarioRecipe> patternedScenarios() {
+std::vector<ScenarioRecipe> patternedBallScenarios() {
   const auto recipe = [](const char* name, const char* sentence, BallPattern pattern) {
     ScenarioRecipe result{name, sentence, demoRig()};
     result.complete = [pattern](ScenarioDraft& draft) { return patterned(draft, pattern); };

@@ -110,7 +110,7 @@ bool spinning(ScenarioDraft& draft) {
 
 } // namespace
 
-std::vector<ScenarioRecipe> thrownScenarios() {
+std::vector<ScenarioRecipe> thrownBallScenarios() {
   ScenarioRecipe thrown{"S18-thrown", "A ball is thrown from hand to hand (not seen) and caught.",
                         demoRig()};
   thrown.complete = [](ScenarioDraft& draft) { return along(draft, drawThrows); };

@@ -15,9 +15,9 @@ std::optional<FrameDelivery> deliveryOf(const CameraTiming& timing, std::int64_t
     return std::nullopt;
   }
   if (frame >= timing.freezeBegin && frame < timing.freezeEnd) {
-    delivery.shown = std::max<std::int64_t>(0, timing.freezeBegin - 1);
+    delivery.shownFrame = std::max<std::int64_t>(0, timing.freezeBegin - 1);
   } else if (chances.uniform(1) < timing.repeatedShare) {
-    delivery.shown = frame - 1;
+    delivery.shownFrame = frame - 1;
   }
   return delivery;
 }

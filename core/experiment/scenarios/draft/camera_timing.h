@@ -24,8 +24,8 @@ struct CameraTiming {
 
 /// What arrives for a frame of a camera: which image, and the error of its time stamp.
 struct FrameDelivery {
-  std::int64_t shown = 0;  ///< number of the frame whose image arrives
-  double stampError = 0.0; ///< error of the time stamp, seconds
+  std::int64_t shownFrame = 0; ///< number of the frame whose image arrives
+  double timeStampError = 0.0; ///< error of the time stamp, seconds
 };
 
 /// Returns what arrives for frame `frame` of a camera, or nothing if the frame is dropped. Frame 0

@@ -42,10 +42,10 @@ FramePtr frameOf(const ScenarioDraft& draft, std::size_t camera, std::int64_t fr
   const auto stampOf = [&](std::int64_t number) {
     return clock.offset + static_cast<double>(number) / clock.framesPerSecond;
   };
-  const double taken = midExposureTime(timing, stampOf(delivery->shown));
+  const double taken = midExposureTime(timing, stampOf(delivery->shownFrame));
   return std::make_shared<const Frame>(
-      Frame{own, timeStamp(stampOf(own) + delivery->stampError),
-            simulation::renderStage(draft.stage, camera, taken, delivery->shown)});
+      Frame{own, timeStamp(stampOf(own) + delivery->timeStampError),
+            simulation::renderStage(draft.stage, camera, taken, delivery->shownFrame)});
 }
 
 } // namespace

@@ -37,13 +37,13 @@ constexpr GradeModel kRoom{
     .huntingPeriodSeconds = {2.0, 6.0},
     // Time constants of 0.13 to 0.7 s at 30 frames per second; all pairs are stable, see
     // ControlLoop.
-    .loopSpeed = {0.05, 0.25},
-    .loopLag = {1.0, 4.0},
+    .exposureLoopSpeed = {0.05, 0.25},
+    .exposureLoopLagFrames = {1.0, 4.0},
     // None to a lamp somewhat stronger at the ball than the room's (kLampFraction). An exposure
     // that is right for the walls then cuts the red of a ball that is lit from the camera's side.
-    .sideLamp = {0.0, 0.8},
-    .coloredLamp = {0.0, 0.2},
-    .coloredKelvin = {2700.0, 9000.0}, // a warm white bulb to the sky in a window
+    .sideLampFraction = {0.0, 0.8},
+    .coloredLampFraction = {0.0, 0.2},
+    .coloredLampKelvin = {2700.0, 9000.0}, // a warm white bulb to the sky in a window
     .shadowDepth = {0.3, 0.9},
     .shadowHalfWidth = {0.05, 0.3}, // an arm to a person
     .shadowSpeed = {0.1, 0.5},
@@ -80,11 +80,11 @@ constexpr GradeModel kWild{
     .whiteBalanceStops = {-0.25, 0.25},
     .huntingStops = {0.0, 0.5},
     .huntingPeriodSeconds = {1.0, 5.0},
-    .loopSpeed = {0.05, 0.3},
-    .loopLag = {1.0, 4.0},
-    .sideLamp = {0.0, 1.2},
-    .coloredLamp = {0.0, 0.4},
-    .coloredKelvin = {2200.0, 12000.0}, // a filament that one can look into to a clear blue sky
+    .exposureLoopSpeed = {0.05, 0.3},
+    .exposureLoopLagFrames = {1.0, 4.0},
+    .sideLampFraction = {0.0, 1.2},
+    .coloredLampFraction = {0.0, 0.4},
+    .coloredLampKelvin = {2200.0, 12000.0}, // a filament that one can look into to a clear blue sky
     .shadowDepth = {0.5, 1.0},
     .shadowHalfWidth = {0.05, 0.4},
     .shadowSpeed = {0.1, 1.0},
@@ -110,11 +110,12 @@ double draw(const Range& range, RandomDraws& draws) {
 
 simulation::AutomaticGain drawAutomatic(const GradeModel& model, RandomDraws& draws) {
   simulation::AutomaticGain automatic;
-  automatic.exposure.speed = draw(model.loopSpeed, draws);
-  automatic.exposure.lagFrames = static_cast<int>(std::lround(draw(model.loopLag, draws)));
+  automatic.exposure.speed = draw(model.exposureLoopSpeed, draws);
+  automatic.exposure.lagFrames =
+      static_cast<int>(std::lround(draw(model.exposureLoopLagFrames, draws)));
   /// The white balance is slower than the exposure by this factor; chosen: it must not pulse.
   constexpr double kWhiteBalanceSpeed = 0.5;
-  automatic.whiteBalance.speed = kWhiteBalanceSpeed * draw(model.loopSpeed, draws);
+  automatic.whiteBalance.speed = kWhiteBalanceSpeed * draw(model.exposureLoopSpeed, draws);
   automatic.whiteBalance.lagFrames = automatic.exposure.lagFrames;
   automatic.exposureOffsetStops = draw(model.exposureOffsetStops, draws);
   automatic.initialErrorStops = draw(model.initialErrorStops, draws);
@@ -156,13 +157,13 @@ simulation::Illumination drawIllumination(const GradeModel& model, const FaultCo
   simulation::Illumination light;
   const simulation::Vector3f side =
       beside(context, context.lampDistance, draw(kSideHeight, draws), draws);
-  const auto white = static_cast<float>(draw(model.sideLamp, draws));
+  const auto white = static_cast<float>(draw(model.sideLampFraction, draws));
   light.additionalLamps.push_back(
       {side, simulation::Vector3f::Constant(white), distanceTo(context, side)});
   const simulation::Vector3f above =
       beside(context, context.lampDistance, draw(kWallHeight, draws), draws);
-  const double strength = draw(model.coloredLamp, draws);
-  const Eigen::Vector3d tint = simulation::temperatureGain(draw(model.coloredKelvin, draws));
+  const double strength = draw(model.coloredLampFraction, draws);
+  const Eigen::Vector3d tint = simulation::temperatureGain(draw(model.coloredLampKelvin, draws));
   light.additionalLamps.push_back(
       {above, (strength * tint).cast<float>(), distanceTo(context, above)});
   simulation::MovingShadow shadow;
@@ -224,10 +225,10 @@ SensingFaults randomFaults(const GradeModel& model, const FaultContext& context,
     CameraFaults& own = faults.cameras.emplace_back();
     own.sensor = randomSensor(model, context, draws);
     own.sensor.flicker = flicker;
-    own.automatic = drawAutomatic(model, draws);
+    own.automaticGain = drawAutomatic(model, draws);
     own.unevenLight.vignette = draw(model.vignette, draws);
-    own.unevenLight.right = draws.uniform(-model.sideFalloff, model.sideFalloff);
-    own.unevenLight.down = draws.uniform(-model.sideFalloff, model.sideFalloff);
+    own.unevenLight.gainToRight = draws.uniform(-model.sideFalloff, model.sideFalloff);
+    own.unevenLight.gainToBottom = draws.uniform(-model.sideFalloff, model.sideFalloff);
     own.timing = drawTiming(model, context, draws);
     own.calibration = model.calibration;
   }

@@ -41,20 +41,20 @@ struct GradeModel {
   Range initialErrorStops; ///< error of the exposure at frame 0, stops
   Range whiteBalanceStops; ///< constant error of blue and red, stops
   Range huntingStops;      ///< amplitude of a periodic error in the measured brightness, stops
-  Range huntingPeriodSeconds; ///< period of this error, seconds
-  Range loopSpeed; ///< ControlLoop::speed: fraction of the error that is corrected per frame
-  Range loopLag;   ///< ControlLoop::lagFrames: number of frames from a measurement to its effect
+  Range huntingPeriodSeconds;     ///< period of this error, seconds
+  Range exposureLoopSpeed; ///< ControlLoop::speed: fraction of the error that is corrected per frame
+  Range exposureLoopLagFrames;   ///< ControlLoop::lagFrames: number of frames from a measurement to ///< its effect
 
   // Light; drawn once per run.
   /// Light of a low, white lamp at the side of the target, as a fraction of full light at the
   /// target.
-  Range sideLamp;
+  Range sideLampFraction;
   /// Light of a colored lamp in the green channel, as a fraction of full light at the target.
-  Range coloredLamp;
-  Range coloredKelvin;   ///< color temperature of the colored lamp, kelvin
-  Range shadowDepth;     ///< fraction of the room lamp's light that the moving shadow blocks
-  Range shadowHalfWidth; ///< half width of the moving shadow, meters
-  Range shadowSpeed;     ///< speed of the moving shadow, m/s
+  Range coloredLampFraction;
+  Range coloredLampKelvin; ///< color temperature of the colored lamp, kelvin
+  Range shadowDepth;       ///< fraction of the room lamp's light that the moving shadow blocks
+  Range shadowHalfWidth;   ///< half width of the moving shadow, meters
+  Range shadowSpeed;       ///< speed of the moving shadow, m/s
   Range flickerDepth; ///< amplitude of the flicker (100 or 120 Hz) as a fraction of the mean light
 
   // Time.

@@ -73,14 +73,14 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.seed = draft.seed;
   run.trueRig = draft.rig;
   run.rig = draft.rig;
-  run.delaysAtEnd.assign(draft.rig.size(), 0.0);
+  run.finalDelays.assign(draft.rig.size(), 0.0);
   // What is ideal stays as it was drawn, to the bit.
   if (draft.grade != Grade::Ideal || draft.adjustFaults) {
     RandomDraws errors(draft.seed, draft.name + " calibration");
     const SensingFaults faults = faultsOf(draft);
     for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
       const double end = draft.timeOf(draft.frameCount);
-      run.delaysAtEnd[camera] = end - midExposureTime(faults.cameras.at(camera).timing, end);
+      run.finalDelays[camera] = end - midExposureTime(faults.cameras.at(camera).timing, end);
     }
     run.rig = applyFaults(faults, draft, errors);
   }
@@ -177,7 +177,7 @@ ScenarioDeclaration declareScenario(ScenarioRecipe recipe,
   ScenarioDeclaration declaration;
   declaration.name = recipe.name;
   declaration.family = recipe.name.substr(0, recipe.name.find('-'));
-  declaration.sentence = recipe.sentence;
+  declaration.description = recipe.description;
   declaration.make = [recipe = std::move(recipe), cache = std::move(cache)](std::uint64_t seed,
                                                                             Grade grade) {
     return runOf(recipe, *cache, seed, grade);
@@ -202,7 +202,7 @@ void startNearTruth(ScenarioDraft& draft) {
   draft.startHalfSize = Eigen::Vector3d::Constant(kHalf);
 }
 
-void startAroundAll(ScenarioDraft& draft) {
+void startAroundAllTargets(ScenarioDraft& draft) {
   constexpr double kAround = 0.05; // meters; chosen: more than a radius
   Eigen::AlignedBox3d box;
   for (const std::size_t target : draft.targets) {

@@ -76,7 +76,7 @@ struct ScenarioDraft {
 /// position at which everything that must be visible is visible.
 struct ScenarioRecipe {
   std::string name;
-  std::string sentence;
+  std::string description;
   CameraRig rig;
   simulation::Furnishing furnishing = simulation::Furnishing::ClutteredDesk;
   std::function<bool(ScenarioDraft&)> complete = nullptr;
@@ -98,6 +98,6 @@ void startNearTruth(ScenarioDraft& draft);
 
 /// Sets the start volume to a box that contains the initial positions of all targets, with a margin
 /// of 0.05 m.
-void startAroundAll(ScenarioDraft& draft);
+void startAroundAllTargets(ScenarioDraft& draft);
 
 } // namespace dewpoint::experiment::scenarios

@@ -26,7 +26,7 @@ simulation::GainCurve gainsOf(const ScenarioDraft& draft, std::size_t camera,
 
 bool isUneven(const CameraFaults& faults) {
   const UnevenLight& light = faults.unevenLight;
-  return light.vignette != 0.0 || light.right != 0.0 || light.down != 0.0;
+  return light.vignette != 0.0 || light.gainToRight != 0.0 || light.gainToBottom != 0.0;
 }
 
 void addUnevenLight(const SensingFaults& faults, simulation::Stage& stage) {
@@ -38,7 +38,8 @@ void addUnevenLight(const SensingFaults& faults, simulation::Stage& stage) {
     const simulation::RoomView& view = *stage.views[camera];
     const UnevenLight& light = faults.cameras[camera].unevenLight;
     stage.illuminationGains.push_back(simulation::unevenLight(
-        {view.width, view.height}, light.vignette, light.right, light.down));
+        {view.width, view.height}, light.vignette,
+                                                       light.gainToRight, light.gainToBottom));
   }
 }
 
@@ -48,7 +49,7 @@ Camera miscalibrated(Camera camera, const CalibrationError& error, RandomDraws& 
   if (error == CalibrationError{}) {
     return camera;
   }
-  const double focal = 1.0 + draws.normal(error.focal);
+  const double focal = 1.0 + draws.normal(error.relativeFocalLength);
   camera.intrinsics.focalX *= focal;
   camera.intrinsics.focalY *= focal;
   const double x = draws.normal(error.position);
@@ -59,7 +60,7 @@ Camera miscalibrated(Camera camera, const CalibrationError& error, RandomDraws& 
   const Eigen::AngleAxisd rotation(angle, draws.direction());
   camera.cameraFromWorld.linear() = rotation * camera.cameraFromWorld.linear();
   camera.cameraFromWorld.translation() = -(camera.cameraFromWorld.linear() * position);
-  camera.distortion[0] += draws.normal(error.radial);
+  camera.distortion[0] += draws.normal(error.radialDistortion);
   return camera;
 }
 
@@ -84,8 +85,8 @@ CameraRig applyFaults(const SensingFaults& faults, ScenarioDraft& draft, RandomD
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
     const CameraFaults& own = faults.cameras.at(camera);
     simulation::SensorModel sensor = own.sensor;
-    if (own.automatic && sensor.gains.gainPerFrame.empty()) {
-      sensor.gains = gainsOf(draft, camera, *own.automatic);
+    if (own.automaticGain && sensor.gains.gainPerFrame.empty()) {
+      sensor.gains = gainsOf(draft, camera, *own.automaticGain);
     }
     draft.stage.sensors.push_back(std::move(sensor));
     draft.timings.push_back(own.timing);

@@ -15,10 +15,10 @@ namespace dewpoint::experiment::scenarios {
 
 /// Standard deviations of the errors in the calibration that methods receive.
 struct CalibrationError {
-  double focal = 0.0;    ///< relative error of the focal length
-  double position = 0.0; ///< error of the position per axis, meters
-  double rotation = 0.0; ///< rotation error about a random axis, radians
-  double radial = 0.0;   ///< error of the first radial distortion coefficient
+  double relativeFocalLength = 0.0; ///< relative error of the focal length
+  double position = 0.0;            ///< error of the position per axis, meters
+  double rotation = 0.0;            ///< rotation error about a random axis, radians
+  double radialDistortion = 0.0;    ///< error of the first radial distortion coefficient
   bool operator==(const CalibrationError&) const = default;
 };
 
@@ -28,9 +28,9 @@ Camera miscalibrated(Camera camera, const CalibrationError& error, RandomDraws& 
 
 /// Uneven light over an image, as fractions of the light in the center.
 struct UnevenLight {
-  double vignette = 0.0; ///< fraction of light lost in the corners
-  double right = 0.0;    ///< fraction of light gained from the center to the right border
-  double down = 0.0;     ///< fraction of light gained from the center to the lower border
+  double vignette = 0.0;     ///< fraction of light lost in the corners
+  double gainToRight = 0.0;  ///< fraction of light gained from the center to the right border
+  double gainToBottom = 0.0; ///< fraction of light gained from the center to the lower border
 };
 
 /// Faults of one camera.
@@ -38,7 +38,7 @@ struct CameraFaults {
   simulation::SensorModel sensor;
   /// Automatic exposure and white balance. They determine the gains of `sensor`, unless these gains
   /// are already set.
-  std::optional<simulation::AutomaticGain> automatic;
+  std::optional<simulation::AutomaticGain> automaticGain;
   UnevenLight unevenLight;
   CameraTiming timing;
   CalibrationError calibration;

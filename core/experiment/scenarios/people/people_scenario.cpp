@@ -17,10 +17,10 @@ constexpr int kMaxDrawAttempts = 2000;
 
 // Distances between the middles of two people, meters; chosen, as the paper states none: an adult
 // here is 0.5 m wide and 0.25 m deep.
-constexpr DistanceRange kCrossing{0.45, 0.6}; ///< shoulder by shoulder
-constexpr DistanceRange kMeeting{0.5, 0.65};  ///< to talk
-constexpr DistanceRange kCarrying{0.6, 0.75}; ///< with a box or a bag between them
-constexpr DistanceRange kContact{0.15, 0.28}; ///< an embrace: the bodies touch
+constexpr GapRange kCrossing{0.45, 0.6}; ///< shoulder by shoulder
+constexpr GapRange kMeeting{0.5, 0.65};  ///< to talk
+constexpr GapRange kCarrying{0.6, 0.75}; ///< with a box or a bag between them
+constexpr GapRange kContact{0.15, 0.28}; ///< an embrace: the bodies touch
 
 void cross(PeopleScenario& scenario, RandomDraws& draws) {
   addCrossingPeople(scenario, kCrossing, draws);
@@ -47,7 +47,7 @@ bool visitPossible(const PeopleScenario& scenario) {
   for (double time = 0.0; time < scenario.timeAfterMeeting; time += kCheckEvery) {
     for (std::size_t a = 0; a < people.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
-        if ((people[a].position(time) - people[b].position(time)).norm() < kCrossing.least) {
+        if ((people[a].position(time) - people[b].position(time)).norm() < kCrossing.low) {
           return false;
         }
       }
@@ -60,7 +60,7 @@ bool visitPossible(const PeopleScenario& scenario) {
 /// comes last.
 struct Recipe {
   std::string name;
-  std::string sentence;
+  std::string description;
   void (*draw)(PeopleScenario&, RandomDraws&);
   bool (*possible)(const PeopleScenario&) = waypointsWalkable;
   void (*finish)(PeopleScenario&, PeopleClothes, RandomDraws&) = nullptr;
@@ -123,7 +123,7 @@ const std::vector<std::string>& peopleScenarioNames() {
 
 std::string peopleScenarioDescription(const std::string& name) {
   const Recipe* recipe = recipeNamed(name);
-  return recipe == nullptr ? std::string() : recipe->sentence;
+  return recipe == nullptr ? std::string() : recipe->description;
 }
 
 bool isPeopleScenarioOfPaper(const std::string& name) {

@@ -39,8 +39,7 @@ Walker numberedWalker(int number) {
   return walker;
 }
 
-void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange,
-                       RandomDraws& draws) {
+void addCrossingPeople(PeopleScenario& scenario, const GapRange& gapRange, RandomDraws& draws) {
   constexpr double kHalf =
       2.1; // seconds from the beginning to the nearest point; chosen: 2 m of way
   const double nearest = kAppearTime + kHalf;
@@ -50,8 +49,7 @@ void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange,
   const std::array<Vector2d, 2> velocity{draws.uniform(0.85, 1.1) * headingVector(angle),
                                          draws.uniform(0.85, 1.1) * headingVector(angle + turn)};
   const Vector2d along = (velocity[1] - velocity[0]).normalized();
-  const Vector2d gap =
-      draws.uniform(gapRange.least, gapRange.most) * Vector2d(-along.y(), along.x());
+  const Vector2d gap = draws.uniform(gapRange.low, gapRange.high) * Vector2d(-along.y(), along.x());
   for (int k = 0; k < 2; ++k) {
     Walker walker = numberedWalker(k + 1);
     const Vector2d position = middle + (k == 0 ? -0.5 : 0.5) * gap;
@@ -64,10 +62,10 @@ void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange,
   scenario.timeAfterMeeting = nearest + kHalf;
 }
 
-void addMeetingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, RandomDraws& draws) {
+void addMeetingPeople(PeopleScenario& scenario, const GapRange& gapRange, RandomDraws& draws) {
   const Vector2d middle(draws.uniform(-0.4, 0.4), draws.uniform(-0.4, 0.4));
   const Vector2d line = headingVector(draws.uniform(0.0, kFullTurn));
-  const double gap = draws.uniform(gapRange.least, gapRange.most);
+  const double gap = draws.uniform(gapRange.low, gapRange.high);
   const double stay = draws.uniform(1.0, 2.0);
   const double reach = draws.uniform(1.6, 1.9);
   const double arrive = kAppearTime + reach / draws.uniform(0.9, 1.1);

@@ -12,9 +12,9 @@ namespace dewpoint::experiment {
 inline constexpr double kAppearTime = 1.3;
 
 /// Range from which a distance between two people is drawn, meters.
-struct DistanceRange {
-  double least = 0.0;
-  double most = 0.0;
+struct GapRange {
+  double low = 0.0;
+  double high = 0.0;
 };
 
 /// Returns the unit vector on the floor (world x and y) in a direction. `angle` is measured from x
@@ -35,10 +35,10 @@ simulation::Walker numberedWalker(int number);
 
 /// Adds two people who walk past each other. They are closest, at a distance within `gapRange`,
 /// when both are halfway.
-void addCrossingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, RandomDraws& draws);
+void addCrossingPeople(PeopleScenario& scenario, const GapRange& gapRange, RandomDraws& draws);
 /// Adds two people who approach each other up to a distance within `gapRange`, stand there, and
 /// walk back.
-void addMeetingPeople(PeopleScenario& scenario, const DistanceRange& gapRange, RandomDraws& draws);
+void addMeetingPeople(PeopleScenario& scenario, const GapRange& gapRange, RandomDraws& draws);
 /// Adds two people who meet, walk side by side, and separate.
 void addAccompanyingPeople(PeopleScenario& scenario, RandomDraws& draws);
 /// Adds two people who stay far from each other.

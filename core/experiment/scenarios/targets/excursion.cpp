@@ -28,8 +28,9 @@ Visibility visibilityOf(const simulation::RoomView& view, const Eigen::Vector3d&
   return isFullyVisible(view, center, radius) ? Visibility::Full : Visibility::Partial;
 }
 
-void addUnseenEvents(ScenarioDraft& draft,
-                     const std::function<bool(std::size_t camera, std::int64_t frame)>& isSeen) {
+void addInvisibilityEvents(
+    ScenarioDraft& draft,
+    const std::function<bool(std::size_t camera, std::int64_t frame)>& isSeen) {
   using Kind = ScenarioEvent::Kind;
   const std::size_t cameras = draft.rig.size();
   std::vector<bool> seen(cameras, true);

@@ -37,7 +37,8 @@ Visibility visibilityOf(const simulation::RoomView& view, const Eigen::Vector3d&
 
 /// Adds the UnseenBegin and UnseenEnd events of each camera, according to `isSeen(camera, frame)`.
 /// Also adds events for all cameras together (camera -1) where no camera sees the target.
-void addUnseenEvents(ScenarioDraft& draft,
-                     const std::function<bool(std::size_t camera, std::int64_t frame)>& isSeen);
+void addInvisibilityEvents(
+    ScenarioDraft& draft,
+    const std::function<bool(std::size_t camera, std::int64_t frame)>& isSeen);
 
 } // namespace dewpoint::experiment::scenarios

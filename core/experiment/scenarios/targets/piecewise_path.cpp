@@ -60,7 +60,7 @@ void addBounces(PiecewisePath& path, const Bounce& bounce) {
   const double gravity = -kGravity.z();
   while (true) {
     const double rise = path.velocity().z();
-    const double height = std::max(0.0, path.position().z() - bounce.floor);
+    const double height = std::max(0.0, path.position().z() - bounce.contactHeight);
     path.accelerate(kGravity, (rise + std::sqrt(rise * rise + 2.0 * gravity * height)) / gravity);
     const Eigen::Vector3d before = path.velocity();
     const double rebound = -bounce.restitution * before.z();
@@ -68,7 +68,8 @@ void addBounces(PiecewisePath& path, const Bounce& bounce) {
       path.setVelocity(Eigen::Vector3d::Zero());
       return;
     }
-    path.setVelocity({bounce.slide * before.x(), bounce.slide * before.y(), rebound});
+    path.setVelocity(
+        {bounce.slidingRestitution * before.x(), bounce.slidingRestitution * before.y(), rebound});
   }
 }
 

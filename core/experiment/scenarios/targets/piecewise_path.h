@@ -56,10 +56,11 @@ void addCarry(PiecewisePath& path, const Eigen::Vector3d& to, double seconds);
 
 /// Properties of a ball that bounces on a level floor.
 struct Bounce {
-  double floor = 0.0; ///< height of the ball's center when the ball touches the floor, meters
+  double contactHeight =
+      0.0; ///< height of the ball's center when the ball touches the floor, meters
   double restitution =
-      0.7;            ///< fraction of the speed perpendicular to the floor that is kept, 0 to 1
-  double slide = 0.9; ///< fraction of the speed along the floor that is kept
+      0.7; ///< fraction of the speed perpendicular to the floor that is kept, 0 to 1
+  double slidingRestitution = 0.9; ///< fraction of the speed along the floor that is kept
 };
 
 /// Appends a fall with bounces, which ends when the next bounce would be lower than a millimeter.

@@ -64,7 +64,7 @@ TEST(ScenarioCameraModel, HasTheLensesAndSensorsOfRoom) {
         EXPECT_EQ(camera.sensor.contrast, 1.0);
         EXPECT_EQ(camera.sensor.shutter.readoutSeconds, 0.0);
         EXPECT_EQ(camera.sensor.drift.rotation, Eigen::Vector3d::Zero());
-        EXPECT_FALSE(camera.automatic);
+        EXPECT_FALSE(camera.automaticGain);
       }
     }
   }

@@ -95,7 +95,7 @@ TEST(ScenarioHeld, ThirtyToSixtyPercentAreHiddenInEveryCamera) {
   for (const auto& [name, frames] :
        {std::pair("S11-held", std::vector<std::int64_t>{0, 60, 120, 177}),
         std::pair("S11-grasped", std::vector<std::int64_t>{60, 120, 177})}) {
-    const ScenarioDraft draft = draftOf(experiment::scenarios::handHeldScenarios(), name);
+    const ScenarioDraft draft = draftOf(experiment::scenarios::handHeldTargetScenarios(), name);
     const ScenarioRun run = scenarioRun(name);
     for (const std::int64_t frame : frames) { // of those at which the scenario itself looks
       for (const std::size_t camera : {0U, 1U}) {
@@ -123,7 +123,7 @@ TEST(ScenarioHeld, TheHandThatComesIsThereFromFrame60) {
 
 /// The painted ball of a scenario at time 0.
 simulation::MovingPart paintedBall(const std::string& name, std::uint64_t seed) {
-  const auto draft = draftOf(experiment::scenarios::patternedScenarios(), name, seed);
+  const auto draft = draftOf(experiment::scenarios::patternedBallScenarios(), name, seed);
   const auto parts = partsAt(draft, 0);
   EXPECT_EQ(parts.size(), 1U);
   EXPECT_NE(parts.front().pattern, nullptr);
@@ -201,7 +201,7 @@ double paintedShare(const ScenarioDraft& draft, std::size_t camera, std::int64_t
 /// Expects in the camera and frame that show most paint that what does not match the target's color
 /// is what is painted. Returns its share.
 double mostPaint(const std::string& name, std::uint64_t seed) {
-  const ScenarioDraft draft = draftOf(experiment::scenarios::patternedScenarios(), name, seed);
+  const ScenarioDraft draft = draftOf(experiment::scenarios::patternedBallScenarios(), name, seed);
   const ScenarioRun run = scenarioRun(name, seed);
   const ColorClassifier classifier(run.targets.front().color);
   const auto matches = [&](const cv::Vec3b& pixel) {
@@ -250,7 +250,7 @@ TEST(ScenarioPatterned, PaintDoesNotMatchTheTargetsColor) {
 
 TEST(ScenarioPatterned, BallsRotate) {
   for (const char* name : {"S12-one-patch", "S12-highlight"}) {
-    const ScenarioDraft draft = draftOf(experiment::scenarios::patternedScenarios(), name);
+    const ScenarioDraft draft = draftOf(experiment::scenarios::patternedBallScenarios(), name);
     const Eigen::Matrix3f before = partsAt(draft, 0).front().axes;
     const Eigen::Matrix3f after = partsAt(draft, 3).front().axes;
     const double turn = Eigen::AngleAxisf(Eigen::Matrix3f(after * before.transpose())).angle();

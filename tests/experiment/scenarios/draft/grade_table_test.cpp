@@ -44,8 +44,14 @@ const std::vector<TableRow<CameraFaults>>& cameraRows() {
        [](const Of& c) { return c.sensor.sharpening.sigmaPx; }},
       {"JPEG", {40, 90}, {25, 80}, [](const Of& c) { return double(c.sensor.jpegQuality); }},
       {"corners", {0.1, 0.35}, {0.1, 0.5}, [](const Of& c) { return c.unevenLight.vignette; }},
-      {"right", {-0.12, 0.12}, {-0.25, 0.25}, [](const Of& c) { return c.unevenLight.right; }},
-      {"down", {-0.12, 0.12}, {-0.25, 0.25}, [](const Of& c) { return c.unevenLight.down; }},
+      {"right",
+       {-0.12, 0.12},
+       {-0.25, 0.25},
+       [](const Of& c) { return c.unevenLight.gainToRight; }},
+      {"down",
+       {-0.12, 0.12},
+       {-0.25, 0.25},
+       [](const Of& c) { return c.unevenLight.gainToBottom; }},
       {"exposure, s",
        {0.010, 0.033},
        {0.010, 0.033},
@@ -57,32 +63,29 @@ const std::vector<TableRow<CameraFaults>>& cameraRows() {
       {"settles at, stops",
        {-0.3, 0.3},
        {-0.7, 0.7},
-       [](const Of& c) { return c.automatic->exposureOffsetStops; }},
+       [](const Of& c) { return c.automaticGain->exposureOffsetStops; }},
       {"off at frame 0, stops",
        {-0.3, 0.3},
        {-1.0, 1.0},
-       [](const Of& c) { return c.automatic->initialErrorStops; }},
+       [](const Of& c) { return c.automaticGain->initialErrorStops; }},
       {"blue, stops",
        {-0.12, 0.12},
        {-0.25, 0.25},
-       [](const Of& c) { return c.automatic->whiteBalanceStops[0]; }},
+       [](const Of& c) { return c.automaticGain->whiteBalanceStops[0]; }},
       {"red, stops",
        {-0.12, 0.12},
        {-0.25, 0.25},
-       [](const Of& c) { return c.automatic->whiteBalanceStops[1]; }},
-      {"hunting, stops", {0, 0.2}, {0, 0.5}, [](const Of& c) { return c.automatic->huntingStops; }},
-      {"its period, s",
-       {2, 6},
-       {1, 5},
-       [](const Of& c) { return c.automatic->huntingPeriodSeconds; }},
+       [](const Of& c) { return c.automaticGain->whiteBalanceStops[1]; }},
+      {"hunting, stops", {0, 0.2}, {0, 0.5}, [](const Of& c) { return c.automaticGain->huntingStops; }},
+      {"its period, s", {2, 6}, {1, 5}, [](const Of& c) { return c.automaticGain->huntingPeriodSeconds; }},
       {"speed of the control",
        {0.05, 0.25},
        {0.05, 0.3},
-       [](const Of& c) { return c.automatic->exposure.speed; }},
+       [](const Of& c) { return c.automaticGain->exposure.speed; }},
       {"its delay, frames",
        {1, 4},
        {1, 4},
-       [](const Of& c) { return double(c.automatic->exposure.lagFrames); }},
+       [](const Of& c) { return double(c.automaticGain->exposure.lagFrames); }},
       {"delay, frames", {0, 0.5}, {0, 0.5}, [](const Of& c) { return 30.0 * c.timing.delay; }},
       {"jitter, s", {0, 0.003}, {0, 0.006}, [](const Of& c) { return c.timing.jitter; }},
       {"dropped", {0, 0.02}, {0, 0.08}, [](const Of& c) { return c.timing.droppedShare; }},
@@ -201,10 +204,10 @@ TEST(GradeTable, CalibrationErrorsAreThoseOfTheTable) {
   constexpr double kDegree = std::numbers::pi / 180.0;
   for (const auto& [grade, times] : {std::pair(Grade::Room, 1.0), std::pair(Grade::Wild, 2.0)}) {
     const CalibrationError error = drawnRuns(grade).front().cameras.front().calibration;
-    EXPECT_NEAR(error.focal, times * 0.005, 1e-12);
+    EXPECT_NEAR(error.relativeFocalLength, times * 0.005, 1e-12);
     EXPECT_NEAR(error.position, times * 0.002, 1e-12);
     EXPECT_NEAR(error.rotation, times * 0.2 * kDegree, 1e-12);
-    EXPECT_NEAR(error.radial, times * 0.01, 1e-12);
+    EXPECT_NEAR(error.radialDistortion, times * 0.01, 1e-12);
   }
 }
 
@@ -212,7 +215,7 @@ TEST(GradeTable, TheControlIsStable) {
   for (const Grade grade : {Grade::Room, Grade::Wild}) {
     for (const SensingFaults& run : drawnRuns(grade)) {
       for (const CameraFaults& camera : run.cameras) {
-        const simulation::ControlLoop& loop = camera.automatic->exposure;
+        const simulation::ControlLoop& loop = camera.automaticGain->exposure;
         EXPECT_LT(loop.speed, 2.0 * std::sin(std::numbers::pi / (4.0 * loop.lagFrames + 2.0)));
       }
     }

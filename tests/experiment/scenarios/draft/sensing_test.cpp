@@ -23,8 +23,8 @@ TEST(CameraTiming, IsRightUnlessSetOtherwise) {
   for (std::int64_t frame = 0; frame < 50; ++frame) {
     const auto delivery = deliveryOf({}, frame, chancesOf(frame));
     ASSERT_TRUE(delivery);
-    EXPECT_EQ(delivery->shown, frame);
-    EXPECT_EQ(delivery->stampError, 0.0);
+    EXPECT_EQ(delivery->shownFrame, frame);
+    EXPECT_EQ(delivery->timeStampError, 0.0);
   }
   EXPECT_EQ(midExposureTime({}, 1.25), 1.25);
 }
@@ -38,7 +38,7 @@ TEST(CameraTiming, DropsAndDoublesItsShares) {
   for (std::int64_t frame = 0; frame < 2000; ++frame) {
     const auto delivery = deliveryOf(timing, frame, chancesOf(frame));
     dropped += delivery ? 0 : 1;
-    doubled += delivery && delivery->shown == frame - 1 ? 1 : 0;
+    doubled += delivery && delivery->shownFrame == frame - 1 ? 1 : 0;
   }
   // Of 2000: 200 (standard deviation 13) and 0.2 of the rest, 360 (17).
   EXPECT_NEAR(dropped, 200, 55);
@@ -50,7 +50,7 @@ TEST(CameraTiming, FreezesAtTheLastImageBefore) {
   timing.freezeBegin = 10;
   timing.freezeEnd = 13;
   const auto shown = [&](std::int64_t frame) {
-    return deliveryOf(timing, frame, chancesOf(frame))->shown;
+    return deliveryOf(timing, frame, chancesOf(frame))->shownFrame;
   };
   EXPECT_EQ(shown(9), 9);
   EXPECT_EQ(shown(10), 9);
