@@ -182,14 +182,14 @@ void compare(const BoardRecording& recording, const Half& a, const Half& b, bool
     distances.push_back((moved * inA[i] - inB[i]).norm());
   }
   std::ranges::sort(distances);
-  const double stated = std::hypot(a.accuracy.cameras95, b.accuracy.cameras95);
+  const double stated = std::hypot(a.accuracy.cameraPart95, b.accuracy.cameraPart95);
   for (const double distance : distances) {
     ratios["position in the volume"].push_back(distance / stated);
   }
   if (verbose && !distances.empty()) {
     fmt::print("  {} position in the volume: {:.2f}, stated {:.2f} and {:.2f}\n", recording.name,
-               1e3 * distances[distances.size() * 95 / 100], 1e3 * a.accuracy.cameras95,
-               1e3 * b.accuracy.cameras95);
+               1e3 * distances[distances.size() * 95 / 100], 1e3 * a.accuracy.cameraPart95,
+               1e3 * b.accuracy.cameraPart95);
   }
 }
 

@@ -14,7 +14,7 @@ std::string bashPath(const DeclaredCommand& command) {
 
 std::string knownPaths(const DeclaredCommand& program) {
   std::vector<std::string> paths;
-  for (const DeclaredCommand* command : withSubcommands(program)) {
+  for (const DeclaredCommand* command : commandAndSubcommands(program)) {
     if (command != &program) {
       paths.push_back(singleQuoted(bashPath(*command)));
     }
@@ -63,7 +63,7 @@ std::string bashCompletion(const DeclaredCommand& program) {
   }
   std::string values;
   std::string names;
-  for (const DeclaredCommand* command : withSubcommands(program)) {
+  for (const DeclaredCommand* command : commandAndSubcommands(program)) {
     values += valuesOf(*command);
     names += fmt::format("    {}) words={} ;;\n", singleQuoted(bashPath(*command)),
                          singleQuoted(joined(optionNames(*command), " ")));
@@ -74,7 +74,7 @@ std::string bashCompletion(const DeclaredCommand& program) {
                         names);
   if (!program.commands.empty()) {
     std::string commands;
-    for (const DeclaredCommand* command : withSubcommands(program)) {
+    for (const DeclaredCommand* command : commandAndSubcommands(program)) {
       if (!command->commands.empty()) {
         commands += fmt::format("    {}) words={} ;;\n", singleQuoted(bashPath(*command)),
                                 singleQuoted(joined(commandNames(*command), " ")));

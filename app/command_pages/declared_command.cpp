@@ -89,10 +89,10 @@ DeclaredCommand declaredCommand(const CLI::App& app) {
   return declaredBelow(app, {app.get_name()});
 }
 
-std::vector<const DeclaredCommand*> withSubcommands(const DeclaredCommand& command) {
+std::vector<const DeclaredCommand*> commandAndSubcommands(const DeclaredCommand& command) {
   std::vector<const DeclaredCommand*> all{&command};
   for (const DeclaredCommand& below : command.commands) {
-    const auto more = withSubcommands(below);
+    const auto more = commandAndSubcommands(below);
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;

@@ -39,7 +39,7 @@ struct DeclaredCommand {
 DeclaredCommand declaredCommand(const CLI::App& app);
 
 /// Returns the command and all its subcommands; each command comes before its own subcommands.
-std::vector<const DeclaredCommand*> withSubcommands(const DeclaredCommand& command);
+std::vector<const DeclaredCommand*> commandAndSubcommands(const DeclaredCommand& command);
 
 /// Joins strings with `separator` between them.
 std::string joined(const std::vector<std::string>& texts, const std::string& separator);

@@ -27,7 +27,7 @@ std::string fishCompletion(const DeclaredCommand& program) {
   const std::string& name = program.path.front();
   const std::string function = "__" + shellIdentifier(name) + "_is_at";
   std::string paths;
-  for (const DeclaredCommand* command : withSubcommands(program)) {
+  for (const DeclaredCommand* command : commandAndSubcommands(program)) {
     if (command != &program) {
       paths += " " + fishQuoted(pathWithoutProgram(*command));
     }
@@ -46,7 +46,7 @@ std::string fishCompletion(const DeclaredCommand& program) {
                   "    test (string join -- ' ' '' $path) = (string join -- ' ' '' $argv)\n"
                   "end\n",
                   name, function, paths);
-  for (const DeclaredCommand* command : withSubcommands(program)) {
+  for (const DeclaredCommand* command : commandAndSubcommands(program)) {
     const std::string path = pathWithoutProgram(*command);
     const std::string begin =
         fmt::format("complete -c {} -n '{}{}{}'", name, function, path.empty() ? "" : " ", path);

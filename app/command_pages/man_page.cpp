@@ -130,7 +130,7 @@ std::string manPage(const DeclaredCommand& program, const std::string& version,
                       argumentsOf(program));
   if (!program.commands.empty()) {
     page += ".SH COMMANDS\n";
-    for (const DeclaredCommand* command : withSubcommands(program)) {
+    for (const DeclaredCommand* command : commandAndSubcommands(program)) {
       if (command != &program) {
         page += fmt::format(".SS {}\n{}\n.PP\n{}\n{}", roff(pathWithoutProgram(*command)),
                             usageOf(*command), roff(command->sentence), argumentsOf(*command));

@@ -77,7 +77,7 @@ std::string zshCompletion(const DeclaredCommand& program) {
   const std::string& name = program.path.front();
   std::string script =
       fmt::format("#compdef {}\n# Made from the declarations of {}.\n", name, name);
-  for (const DeclaredCommand* command : withSubcommands(program)) {
+  for (const DeclaredCommand* command : commandAndSubcommands(program)) {
     script += zshFunction(*command);
   }
   // Found by its name the first time, or read into a running shell.

@@ -18,7 +18,7 @@ namespace {
 py::list imagesOf(const FrameSet& set) {
   py::list images;
   for (const FramePtr& frame : set.frames) {
-    images.append(frame ? arrayOf(frame->image) : py::object(py::none()));
+    images.append(frame ? toArray(frame->image) : py::object(py::none()));
   }
   return images;
 }
@@ -67,7 +67,7 @@ FrameSetPtr RecordingHandle::next() {
     if (PyErr_CheckSignals() != 0) {
       throw py::error_already_set();
     }
-    FrameSetPtr set = valueOf(take());
+    FrameSetPtr set = valueOrRaise(take());
     if (!set || hasImages(*set)) {
       return set;
     }
@@ -80,7 +80,7 @@ void RecordingHandle::seek(std::int64_t frame) {
     const std::lock_guard lock(mutex_);
     return inputs_.source->seek(frame);
   }();
-  valueOf(sought);
+  valueOrRaise(sought);
 }
 
 FrameSetPtr RecordingHandle::at(std::int64_t frame) {

@@ -90,7 +90,7 @@ double medianReprojection(const CameraRig& rig,
   }
   BundleProblem bundle = *wandBundle(problem);
   for (BundleCamera& camera : bundle.cameras) {
-    camera.poseFixed = true;
+    camera.isPoseFixed = true;
   }
   bundle.loss = RobustLoss::SoftL1;
   bundle.lossWidth = 1.0;

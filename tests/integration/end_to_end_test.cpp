@@ -109,7 +109,7 @@ TEST_P(DiskTest, RecordedFramesGiveTheSameBitsAsSimulatedOnes) {
   constexpr int kFrames = 75; // the ball has begun to move
   const Scene scene = demoScene();
   const SceneRenderer renderer(scene);
-  Project project = projectOfScene(scene, "");
+  Project project = makeSceneProject(scene, "");
   const bool video = GetParam() == SourceKind::Video;
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     const auto path = folder_ / ("camera" + std::to_string(k) + (video ? ".mkv" : ""));

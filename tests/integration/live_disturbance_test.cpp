@@ -184,7 +184,7 @@ TEST(LiveDisturbance, StreamsKeepTheirIdentityAndTheTarget) {
   constexpr int kStreamEvents = 24;
   const FakeDesk desk;
   std::vector<std::unique_ptr<LoopbackCamera>> cameras;
-  Project project = projectOfScene(desk.scene, "");
+  Project project = makeSceneProject(desk.scene, "");
   project.cameras.resize(kStreams);
   for (int k = 0; k < kStreams; ++k) {
     cameras.push_back(std::make_unique<LoopbackCamera>(desk, k));

@@ -20,7 +20,7 @@ TEST(Live, TwoLoopbackStreamsAreTrackedToTheBall) {
   test::MjpegServer left([&](auto&&...) { return pictures[0]; });
   test::MjpegServer right([&](auto&&...) { return pictures[1]; });
 
-  Project project = projectOfScene(scene, "");
+  Project project = makeSceneProject(scene, "");
   project.cameras[0].source = project.cameras[1].source = SourceKind::Stream;
   project.cameras[0].location = left.address();
   project.cameras[1].location = right.address();

@@ -41,9 +41,10 @@ broadcast::PageTexts pageTexts() {
                   {"searching", PageText::tr("searching").toStdString()},
                   {"lost", PageText::tr("lost").toStdString()},
                   {"gone", PageText::tr("not present").toStdString()}};
-  texts.otherSite = PageText::tr("Only pages from this server can read the results.").toStdString();
-  texts.onlyGet = PageText::tr("Only GET requests are supported.").toStdString();
-  texts.onlyOnePage = PageText::tr("This server has only one page: /.").toStdString();
+  texts.otherSiteRefused =
+      PageText::tr("Only pages from this server can read the results.").toStdString();
+  texts.onlyGetSupported = PageText::tr("Only GET requests are supported.").toStdString();
+  texts.pageNotFound = PageText::tr("This server has only one page: /.").toStdString();
   return texts;
 }
 

@@ -132,9 +132,9 @@ void RunAlerts::applyNewPose(int camera) {
   QString sentence =
       tr("The pose of %1 was recomputed. Undo restores the previous pose.").arg(name);
   if (solved.used > 0) {
-    sentence +=
-        QLatin1Char(' ') + tr("Disagreement with the other cameras: %1 before, %2 now.")
-                               .arg(pixelText(solved.pixelsBefore), pixelText(solved.pixelsAfter));
+    sentence += QLatin1Char(' ') +
+                tr("Disagreement with the other cameras: %1 before, %2 now.")
+                    .arg(pixelText(solved.medianPxBefore), pixelText(solved.medianPxAfter));
   }
   bench_.messages.showNotice(sentence);
 }

@@ -92,7 +92,7 @@ void printPoints(const Project& project, const PointSolution& solution) {
   }
   if (solution.worst) {
     const std::string& name = project.points[static_cast<std::size_t>(*solution.worst)].name;
-    fmt::print("{}: {}.\n", solution.isWorstWrong ? "Does not fit the other points" : "Worst",
+    fmt::print("{}: {}.\n", solution.isWorstPointWrong ? "Does not fit the other points" : "Worst",
                name);
   }
 }

@@ -95,8 +95,8 @@ void printCameras(const WandRefinement& refinement) {
   const WandResult& result = refinement.result;
   fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9} {:>9}", "camera", "views", "dropped", "px", "moved cm",
              "rotated deg");
-  fmt::print("{}{}\n", options.findOffsets ? "  delay ms" : "",
-             options.findFocal ? "   focal" : "");
+  fmt::print("{}{}\n", options.estimateTimeOffsets ? "  delay ms" : "",
+             options.estimateFocalLengths ? "   focal" : "");
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
     const PoseShift shift = poseShift(refinement.before[c], camera);
@@ -104,10 +104,10 @@ void printCameras(const WandRefinement& refinement) {
                result.dropped[c],
                result.views[c] > 0 ? fmt::format("{:.3f}", result.cameraMedianResidualPx[c]) : "-",
                inCentimeters(shift.meters), inDegrees(shift.radians));
-    if (options.findOffsets) {
+    if (options.estimateTimeOffsets) {
       fmt::print(" {:>9.2f}", -inMilliseconds(result.offsets[c]) + 0.0); // no -0.00
     }
-    if (options.findFocal) {
+    if (options.estimateFocalLengths) {
       fmt::print(" {:>7.1f}", camera.intrinsics.focalX);
     }
     fmt::print("\n");
@@ -236,10 +236,10 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
                      ->check(positive);
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
-  command->add_flag("--offsets", wand.findOffsets,
+  command->add_flag("--offsets", wand.estimateTimeOffsets,
                     "Find the delay of each camera relative to the first; --apply saves it");
-  command->add_flag("--focal", wand.findFocal, "Find the focal lengths");
-  command->add_flag("--k1", wand.findDistortion, "Find the first distortion coefficient");
+  command->add_flag("--focal", wand.estimateFocalLengths, "Find the focal lengths");
+  command->add_flag("--k1", wand.estimateDistortion, "Find the first distortion coefficient");
   auto* distance = command
                        ->add_option("--distance", options->distance,
                                     "T1 T2 METERS: at the times T1 and T2, in seconds, the ball "

@@ -84,11 +84,12 @@ void takeHints(ConvertOptions& options) {
 }
 
 std::string cameraSentence(const CameraDifference& camera) {
-  std::string text =
-      fmt::format("{}: largest difference over the image {} px{}", camera.camera,
-                  twoDigitsText(camera.largestPixels), camera.refitted ? " (refitted)" : "");
-  if (camera.lostDirections > 0) {
-    text += fmt::format("; {} of 81 directions no longer map to a pixel", camera.lostDirections);
+  std::string text = fmt::format("{}: largest difference over the image {} px{}", camera.camera,
+                                 twoSignificantDigitsText(camera.maxDifferencePx),
+                                 camera.refitted ? " (refitted)" : "");
+  if (camera.lostDirectionCount > 0) {
+    text +=
+        fmt::format("; {} of 81 directions no longer map to a pixel", camera.lostDirectionCount);
   }
   return text;
 }
@@ -113,7 +114,8 @@ int convert(ConvertOptions& options) {
   for (const CameraDifference& camera : conversion->cameras) {
     fmt::print("{}\n", cameraSentence(camera));
   }
-  fmt::print("largest reprojection difference: {} px\n", twoDigitsText(conversion->largestPixels));
+  fmt::print("largest reprojection difference: {} px\n",
+             twoSignificantDigitsText(conversion->maxDifferencePx));
   for (const auto& file : conversion->written) {
     fmt::print("{}\n", file.string());
   }

@@ -31,7 +31,7 @@ int print(const PrintOptions& options) {
     return report(error);
   }
   fmt::print("{}\n", options.out);
-  if (const auto sheets = sheetsToPrint(*board, *paper); sheets && *sheets > 1) {
+  if (const auto sheets = countSheetsToPrint(*board, *paper); sheets && *sheets > 1) {
     fmt::print("The board is larger than {}: page 1 shows how to put its {} sheets together.\n",
                paper->name, *sheets);
   }

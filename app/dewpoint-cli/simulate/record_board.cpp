@@ -28,7 +28,7 @@ constexpr int kBoardSamples = 3; ///< rays per pixel and direction
 constexpr double kMarginPx = 12.0;
 
 /// How the board is tilted at one position after the other, about its x and y, radians.
-constexpr std::array<std::array<double, 2>, 5> kTilts{
+constexpr std::array<std::array<double, 2>, 5> kTiltCount{
     {{0.0, 0.0}, {0.5, 0.0}, {-0.5, 0.0}, {0.0, 0.5}, {0.0, -0.5}}};
 
 /// The world is that of the board on the floor: X along its columns, Z up, meters.
@@ -92,7 +92,7 @@ std::vector<Isometry3d> shownPositions(const BoardDescription& board, const Came
       const Vector3d aside(0.35 * column, 0.28 * row, 0.0);
       for (double share = 1.0; share > 0.1; share *= 0.85) { // as far out as it is seen whole
         const Vector3d middle = depth * (Vector3d::UnitZ() + share * aside);
-        const Isometry3d pose = facing(board, middle, kTilts.at(number % kTilts.size()));
+        const Isometry3d pose = facing(board, middle, kTiltCount.at(number % kTiltCount.size()));
         if (seesWhole(camera, board, pose)) {
           positions.push_back(camera.cameraFromWorld.inverse() * pose);
           break;

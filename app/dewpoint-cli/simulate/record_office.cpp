@@ -55,7 +55,7 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
   simulation::ViewCache views;
   const OfficeRenderer renderer(scene, views);
   const auto whole = std::filesystem::absolute(folder);
-  Project project = projectOfOffice();
+  Project project = makeOfficeProject();
   project.name = "people in the office";
   project.scene.clear(); // its cameras are recordings from here on
   project.cameras.clear();
@@ -78,7 +78,7 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
     project.cameras.push_back(std::move(camera));
   }
   progress.finish();
-  for (const auto& written : {writeTrajectory(truthOfOffice(renderer), folder / "truth.csv"),
+  for (const auto& written : {writeTrajectory(officeGroundTruth(renderer), folder / "truth.csv"),
                               saveCalibration(rigOf(project), folder / "calibration.toml"),
                               saveProject(project, folder / "project.toml")}) {
     if (!written) {

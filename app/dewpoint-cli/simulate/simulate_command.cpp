@@ -123,7 +123,7 @@ int simulate(const SimulateOptions& options) {
   if (problem) {
     return report({ErrorCode::FileUnwritable, folder.string(), "--out", problem.message()});
   }
-  Project project = projectOfScene(*scene, "");
+  Project project = makeSceneProject(*scene, "");
   project.truth = std::filesystem::absolute(folder / "truth.csv");
   const SceneRenderer renderer(*scene);
   Progress progress("rendering",
@@ -136,7 +136,7 @@ int simulate(const SimulateOptions& options) {
     }
   }
   progress.finish();
-  for (const auto& written : {writeTrajectory(truthOfScene(*scene), folder / "truth.csv"),
+  for (const auto& written : {writeTrajectory(sceneGroundTruth(*scene), folder / "truth.csv"),
                               saveCalibration(rigOf(project), folder / "calibration.toml"),
                               saveProject(project, folder / "project.toml")}) {
     if (!written) {

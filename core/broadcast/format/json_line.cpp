@@ -67,7 +67,7 @@ std::string jsonRigLine(const RigMessage& rig) {
                      jsonVector(rig.volume.min), jsonVector(rig.volume.max), cameras);
 }
 
-std::vector<std::string> jsonFrameLine(const FrameMessage& frame) {
+std::vector<std::string> jsonFrameLines(const FrameMessage& frame) {
   std::string targets;
   for (const TargetMessage& target : frame.targets) {
     targets += (targets.empty() ? "" : ",") + jsonTarget(target, *frame.rig);

@@ -100,7 +100,7 @@ public:
 
   /// Number of positions from which a velocity is computed. The velocity of an accelerating target
   /// lags by one and a half frames.
-  static constexpr std::size_t kPositions = 4;
+  static constexpr std::size_t kPositionsPerVelocity = 4;
 
 private:
   struct Trail {

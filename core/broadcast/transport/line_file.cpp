@@ -60,7 +60,7 @@ bool LineFile::isReady() {
     isOpened_ = false;
     const std::lock_guard lock(mutex_);
     report_.clients = number_ >= 0 ? 1 : 0;
-    report_.lacksReader = number_ < 0;
+    report_.hasNoReader = number_ < 0;
     report_.problem.clear();
   }
   return number_ >= 0 && !isBroken_;
@@ -69,8 +69,8 @@ bool LineFile::isReady() {
 void LineFile::fail(int reason) {
   const std::lock_guard lock(mutex_);
   report_.clients = 0;
-  report_.lacksReader = isNamed_ && reason == EPIPE;
-  report_.problem = report_.lacksReader ? "" : std::strerror(reason);
+  report_.hasNoReader = isNamed_ && reason == EPIPE;
+  report_.problem = report_.hasNoReader ? "" : std::strerror(reason);
   own_.close();
   number_ = -1;
   isBroken_ = !isNamed_;

@@ -30,7 +30,7 @@ struct OutletReport {
   /// Number of lines or datagrams that were not sent because a receiver was too slow.
   std::int64_t dropped = 0;
   /// True while no program reads from the named pipe, so that nothing is sent.
-  bool lacksReader = false;
+  bool hasNoReader = false;
   /// Message of the operating system if nothing can be written; empty if there is no such problem.
   std::string problem = {};
 };

@@ -26,9 +26,9 @@ struct PageTexts {
   std::map<std::string, std::string> states{{"held", "tracking"}, {"ambiguous", "ambiguous"},
                                             {"hidden", "hidden"}, {"searching", "searching"},
                                             {"lost", "lost"},     {"gone", "not present"}};
-  std::string otherSite = "Only pages from this server can read the results.";
-  std::string onlyGet = "Only GET requests are supported.";
-  std::string onlyOnePage = "This server has only one page: /.";
+  std::string otherSiteRefused = "Only pages from this server can read the results.";
+  std::string onlyGetSupported = "Only GET requests are supported.";
+  std::string pageNotFound = "This server has only one page: /.";
 
   bool operator==(const PageTexts&) const = default;
 };

@@ -103,7 +103,7 @@ PairLink linkOf(const std::vector<PairPose>& poses) {
 }
 
 void poseViews(const ExtrinsicsRequest& request, BoardChain& chain, ViewIndex& index) {
-  chain.leftOut.resize(request.cameras.size());
+  chain.leftOutViews.resize(request.cameras.size());
   index.resize(request.cameras.size());
   for (std::size_t camera = 0; camera < request.cameras.size(); ++camera) {
     const auto& in = request.cameras[camera].camera.intrinsics;
@@ -112,9 +112,9 @@ void poseViews(const ExtrinsicsRequest& request, BoardChain& chain, ViewIndex& i
       const double rms =
           pose ? fitView(request.board, view, request.cameras[camera].camera, *pose).rmsPx : 0.0;
       if (!pose) {
-        chain.leftOut[camera].push_back(leftOutView(view, "too few corners are seen"));
+        chain.leftOutViews[camera].push_back(leftOutView(view, "too few corners are seen"));
       } else if (rms > kMostPosePart * std::hypot(in.width, in.height)) {
-        chain.leftOut[camera].push_back(
+        chain.leftOutViews[camera].push_back(
             leftOutView(view, fmt::format("no board pose fits the corners within {:.1f} px", rms)));
       } else {
         index[camera][view.instant] = chain.views.size();

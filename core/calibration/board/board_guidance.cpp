@@ -47,7 +47,7 @@ BoardTilt BoardGuidance::currentTilt(const BoardDetection& detection) const {
 void BoardGuidance::updateMotion(double seconds, const BoardDetection& detection) {
   const auto moved = last_ ? motionBetween(*last_, detection) : std::nullopt;
   const double allowed =
-      settings_.stillPerSecond * camera_.intrinsics.width * (seconds - lastSeconds_);
+      settings_.maxStillSpeed * camera_.intrinsics.width * (seconds - lastSeconds_);
   if (!moved || *moved > allowed) {
     stillSince_ = seconds;
   }
@@ -122,7 +122,7 @@ GuidanceState BoardGuidance::summary() const {
   GuidanceState state;
   state.coverage = coverage_;
   state.views = static_cast<int>(views_.size());
-  state.projectionPx = projectionPx_;
+  state.projectionSigmaPx = projectionPx_;
   return state;
 }
 
@@ -144,7 +144,7 @@ void BoardGuidance::capture(GuidanceState& state) {
 GuidanceState BoardGuidance::step(double seconds, const std::optional<BoardDetection>& detection) {
   GuidanceState state = summary();
   const bool enough = views_.size() >= static_cast<std::size_t>(settings_.minViews) &&
-                      projectionPx_ && *projectionPx_ <= settings_.requestedProjectionPx;
+                      projectionPx_ && *projectionPx_ <= settings_.requiredProjectionSigmaPx;
   if (enough || views_.size() >= static_cast<std::size_t>(settings_.maxViews)) {
     state.advice = GuidanceAdvice::Finished;
     return state;

@@ -122,7 +122,7 @@ Result<BoardInRig> boardInRig(const BoardDescription& board, const CameraRig& ri
   }
   result.worldFromBoard = adjusted->states.front().worldFromBoard;
   result.rmsPx = errorOf(result.worldFromBoard, board, rig, counted);
-  const double most = maxViewError(0.0, rig[result.cameras.front()].intrinsics);
+  const double most = maxViewErrorPx(0.0, rig[result.cameras.front()].intrinsics);
   if (result.rmsPx > most) {
     return failure(ErrorCode::Mismatch, "", "board",
                    fmt::format("the corners of the board are {:.1f} px off: the calibration is "

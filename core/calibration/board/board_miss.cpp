@@ -140,7 +140,7 @@ BoardMiss diagnoseMissedBoard(const BoardDetector& detector, const cv::Mat& imag
                               : std::numeric_limits<double>::infinity();
     if (side < kLargestSmallPx) {
       miss.reason = BoardMiss::Reason::TooSmall;
-      miss.squarePx = side;
+      miss.squareSizePx = side;
       return miss;
     }
   }
@@ -165,7 +165,7 @@ std::string missReasonText(const BoardMiss& miss) {
   case BoardMiss::Reason::Blurred:
     return fmt::format("blurred, edges of {:.0f} px", miss.edgeWidthPx);
   case BoardMiss::Reason::TooSmall:
-    return fmt::format("too small, squares of {:.0f} px", miss.squarePx);
+    return fmt::format("too small, squares of {:.0f} px", miss.squareSizePx);
   case BoardMiss::Reason::Unknown:
     break;
   }

@@ -62,7 +62,7 @@ struct CameraFit {
   /// without this assumption.
   double centerSigma = 0.0;
   double rotationSigma = 0.0; ///< standard deviation of the camera orientation, radians
-  bool lensRefined = false;   ///< true if the intrinsics were adjusted as well
+  bool isLensRefined = false; ///< true if the intrinsics were adjusted as well
 };
 
 /// Output of calibrateExtrinsics().

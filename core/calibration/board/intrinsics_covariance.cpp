@@ -131,10 +131,11 @@ Eigen::VectorXd IntrinsicsParameters::steps(const Camera& camera) const {
   return steps;
 }
 
-std::vector<LensEvidence> lensEvidence(const BoardDescription& board, const Camera& camera,
-                                       const IntrinsicsParameters& parameters,
-                                       const std::vector<ViewFit>& views) {
-  std::vector<LensEvidence> all;
+std::vector<ViewNormalEquations> normalEquationsOfViews(const BoardDescription& board,
+                                                        const Camera& camera,
+                                                        const IntrinsicsParameters& parameters,
+                                                        const std::vector<ViewFit>& views) {
+  std::vector<ViewNormalEquations> all;
   for (const ViewFit& view : views) {
     std::vector<Eigen::Vector3d> points;
     for (const int id : view.ids) {
@@ -154,7 +155,7 @@ std::vector<LensEvidence> lensEvidence(const BoardDescription& board, const Came
         lens - pose * geometry::solveSymmetric(pose.transpose() * pose, cross);
     all.push_back({view.instant, rest.transpose() * rest, rest.transpose() * residuals});
   }
-  std::ranges::stable_sort(all, {}, &LensEvidence::instant);
+  std::ranges::stable_sort(all, {}, &ViewNormalEquations::instant);
   return all;
 }
 
@@ -163,8 +164,8 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
                                      const std::vector<ViewFit>& views) {
   const auto size = static_cast<Eigen::Index>(parameters.names().size());
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
-  const auto evidence = lensEvidence(board, camera, parameters, views);
-  for (const LensEvidence& view : evidence) {
+  const auto evidence = normalEquationsOfViews(board, camera, parameters, views);
+  for (const ViewNormalEquations& view : evidence) {
     normal += view.information;
   }
   double squares = 0.0;
@@ -185,12 +186,12 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
   return squares / static_cast<double>(freedom) * *inverse;
 }
 
-Eigen::VectorXd lensChangeWithout(const std::vector<LensEvidence>& evidence, std::int64_t first,
-                                  std::int64_t end) {
+Eigen::VectorXd lensChangeWithoutViews(const std::vector<ViewNormalEquations>& evidence,
+                                       std::int64_t first, std::int64_t end) {
   const Eigen::Index size = evidence.empty() ? 0 : evidence.front().gradient.size();
   Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd left = Eigen::VectorXd::Zero(size);
-  for (const LensEvidence& view : evidence) {
+  for (const ViewNormalEquations& view : evidence) {
     if (view.instant >= first && view.instant < end) {
       left += view.gradient;
     } else {
@@ -201,7 +202,7 @@ Eigen::VectorXd lensChangeWithout(const std::vector<LensEvidence>& evidence, std
   return inverse ? Eigen::VectorXd(-*inverse * left) : Eigen::VectorXd(Eigen::VectorXd::Zero(size));
 }
 
-Camera lensWithout(const IntrinsicsResult& result, std::int64_t first, std::int64_t end) {
+Camera lensWithoutViews(const IntrinsicsResult& result, std::int64_t first, std::int64_t end) {
   if (result.evidence.empty()) {
     return result.camera;
   }
@@ -214,10 +215,10 @@ Camera lensWithout(const IntrinsicsResult& result, std::int64_t first, std::int6
                                                             : IntrinsicsModel::EightCoefficients,
                                         square);
   return parameters.applied(result.camera, parameters.of(result.camera) +
-                                               lensChangeWithout(result.evidence, first, end));
+                                               lensChangeWithoutViews(result.evidence, first, end));
 }
 
-Eigen::MatrixXd lensJackknife(const std::vector<LensEvidence>& evidence) {
+Eigen::MatrixXd lensJackknife(const std::vector<ViewNormalEquations>& evidence) {
   const std::size_t count = evidence.size();
   const std::size_t blocks = std::min(kMostLensBlocks, count);
   if (blocks < kLeastBlocks) {
@@ -226,7 +227,7 @@ Eigen::MatrixXd lensJackknife(const std::vector<LensEvidence>& evidence) {
   Eigen::MatrixXd changes(evidence.front().gradient.size(), static_cast<Eigen::Index>(blocks));
   for (std::size_t block = 0; block < blocks; ++block) {
     const std::size_t end = (block + 1) * count / blocks;
-    changes.col(static_cast<Eigen::Index>(block)) = lensChangeWithout(
+    changes.col(static_cast<Eigen::Index>(block)) = lensChangeWithoutViews(
         evidence, evidence[block * count / blocks].instant,
         end < count ? evidence[end].instant : std::numeric_limits<std::int64_t>::max());
   }

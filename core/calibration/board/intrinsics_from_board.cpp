@@ -168,7 +168,7 @@ private:
 
   bool leaveOutBad() {
     const double median = medianRms(fits_);
-    const double limit = maxViewError(median, camera_.intrinsics);
+    const double limit = maxViewErrorPx(median, camera_.intrinsics);
     Views good;
     for (std::size_t k = 0; k < views_.size(); ++k) {
       if (fits_[k].rmsPx <= limit) {
@@ -235,7 +235,7 @@ private:
     result.rmsPx = overallRms(fits_);
     const IntrinsicsParameters parameters(request_.model, square_);
     const Eigen::MatrixXd stated = intrinsicsCovariance(request_.board, camera_, parameters, fits_);
-    result.evidence = lensEvidence(request_.board, camera_, parameters, fits_);
+    result.evidence = normalEquationsOfViews(request_.board, camera_, parameters, fits_);
     const Eigen::MatrixXd found = lensJackknife(result.evidence);
     result.covariance = widenedCovariance(stated, found);
     result.independentProjectionSigmaPx = projectionSigma(camera_, parameters, stated);

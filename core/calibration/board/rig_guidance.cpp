@@ -21,7 +21,7 @@ bool RigGuidance::isStill(double seconds,
   for (std::size_t k = 0; k < widths_.size(); ++k) {
     if (detections[k]) {
       const auto moved = last_[k] ? motionBetween(*last_[k], *detections[k]) : std::nullopt;
-      const double allowed = settings_.stillPerSecond * widths_[k] * (seconds - lastSeconds_);
+      const double allowed = settings_.maxStillSpeed * widths_[k] * (seconds - lastSeconds_);
       still = still && moved && *moved <= allowed;
     }
   }

@@ -15,7 +15,7 @@ namespace dewpoint::calibration {
 class RigGuidance {
 public:
   struct Settings {
-    double stillPerSecond =
+    double maxStillSpeed =
         0.05; ///< speed below which the board counts as still, in image widths per second
     double holdSeconds = 0.5; ///< time for which the board must be still before it is captured
     /// Required number of instants at which both cameras see the board, for each pair in the chain

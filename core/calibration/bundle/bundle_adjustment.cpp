@@ -126,7 +126,7 @@ private:
         const Eigen::Map<const Eigen::Vector3d> turn(blocks.pose.data());
         const Eigen::Map<const Eigen::Vector3d> center(blocks.pose.data() + 3);
         const Eigen::Quaterniond rotation(
-            Eigen::Matrix3d(rotationFromTurn(turn) * blocks.rotation));
+            Eigen::Matrix3d(rotationExponential(turn) * blocks.rotation));
         camera.cameraFromWorld.linear() = rotation.normalized().toRotationMatrix();
         camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
       }
@@ -147,9 +147,9 @@ private:
   void takeState(std::size_t s, BundleState& state) {
     const Eigen::Map<const Eigen::Vector3d> first(model_.states[s].values.data());
     const Eigen::Map<const Eigen::Vector3d> second(model_.states[s].values.data() + 3);
-    state.known = model_.start.stateUsed[s] && model_.isInProblem(model_.states[s].values.data());
+    state.known = model_.start.isStateUsed[s] && model_.isInProblem(model_.states[s].values.data());
     if (model_.problem.bodies[state.body].kind == Kind::Board) {
-      state.worldFromBoard.linear() = rotationFromTurn(first) * model_.states[s].rotation;
+      state.worldFromBoard.linear() = rotationExponential(first) * model_.states[s].rotation;
       state.worldFromBoard.translation() = second;
     } else {
       state.ends = {first, second};
@@ -187,11 +187,11 @@ private:
   int gaugeFreedoms() const {
     std::size_t anchors = 0;
     for (const BundleCamera& camera : model_.problem.cameras) {
-      anchors += camera.poseFixed || camera.posePrior ? 1 : 0;
+      anchors += camera.isPoseFixed || camera.posePrior ? 1 : 0;
     }
     bool sized = anchors > 1;
     for (std::size_t s = 0; s < model_.states.size(); ++s) {
-      if (!model_.start.stateUsed[s]) {
+      if (!model_.start.isStateUsed[s]) {
         continue;
       }
       const Kind kind = model_.problem.bodies[model_.start.states[s].body].kind;
@@ -274,8 +274,8 @@ private:
       }
       const Eigen::Map<const Eigen::Vector3d> turn(model_.cameras[columns[i].camera].pose.data());
       Eigen::Matrix3d left; // columns: d(exp(turn) y)/d turn = -[y]x left, read off for y = e_k
-      const Eigen::Matrix3d z = turnDerivative(turn, Eigen::Vector3d::UnitZ());
-      const Eigen::Matrix3d x = turnDerivative(turn, Eigen::Vector3d::UnitX());
+      const Eigen::Matrix3d z = rotationExponentialDerivative(turn, Eigen::Vector3d::UnitZ());
+      const Eigen::Matrix3d x = rotationExponentialDerivative(turn, Eigen::Vector3d::UnitX());
       left.row(0) = -z.row(1);
       left.row(1) = z.row(0);
       left.row(2) = x.row(1);

@@ -31,17 +31,17 @@ struct PosePrior {
 /// (`...Free`).
 struct BundleCamera {
   Camera camera;
-  bool poseFixed = false;
-  bool focalFree = false;  ///< both focal lengths together, keeping their ratio
-  bool aspectFree = false; ///< the ratio of the focal lengths
-  bool centerFree = false; ///< the principal point
+  bool isPoseFixed = false;
+  bool isFocalFree = false;          ///< both focal lengths together, keeping their ratio
+  bool isAspectFree = false;         ///< the ratio of the focal lengths
+  bool isPrincipalPointFree = false; ///< the principal point
   /// Distortion coefficients, in the order of the camera's lens model, each free if true.
-  std::array<bool, 8> distortionFree = {};
+  std::array<bool, 8> isDistortionFree = {};
   double offset =
       0.0; ///< seconds, added to the times of the camera's observations to get true times
   /// Must be false for at least one camera, because only differences between offsets can be
   /// determined.
-  bool offsetFree = false;
+  bool isTimeOffsetFree = false;
   std::optional<PosePrior> posePrior = std::nullopt;
   double focalPriorSigma = 0.0; ///< relative standard deviation around the start value; 0: no prior
 };

@@ -33,10 +33,10 @@ BundleModel::BundleModel(const BundleProblem& given, BundleStart usable)
 std::vector<int> BundleModel::fixedLensEntries(const BundleCamera& camera) {
   std::vector<int> held;
   for (int i = 0; i < kLensSize; ++i) {
-    const bool isFree = i == 0   ? camera.focalFree
-                        : i == 1 ? camera.aspectFree
-                        : i < 4  ? camera.centerFree
-                                 : camera.distortionFree[std::size_t(i - 4)];
+    const bool isFree = i == 0   ? camera.isFocalFree
+                        : i == 1 ? camera.isAspectFree
+                        : i < 4  ? camera.isPrincipalPointFree
+                                 : camera.isDistortionFree[std::size_t(i - 4)];
     if (!isFree) {
       held.push_back(i);
     }
@@ -92,14 +92,14 @@ ceres::LossFunction* BundleModel::lossFor(double sigma) {
 void BundleModel::addObservations() {
   costFunctions.resize(problem.observations.size(), nullptr);
   for (std::size_t i = 0; i < problem.observations.size(); ++i) {
-    if (!start.observationUsed[i]) {
+    if (!start.isObservationUsed[i]) {
       continue;
     }
     auto cost = std::make_unique<PixelCost>(setupOf(i));
     std::vector<double*> blocks = blocksOf(i);
     std::array<double, 2> residual{};
     if (!cost->Evaluate(blocks.data(), residual.data(), nullptr)) {
-      start.observationUsed[i] = false; // behind the camera
+      start.isObservationUsed[i] = false; // behind the camera
       continue;
     }
     solver.AddResidualBlock(cost.get(), lossFor(problem.observations[i].sigma), blocks);
@@ -167,7 +167,7 @@ void BundleModel::addPriors() {
                                              centerSigma, centerSigma, centerSigma}),
                               nullptr, blocks.pose.data());
     }
-    if (wanted.focalPriorSigma > 0.0 && wanted.focalFree &&
+    if (wanted.focalPriorSigma > 0.0 && wanted.isFocalFree &&
         solver.HasParameterBlock(blocks.lens.data())) {
       std::vector<double> sigmas(kLensSize, 0.0);
       sigmas[0] = wanted.focalPriorSigma * blocks.lens[0];
@@ -187,9 +187,9 @@ void BundleModel::fixKnownParameters() {
     const BundleCamera& wanted = problem.cameras[c];
     const std::vector<int> held = fixedLensEntries(wanted);
     double* lens = cameras[c].lens.data();
-    hold(cameras[c].pose.data(), wanted.poseFixed);
+    hold(cameras[c].pose.data(), wanted.isPoseFixed);
     hold(lens, held.size() == kLensSize);
-    hold(&cameras[c].offset, !wanted.offsetFree);
+    hold(&cameras[c].offset, !wanted.isTimeOffsetFree);
     if (!held.empty() && held.size() < kLensSize && solver.HasParameterBlock(lens)) {
       solver.SetManifold(lens, new ceres::SubsetManifold(kLensSize, held));
     }

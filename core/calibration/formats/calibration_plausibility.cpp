@@ -137,7 +137,7 @@ const char* likelyUnit(double spread) {
   return spread > kMaxSpreadInMeters ? "mm" : "m";
 }
 
-std::vector<std::array<std::size_t, 2>> camerasOfOnePose(const CameraRig& rig) {
+std::vector<std::array<std::size_t, 2>> camerasWithSamePose(const CameraRig& rig) {
   std::vector<std::array<std::size_t, 2>> pairs;
   for (std::size_t i = 0; i < rig.size(); ++i) {
     for (std::size_t j = i + 1; j < rig.size(); ++j) {

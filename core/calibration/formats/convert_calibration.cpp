@@ -85,11 +85,10 @@ CameraRig fitted(const CalibrationFormat& format, const CameraRig& rig,
     result.back().cameraFromWorld = camera.cameraFromWorld * worldFromNew;
     conversion.cameras.push_back({camera.name, refit.refitted, 0.0, 0});
     if (refit.refitted) {
-      conversion.decisions.push_back(
-          fmt::format("{} has no lens model like that of {}: focal lengths, principal point and {} "
-                      "coefficients were fitted by least squares over the image (RMS {:.3g} px).",
-                      format.title, camera.name, format.lenses.pinholeCoefficients,
-                      refit.rootMeanSquarePixels));
+      conversion.decisions.push_back(fmt::format(
+          "{} has no lens model like that of {}: focal lengths, principal point and {} "
+          "coefficients were fitted by least squares over the image (RMS {:.3g} px).",
+          format.title, camera.name, format.lenses.pinholeCoefficients, refit.rmsDifferencePx));
     }
   }
   if (format.firstCameraIsWorld) {
@@ -122,7 +121,7 @@ void noteTangentialDistortion(const CalibrationFormat& format, const CameraRig& 
       conversion.decisions.push_back(fmt::format(
           "Anipose ignores p1 and p2 when it projects points. This causes errors of up to {:.3g} "
           "px in {}.",
-          difference(camera, plain, Eigen::Isometry3d::Identity()).largestPixels, camera.name));
+          difference(camera, plain, Eigen::Isometry3d::Identity()).maxDifferencePx, camera.name));
     }
   }
 }
@@ -219,9 +218,9 @@ CameraDifference difference(const Camera& camera, const Camera& other,
         continue;
       }
       if (const auto found = theirs.project(otherFromWorld * point)) {
-        result.largestPixels = std::max(result.largestPixels, (*found - *expected).norm());
+        result.maxDifferencePx = std::max(result.maxDifferencePx, (*found - *expected).norm());
       } else if (depth == kDepths[0]) {
-        ++result.lostDirections;
+        ++result.lostDirectionCount;
       }
     }
   }
@@ -264,9 +263,9 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
   for (std::size_t k = 0; k < rig.size(); ++k) {
     auto& camera = conversion.cameras[k];
     const auto found = difference(rig[k], again->at(k), newFromWorld);
-    camera.largestPixels = found.largestPixels;
-    camera.lostDirections = found.lostDirections;
-    conversion.largestPixels = std::max(conversion.largestPixels, camera.largestPixels);
+    camera.maxDifferencePx = found.maxDifferencePx;
+    camera.lostDirectionCount = found.lostDirectionCount;
+    conversion.maxDifferencePx = std::max(conversion.maxDifferencePx, camera.maxDifferencePx);
   }
   return conversion;
 }
@@ -285,7 +284,7 @@ Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in
   auto conversion = writeCalibration(read->rig, target);
   if (conversion) {
     conversion->from = read->format;
-    for (const auto& [first, second] : camerasOfOnePose(read->rig)) {
+    for (const auto& [first, second] : camerasWithSamePose(read->rig)) {
       conversion->notices.push_back(fmt::format(
           "{} and {} have the same pose, which is probably a mistake",
           nameOrNumber(read->rig[first], first), nameOrNumber(read->rig[second], second)));

@@ -24,9 +24,9 @@ struct CameraDifference {
   std::string camera;
   bool refitted =
       false; ///< true if the lens was fitted again because the format lacks some coefficients
-  double largestPixels = 0.0; ///< largest distance between projections of the same point, pixels
+  double maxDifferencePx = 0.0; ///< largest distance between projections of the same point, pixels
   /// Number of the 9 x 9 compared directions that the written camera cannot see.
-  int lostDirections = 0;
+  int lostDirectionCount = 0;
 };
 
 /// Decisions made in a conversion, and its accuracy.
@@ -36,7 +36,8 @@ struct CalibrationConversion {
   std::vector<std::string> decisions; ///< complete sentences about reading and writing
   std::vector<std::string> notices;   ///< sentences about likely mistakes in the input
   std::vector<CameraDifference> cameras;
-  double largestPixels = 0.0; ///< largest CameraDifference::largestPixels of all cameras, pixels
+  double maxDifferencePx =
+      0.0; ///< largest CameraDifference::maxDifferencePx of all cameras, pixels
   std::vector<std::filesystem::path> written;
 };
 

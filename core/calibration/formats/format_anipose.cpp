@@ -75,7 +75,7 @@ std::string camerasText(const CameraRig& rig, int coefficients, bool saysPinhole
                         k, tomlQuoted(camera.name),
                         saysPinhole ? listText(size) : fmt::format("[{}, {}]", size[0], size[1]),
                         matrixListText(matrixOf(camera.intrinsics)),
-                        listText(coefficientsOf(camera, coefficients)),
+                        listText(shortestCoefficients(camera, coefficients)),
                         listText(vectorFromRotation(camera.cameraFromWorld.linear())),
                         listText(Eigen::VectorXd(camera.cameraFromWorld.translation())));
     text += fisheye ? "fisheye = true\n\n" : saysPinhole ? "fisheye = false\n\n" : "\n";

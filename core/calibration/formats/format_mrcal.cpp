@@ -103,7 +103,7 @@ std::string mrcalCameraText(const Camera& camera) {
   std::vector<double> values = {in.focalX, in.focalY, in.centerX, in.centerY};
   std::string model = "LENSMODEL_PINHOLE";
   if (camera.hasDistortion()) {
-    const auto coefficients = coefficientsOf(camera, 4);
+    const auto coefficients = shortestCoefficients(camera, 4);
     values.insert(values.end(), coefficients.begin(), coefficients.end());
     model = fmt::format("LENSMODEL_OPENCV{}", coefficients.size());
   }

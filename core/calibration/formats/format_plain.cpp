@@ -90,7 +90,7 @@ Result<std::vector<CameraSection>> sectionsIn(const YAML::Node& node, const std:
       continue;
     }
     if (sections.size() == limits::kMaxCameras) {
-      return tooManyCameras(file);
+      return tooManyCamerasError(file);
     }
     const std::string name = isNamed ? item.first.Scalar() : number;
     sections.push_back({camera, YamlReader(camera, file).text("name", name), name + "."});

@@ -126,7 +126,7 @@ Result<ParsedCalibration> readQualisys(const CalibrationText& source, const Cali
       return tl::make_unexpected(camera.error());
     }
     if (calibration.rig.size() == limits::kMaxCameras) {
-      return tooManyCameras(file);
+      return tooManyCamerasError(file);
     }
     calibration.rig.push_back(std::move(*camera));
   }

@@ -142,7 +142,7 @@ std::string matrixText(const char* key, const Eigen::MatrixXd& matrix) {
 }
 
 std::string rosCameraText(const Camera& camera) {
-  const auto coefficients = coefficientsOf(camera, 5);
+  const auto coefficients = shortestCoefficients(camera, 5);
   const char* model = camera.lens == LensModel::Fisheye ? "equidistant"
                       : coefficients.size() == 8        ? "rational_polynomial"
                                                         : "plumb_bob";

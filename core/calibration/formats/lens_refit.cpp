@@ -103,10 +103,10 @@ void measure(const std::vector<Sample>& seen, LensRefit& refit) {
     const auto pixel = projector.project(sample.direction.homogeneous());
     const double distance =
         pixel ? (*pixel - sample.pixel).norm() : std::numeric_limits<double>::infinity();
-    refit.largestPixels = std::max(refit.largestPixels, distance);
+    refit.maxDifferencePx = std::max(refit.maxDifferencePx, distance);
     sum += distance * distance;
   }
-  refit.rootMeanSquarePixels = std::sqrt(sum / double(std::max<std::size_t>(seen.size(), 1)));
+  refit.rmsDifferencePx = std::sqrt(sum / double(std::max<std::size_t>(seen.size(), 1)));
 }
 
 } // namespace

@@ -11,8 +11,8 @@ struct LensRefit {
   bool refitted = false; ///< false if the format can represent the lens as it is
   /// Largest error over the sampled pixels of the image; infinite if the new lens has no pixel for
   /// one of the directions.
-  double largestPixels = 0.0;
-  double rootMeanSquarePixels = 0.0;
+  double maxDifferencePx = 0.0;
+  double rmsDifferencePx = 0.0;
 };
 
 /// Returns whether a format with the lens models `range` can represent the lens of this camera

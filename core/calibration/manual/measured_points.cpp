@@ -89,7 +89,7 @@ void findWorst(const std::vector<bool>& solved, const std::vector<MeasuredPoint>
     if (rms && *rms < least) {
       least = *rms;
       solution.worst = k;
-      solution.isWorstWrong = true;
+      solution.isWorstPointWrong = true;
     }
   }
 }
@@ -136,7 +136,7 @@ void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel,
   }
 }
 
-bool isClickedElsewhere(const MeasuredPoint& point, std::int64_t frame) {
+bool isClickedOnlyInOtherFrames(const MeasuredPoint& point, std::int64_t frame) {
   return !point.clicks.empty() && std::ranges::all_of(point.clicks, [&](const PointClick& click) {
     return click.frame && *click.frame != frame;
   });
@@ -165,7 +165,7 @@ std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
   return residuals;
 }
 
-bool PointSolution::anySolved() const {
+bool PointSolution::hasSolvedCamera() const {
   return std::ranges::any_of(
       cameras, [](const CameraFromPoints& camera) { return isSolved(camera.status); });
 }
@@ -199,7 +199,7 @@ PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPo
     solution.cameras.push_back(camera);
   }
   if (std::ranges::count(solved, true) > 1) {
-    refineTogether(solution.rig, solved, points, settings);
+    refineCamerasAndPoints(solution.rig, solved, points, settings);
   }
   solution.residuals = clickResiduals(solution.rig, points);
   solution.rmsPx = rmsOf(solution.residuals, solved);

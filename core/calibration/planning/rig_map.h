@@ -28,7 +28,8 @@ struct RigMap {
 struct RigMapSummary {
   /// Fraction of the volume, 0 to 1, in which the sigma is at most the `limit` of summaryOf().
   double within = 0.0;
-  double tooFew = 0.0; ///< fraction of the volume seen by fewer than two cameras, 0 to 1
+  double fractionSeenByTooFew =
+      0.0; ///< fraction of the volume seen by fewer than two cameras, 0 to 1
   /// Median sigma over the volume, meters; NaN if less than half of the volume has a sigma.
   double medianSigma = 0.0;
 };

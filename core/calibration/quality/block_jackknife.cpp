@@ -48,7 +48,7 @@ Result<BundleResult> withHeldCameras(BundleProblem part, const BundleResult& wit
   for (std::size_t c = 0; c < part.cameras.size(); ++c) {
     BundleCamera known;
     known.camera = without.cameras[c];
-    known.poseFixed = true;
+    known.isPoseFixed = true;
     known.offset = without.offsets[c];
     part.cameras[c] = known;
   }

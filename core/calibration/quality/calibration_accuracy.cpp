@@ -190,7 +190,7 @@ struct OutsidePositions {
 };
 
 OutsidePositions outsidePositions(const BundleProblem& problem, const BundleResult& result) {
-  const auto seen = seenPositions(problem, result);
+  const auto seen = observedPositions(problem, result);
   const PrincipalBox box = principalBox(seen, kOutliers);
   OutsidePositions outside;
   std::vector<double> distances;
@@ -205,7 +205,7 @@ OutsidePositions outsidePositions(const BundleProblem& problem, const BundleResu
   }
   std::ranges::sort(distances);
   outside.distance = quantile(distances, kOutsideWithin);
-  outside.positions = evenlyChosen(outside.positions, kPositions);
+  outside.positions = chooseEvenly(outside.positions, kPositions);
   return outside;
 }
 
@@ -214,7 +214,7 @@ void assessOutside(const BundleProblem& problem, const BundleResult& result,
                    const PositionErrors& inside, const ErrorSources& from,
                    CalibrationAccuracy& accuracy) {
   const OutsidePositions outside = outsidePositions(problem, result);
-  const PositionErrors errors = propagateTo(outside.positions, result);
+  const PositionErrors errors = propagateErrorsTo(outside.positions, result);
   if (errors.positions.empty()) {
     return;
   }
@@ -227,7 +227,7 @@ void assessOutside(const BundleProblem& problem, const BundleResult& result,
             jackknifeDeviations(positionChanges(errors.positions, result.cameras, from.blocks.rigs),
                                 from.blocks.factor()));
   const Eigen::MatrixXd& larger = found.norm() > stated.norm() ? found : stated;
-  accuracy.outside95 =
+  accuracy.outsidePosition95 =
       std::max(accuracy.position95, percentile95(errors, larger, from.scaleSigma, from.pixelSigma,
                                                  meanVector(inside.positions)));
   accuracy.outsideDistance = outside.distance;
@@ -257,14 +257,14 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
   CalibrationAccuracy accuracy;
   accuracy.changeRatio = ratioOf(found, stated);
   accuracy.modelFactor = accuracy.changeRatio > kClearlyLarger ? accuracy.changeRatio : 1.0;
-  accuracy.heldOut = blocks.points;
-  accuracy.heldOutPx =
+  accuracy.leftOutPointCount = blocks.points;
+  accuracy.leftOutRmsPx =
       blocks.points > 0 ? std::sqrt(blocks.squares / static_cast<double>(blocks.points)) : 0.0;
   const double scale = known.scaleKnown ? known.scaleSigma : 0.0;
   const double pixels = noise * typicalSigma(problem);
   const Eigen::MatrixXd& larger = found.norm() > stated.norm() ? found : stated;
   const Eigen::Vector3d middle = meanVector(errors.positions);
-  accuracy.cameras95 = percentile95(errors, larger, scale, 0.0, middle);
+  accuracy.cameraPart95 = percentile95(errors, larger, scale, 0.0, middle);
   accuracy.position95 = percentile95(errors, larger, scale, pixels, middle);
   assessOutside(problem, result, errors, {sizeless, deviation, blocks, apart, scale, pixels},
                 accuracy);
@@ -309,9 +309,10 @@ std::string accuracySummary(const CalibrationAccuracy& accuracy) {
   text += ", up " + (accuracy.upAngle95 ? uncertaintyText(inDegrees(*accuracy.upAngle95), "degrees")
                                         : std::string("not measured"));
   text += ".";
-  if (accuracy.outside95) {
-    text += fmt::format(" Outside it, up to {:.1f} m away, {} (extrapolated).",
-                        accuracy.outsideDistance, lengthUncertaintyText(*accuracy.outside95));
+  if (accuracy.outsidePosition95) {
+    text +=
+        fmt::format(" Outside it, up to {:.1f} m away, {} (extrapolated).",
+                    accuracy.outsideDistance, lengthUncertaintyText(*accuracy.outsidePosition95));
   }
   return text;
 }

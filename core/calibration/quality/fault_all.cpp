@@ -20,7 +20,7 @@ std::optional<DetectedFault> findCommonFault(const FaultSearchInput& input,
     initialRig.push_back(camera.camera);
   }
   const auto free =
-      input.unsynchronized
+      input.isUnsynchronized
           ? std::nullopt
           : estimateStructureAndPoses(initialRig, imagePoints, everyone, input.initialSigma, true);
   if (!free) {

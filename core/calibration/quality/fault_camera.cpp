@@ -55,7 +55,7 @@ public:
         sigma_(kPositionNoise * std::max(suspect.sigmaPx, 1e-3)) {}
 
   std::optional<DetectedFault> run() {
-    const auto correspondences = evenSelection(known(0.0), kMostCorrespondences);
+    const auto correspondences = selectEvenly(known(0.0), kMostCorrespondences);
     const auto asIs = correspondences.size() < kFewestCorrespondences
                           ? std::nullopt
                           : explain(initial_, correspondences, false);
@@ -101,9 +101,9 @@ private:
 
   std::optional<Explained> explain(const Camera& initial,
                                    const std::vector<PointCorrespondence>& correspondences,
-                                   bool focalFree, bool quick = false,
+                                   bool isFocalFree, bool quick = false,
                                    Camera* found = nullptr) const {
-    const auto one = fitCamera(initial, correspondences, input_.initialSigma, focalFree, quick);
+    const auto one = fitCamera(initial, correspondences, input_.initialSigma, isFocalFree, quick);
     if (!one) {
       return std::nullopt;
     }
@@ -119,7 +119,7 @@ private:
     if (!now) {
       return;
     }
-    const double share = input_.unsynchronized ? kLeastGainShareUnsynchronized : kLeastGainShare;
+    const double share = input_.isUnsynchronized ? kLeastGainShareUnsynchronized : kLeastGainShare;
     const double gain = numbers_ * (base_.cost - now->cost) - penalty;
     if (gain > std::max(kMinGain, share * numbers_) && now->median < kWellExplained * sigma_ &&
         (!best_ || gain > best_->gain)) {
@@ -152,7 +152,7 @@ private:
   }
 
   void tryZoom(const std::vector<PointCorrespondence>& correspondences) {
-    if (input_.focalUnknown) {
+    if (input_.isFocalUnknown) {
       return;
     }
     for (const double start : {1.0, 0.7, 1.4}) { // far off, the pose's prior would hold it back
@@ -267,7 +267,7 @@ private:
     }
     std::vector<std::pair<double, int>> order; // cost, frames
     for (int frames = -kMaxDelayFrames; frames <= kMaxDelayFrames; ++frames) {
-      const auto correspondences = evenSelection(known(frames * period_), kQuickCorrespondences);
+      const auto correspondences = selectEvenly(known(frames * period_), kQuickCorrespondences);
       if (std::abs(frames) < kMinDelayFrames || correspondences.size() < kFewestCorrespondences) {
         continue;
       }
@@ -278,7 +278,7 @@ private:
     std::sort(order.begin(), order.end());
     for (std::size_t k = 0; k < std::min<std::size_t>(3, order.size()); ++k) {
       const auto correspondences =
-          evenSelection(known(order[k].second * period_), kMostCorrespondences);
+          selectEvenly(known(order[k].second * period_), kMostCorrespondences);
       considerHypothesis(CalibrationFault::CameraDelayed, order[k].second,
                          explain(initial_, correspondences, false),
                          0.5 * std::log(numbers_) + std::log(2.0 * kMaxDelayFrames));

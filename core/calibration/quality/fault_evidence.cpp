@@ -50,7 +50,7 @@ BundleProblem pointProblem(const CameraRig& initialRig, const ImagePoints& image
     if (use[c]) {
       renamed[c] = problem.cameras.size();
       problem.cameras.push_back({.camera = initialRig[c],
-                                 .centerFree = centersFree,
+                                 .isPrincipalPointFree = centersFree,
                                  .posePrior = PosePrior{sigma.turn, sigma.position}});
     }
   }
@@ -63,7 +63,7 @@ BundleProblem pointProblem(const CameraRig& initialRig, const ImagePoints& image
       }
     }
   }
-  for (const SeenBy& seen : evenSelection(points, kMostPoints)) {
+  for (const SeenBy& seen : selectEvenly(points, kMostPoints)) {
     for (const auto& [camera, pixel] : seen) {
       problem.observations.push_back(
           {.camera = renamed[camera], .state = problem.states.size(), .pixel = pixel});
@@ -191,10 +191,11 @@ PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints
 
 std::optional<CameraResection> fitCamera(const Camera& initial,
                                          const std::vector<PointCorrespondence>& correspondences,
-                                         const InitialRigSigma& sigma, bool focalFree, bool quick) {
+                                         const InitialRigSigma& sigma, bool isFocalFree,
+                                         bool quick) {
   BundleProblem problem;
   problem.cameras.push_back({.camera = initial,
-                             .focalFree = focalFree,
+                             .isFocalFree = isFocalFree,
                              .posePrior = PosePrior{sigma.turn, sigma.position}});
   problem.bodies.push_back({.name = "point"});
   for (const PointCorrespondence& seen : correspondences) {

@@ -195,9 +195,9 @@ Result<FaultReport> findWandFaults(const WandProblem& problem) {
     FaultSearchInput input;
     input.problem = bundle;
     input.initialSigma = {problem.initialRotationError, problem.initialPositionError};
-    input.focalUnknown = problem.findFocal;
-    input.unsynchronized =
-        problem.findOffsets ||
+    input.isFocalUnknown = problem.estimateFocalLengths;
+    input.isUnsynchronized =
+        problem.estimateTimeOffsets ||
         std::any_of(bundle.observations.begin(), bundle.observations.end(),
                     [](const BundleObservation& seen) { return seen.lag != 0.0; });
     return findFaults(input);

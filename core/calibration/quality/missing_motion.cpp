@@ -51,7 +51,7 @@ class MotionSearch {
 public:
   explicit MotionSearch(const WandResult& result)
       : result_(result), rig_(result.bundle.cameras),
-        positions_(seenPositions(result.problem, result.bundle)) {}
+        positions_(observedPositions(result.problem, result.bundle)) {}
 
   std::vector<MotionGap> run() {
     if (positions_.size() < 4 || rig_.size() < 2) {

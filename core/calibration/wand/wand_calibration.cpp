@@ -67,7 +67,7 @@ public:
 private:
   /// From far off the adjustment would not find the offsets: first roughly.
   Status inTime() {
-    if (given_.findOffsets) {
+    if (given_.estimateTimeOffsets) {
       if (auto usable = checkViews(given_); !usable) {
         return usable;
       }
@@ -105,8 +105,8 @@ private:
           rig[c].center() +
           share * given_.initialPositionError * Eigen::Vector3d(place[0], place[1], place[2]);
       auto& pose = rig[c].cameraFromWorld;
-      pose.linear() = rotationFromTurn(share * given_.initialRotationError *
-                                       Eigen::Vector3d(turn[0], turn[1], turn[2])) *
+      pose.linear() = rotationExponential(share * given_.initialRotationError *
+                                          Eigen::Vector3d(turn[0], turn[1], turn[2])) *
                       pose.linear();
       pose.translation() = -pose.linear() * center;
     }
@@ -189,14 +189,14 @@ private:
   void freeRequested(BundleProblem& bundle) const {
     for (std::size_t c = 0; c < bundle.cameras.size(); ++c) {
       BundleCamera& camera = bundle.cameras[c];
-      camera.offsetFree = given_.findOffsets && c > 0;
-      camera.focalFree = given_.findFocal;
-      camera.distortionFree[0] = given_.findDistortion;
+      camera.isTimeOffsetFree = given_.estimateTimeOffsets && c > 0;
+      camera.isFocalFree = given_.estimateFocalLengths;
+      camera.isDistortionFree[0] = given_.estimateDistortion;
     }
   }
 
   bool followsInTime(const BundleProblem& bundle) const {
-    return given_.findOffsets ||
+    return given_.estimateTimeOffsets ||
            std::any_of(bundle.observations.begin(), bundle.observations.end(),
                        [](const BundleObservation& seen) { return seen.lag != 0.0; });
   }
@@ -254,13 +254,14 @@ private:
     result_.scaleFactor =
         1.0 / fitRigSimilarity(result_.bundle.cameras, given_.initialRig, true).scale;
     result_.scaleSigma = scale->sigma;
-    return uprightWorld(given_, result_.bundle, result_).map([&](const Similarity& upright) {
-      moveWorld(upright, result_.bundle);
-      for (std::size_t c = 0; c < result_.problem.cameras.size(); ++c) {
-        result_.problem.cameras[c].camera = result_.bundle.cameras[c];
-        result_.problem.cameras[c].offset = result_.bundle.offsets[c];
-      }
-    });
+    return changeToUprightWorld(given_, result_.bundle, result_)
+        .map([&](const Similarity& upright) {
+          moveWorld(upright, result_.bundle);
+          for (std::size_t c = 0; c < result_.problem.cameras.size(); ++c) {
+            result_.problem.cameras[c].camera = result_.bundle.cameras[c];
+            result_.problem.cameras[c].offset = result_.bundle.offsets[c];
+          }
+        });
   }
 
   void summarize() {

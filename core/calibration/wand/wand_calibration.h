@@ -57,9 +57,9 @@ struct WandProblem {
   TouchedDistance distance;       ///< the known distance; used for WandScale::Distance
   std::vector<double> floorTimes; ///< times when ball 0 lay on the floor or touched it, seconds
   std::optional<std::array<double, 2>> fallSpan; ///< time span in which ball 0 fell freely, seconds
-  bool findOffsets = false;    ///< estimate time offsets of the cameras relative to the first
-  bool findFocal = false;      ///< estimate focal lengths, keeping their ratio
-  bool findDistortion = false; ///< estimate k1 for every camera
+  bool estimateTimeOffsets = false;  ///< estimate time offsets of the cameras relative to the first
+  bool estimateFocalLengths = false; ///< estimate focal lengths, keeping their ratio
+  bool estimateDistortion = false;   ///< estimate k1 for every camera
   /// Expected error of the initial rig's orientations, radians.
   double initialRotationError = kInitialRotationError;
   /// Expected error of the initial rig's positions, meters.

@@ -241,8 +241,8 @@ Result<ScaleEstimate> estimateScale(const WandProblem& problem, const BundleProb
   }
 }
 
-Result<Similarity> uprightWorld(const WandProblem& problem, const BundleResult& now,
-                                WandResult& result) {
+Result<Similarity> changeToUprightWorld(const WandProblem& problem, const BundleResult& now,
+                                        WandResult& result) {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   if (problem.fallSpan) {
     Eigen::Vector3d acceleration;

@@ -25,7 +25,7 @@ std::size_t SightingHistory::countedSightings() const {
   std::size_t count = 0;
   for (const SightingImage& image : images_) {
     count += static_cast<std::size_t>(
-        std::ranges::count(image.regions, true, &RegionSighting::isCounted));
+        std::ranges::count(image.regions, true, &RegionSighting::countsAsEvidence));
   }
   return count;
 }
@@ -52,9 +52,9 @@ void SightingHistory::add(const cv::Mat& image, double time) {
       counted.push_back({sighting.track, center});
       continue;
     }
-    sighting.isCounted = (center - last->center).norm() >=
-                         std::max(kLeastMoved, kCountsAfter * sighting.region.radius);
-    counted.push_back({sighting.track, sighting.isCounted ? center : last->center});
+    sighting.countsAsEvidence = (center - last->center).norm() >=
+                                std::max(kLeastMoved, kCountsAfter * sighting.region.radius);
+    counted.push_back({sighting.track, sighting.countsAsEvidence ? center : last->center});
   }
   counted_ = std::move(counted);
   images_.push_back(std::move(now));

@@ -142,7 +142,7 @@ private:
     }
     options.stickLength = stick ? kStick : 0.0;
     options.fromDiameter = !stick;
-    options.findOffsets = kind == WandCase::Unsynced;
+    options.estimateTimeOffsets = kind == WandCase::Unsynced;
     if (kind == WandCase::Far) {
       options.initialPositionError = 0.3;
       options.initialRotationError = 10.0 * kDegree;

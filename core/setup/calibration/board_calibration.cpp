@@ -207,7 +207,7 @@ BoardReport reportOf(const BoardDetections& seen, const BoardCalibrationRequest&
   report.board = request.board;
   for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
     if (lenses.cameras[k]) {
-      report.cameras.push_back(reportPart(seen.cameras[k].name, *lenses.cameras[k]));
+      report.cameras.push_back(reportPartOf(seen.cameras[k].name, *lenses.cameras[k]));
     }
   }
   report.title = fmt::format("Intrinsics of {} camera{} from a board", report.cameras.size(),

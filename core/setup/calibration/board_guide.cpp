@@ -156,7 +156,7 @@ void BoardGuide::calibrateLens(std::size_t camera) {
   if (const auto result = calibrateIntrinsics(lensRequest)) {
     guidance.acceptCalibration(*result);
     state_.cameras[camera].rmsPx = result->rmsPx;
-    state_.cameras[camera].lens.projectionPx = result->independentProjectionSigmaPx;
+    state_.cameras[camera].lens.projectionSigmaPx = result->independentProjectionSigmaPx;
     Camera& known = project_.cameras[camera].camera;
     known.intrinsics = result->camera.intrinsics;
     known.distortion = result->camera.distortion;

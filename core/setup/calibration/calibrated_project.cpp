@@ -176,7 +176,7 @@ Project withPointSolution(Project project, const PointSolution& solution, bool f
       }
     }
   }
-  if (solution.anySolved()) {
+  if (solution.hasSolvedCamera()) {
     // The positions of the points are in the world frame, and in meters.
     project.calibrated = {};
     project.calibrated.scale = CalibrationOrigin::Points;

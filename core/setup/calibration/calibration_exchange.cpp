@@ -85,7 +85,7 @@ Result<double> roundTripError(const CameraRig& rig, const std::string& file) {
   double largest = 0.0;
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const auto found = difference(rig[k], again->rig.at(k), Eigen::Isometry3d::Identity());
-    largest = std::max(largest, found.largestPixels);
+    largest = std::max(largest, found.maxDifferencePx);
   }
   return largest;
 }
@@ -169,7 +169,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
   if (!loss) {
     return tl::make_unexpected(loss.error());
   }
-  result.largestPixels = *loss;
+  result.maxDifferencePx = *loss;
   result.faults = camera_motion::checkRig(rig);
   result.project = withCameras(std::move(made->project), rig);
   if (const auto good = checkProject(result.project); !good) {

@@ -36,7 +36,7 @@ constexpr double kSevereGap = 0.5; ///< MotionGap::severity
 /// the former cameras. Gross errors have been dropped already.
 std::optional<double> errorBefore(const WandOptions& options, const CameraRig& before,
                                   const WandResult& result) {
-  const bool onlyCameras = !options.findOffsets && !result.floorFound && !result.freeFall &&
+  const bool onlyCameras = !options.estimateTimeOffsets && !result.floorFound && !result.freeFall &&
                            result.scale != WandScale::Distance &&
                            result.scale != WandScale::Diameter;
   if (!onlyCameras || before.size() != result.problem.cameras.size()) {
@@ -45,7 +45,7 @@ std::optional<double> errorBefore(const WandOptions& options, const CameraRig& b
   BundleProblem problem = result.problem;
   for (std::size_t k = 0; k < before.size(); ++k) {
     const double offset = problem.cameras[k].offset;
-    problem.cameras[k] = {.camera = before[k], .poseFixed = true, .offset = offset};
+    problem.cameras[k] = {.camera = before[k], .isPoseFixed = true, .offset = offset};
   }
   for (BundleState& state : problem.states) {
     state.known = false; // the solution's positions are no start in the former world
@@ -100,7 +100,7 @@ void recordCameras(const WandRefinement& refinement, Project& project) {
     const double sigma = sigmaOf(k);
     camera.calibrated.pose = recordOfPose(camera.camera, CalibrationOrigin::Wand,
                                           sigma > 0.0 ? std::optional(sigma) : std::nullopt);
-    if (refinement.options.findFocal || refinement.options.findDistortion) {
+    if (refinement.options.estimateFocalLengths || refinement.options.estimateDistortion) {
       camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Wand);
     }
   }
@@ -117,19 +117,19 @@ void recordWorld(const WandRefinement& refinement, WorldRecord& world) {
     world.floor = CalibrationOrigin::Wand;
   }
   world.accuracy = accuracy ? std::optional(accuracy->position95) : std::nullopt;
-  world.accuracyOutside = accuracy ? accuracy->outside95 : std::nullopt;
+  world.accuracyOutside = accuracy ? accuracy->outsidePosition95 : std::nullopt;
 }
 
 } // namespace
 
 bool isInaccurate(const WandRefinement& refinement) {
   return refinement.accuracy &&
-         refinement.accuracy->cameras95 > refinement.options.initialPositionError;
+         refinement.accuracy->cameraPart95 > refinement.options.initialPositionError;
 }
 
 bool isUnneeded(const WandRefinement& refinement) {
-  return refinement.beforePx && refinement.accuracy && refinement.accuracy->heldOut > 0 &&
-         *refinement.beforePx <= refinement.accuracy->heldOutPx;
+  return refinement.beforePx && refinement.accuracy && refinement.accuracy->leftOutPointCount > 0 &&
+         *refinement.beforePx <= refinement.accuracy->leftOutRmsPx;
 }
 
 std::string unneededText(const WandRefinement& refinement) {
@@ -137,7 +137,7 @@ std::string unneededText(const WandRefinement& refinement) {
                      "px in images that they were not computed from): keep the old ones, or wave "
                      "longer and through more of the volume",
                      refinement.beforePx.value_or(0.0),
-                     refinement.accuracy ? refinement.accuracy->heldOutPx : 0.0);
+                     refinement.accuracy ? refinement.accuracy->leftOutRmsPx : 0.0);
 }
 
 double newPositionError(const WandRefinement& refinement) {
@@ -152,8 +152,8 @@ double newPositionError(const WandRefinement& refinement) {
 
 bool isKnownBetter(const WandRefinement& refinement) {
   if (!refinement.beforeCalibrated || !refinement.beforePx || !refinement.accuracy ||
-      refinement.accuracy->heldOut == 0 ||
-      *refinement.beforePx >= kContradicted * refinement.accuracy->heldOutPx) {
+      refinement.accuracy->leftOutPointCount == 0 ||
+      *refinement.beforePx >= kContradicted * refinement.accuracy->leftOutRmsPx) {
     return false;
   }
   if (refinement.beforeError) {
@@ -225,7 +225,7 @@ Result<WandRefinement> refineFromViews(const Project& project,
 Project withRefinement(Project project, const WandRefinement& refinement) {
   const WandResult& result = refinement.result;
   project = withCameras(std::move(project), result.cameras);
-  if (refinement.options.findOffsets) {
+  if (refinement.options.estimateTimeOffsets) {
     project = withTimeOffsets(std::move(project), result.offsets);
   }
   recordCameras(refinement, project);
@@ -251,7 +251,7 @@ std::string htmlText(const WandRefinement& refinement) {
                         ? accuracySummary(*refinement.accuracy)
                         : "Accuracy unknown: " + sentence(refinement.accuracy.error());
   report.coverage = coverageOf(refinement.result);
-  report.offsetsFound = refinement.options.findOffsets;
+  report.hasTimeOffsets = refinement.options.estimateTimeOffsets;
   for (const MotionGap& gap : refinement.gaps) {
     report.notices.push_back(motionGapText(gap, refinement.before));
   }

@@ -82,9 +82,9 @@ WandOptions toOptions(const WandSettings& settings, const std::vector<MarkedInst
   if (begin && end) {
     options.fallSpan = std::array<double, 2>{*begin, *end};
   }
-  options.findOffsets = settings.findOffsets;
-  options.findFocal = settings.findFocal;
-  options.findDistortion = settings.findDistortion;
+  options.estimateTimeOffsets = settings.estimateTimeOffsets;
+  options.estimateFocalLengths = settings.estimateFocalLengths;
+  options.estimateDistortion = settings.estimateDistortion;
   options.initialPositionError = settings.initialPositionError;
   options.initialRotationError = settings.initialRotationError;
   if (settings.onlySelectedFrames && selected) {

@@ -116,9 +116,9 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
   problem.distance = options.distance.value_or(TouchedDistance{});
   problem.floorTimes = options.floorTimes;
   problem.fallSpan = options.fallSpan;
-  problem.findOffsets = options.findOffsets;
-  problem.findFocal = options.findFocal;
-  problem.findDistortion = options.findDistortion;
+  problem.estimateTimeOffsets = options.estimateTimeOffsets;
+  problem.estimateFocalLengths = options.estimateFocalLengths;
+  problem.estimateDistortion = options.estimateDistortion;
   problem.initialPositionError = options.initialPositionError;
   problem.initialRotationError = options.initialRotationError;
   return problem;
@@ -148,7 +148,7 @@ Result<WandResult> calibrateFromViews(const Project& project,
   auto result = calibrateFromWand(*problem, [&](const WandProgress& now) {
     return !callback || callback({false, now.step, now.steps, now.rms});
   });
-  if (result && options.findOffsets) { // a camera that is late is none of the faults then
+  if (result && options.estimateTimeOffsets) { // a camera that is late is none of the faults then
     problem->views = shiftedInTime(std::move(problem->views), result->offsets);
   }
   const bool canceled = !result && result.error().code == ErrorCode::Canceled;

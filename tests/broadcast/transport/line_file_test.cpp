@@ -55,17 +55,17 @@ TEST(LineFile, APipeWaitsForNobodyAndGreetsEachReader) {
   (*file)->setPreamble("header\n");
   (*file)->send({"lost\n"}); // nobody reads it
   EXPECT_EQ((*file)->report().clients, 0);
-  EXPECT_TRUE((*file)->report().lacksReader);
+  EXPECT_TRUE((*file)->report().hasNoReader);
   for (int reader = 0; reader < 2; ++reader) {
     FileDescriptor pipe(::open(path.c_str(), O_RDONLY | O_NONBLOCK));
     (*file)->send({"a\n"});
     EXPECT_EQ(textIn(pipe), "header\na\n");
     EXPECT_EQ((*file)->report().clients, 1);
-    EXPECT_FALSE((*file)->report().lacksReader);
+    EXPECT_FALSE((*file)->report().hasNoReader);
     pipe.close();
     (*file)->send({"b\n"}); // the reader has gone: no signal ends the program
     EXPECT_EQ((*file)->report().clients, 0);
-    EXPECT_TRUE((*file)->report().lacksReader);
+    EXPECT_TRUE((*file)->report().hasNoReader);
     EXPECT_EQ((*file)->report().problem, "");
   }
 }

@@ -98,8 +98,8 @@ TEST(BoardGuidance, FollowingTheAdviceEndsByItself) {
     }
   }
   EXPECT_EQ(state.advice, GuidanceAdvice::Finished);
-  ASSERT_TRUE(state.projectionPx);
-  EXPECT_LE(*state.projectionPx, 0.3);
+  ASSERT_TRUE(state.projectionSigmaPx);
+  EXPECT_LE(*state.projectionSigmaPx, 0.3);
   for (const int count : state.coverage.tilts) {
     EXPECT_GE(count, 1);
   }

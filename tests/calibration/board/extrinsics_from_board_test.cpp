@@ -101,7 +101,7 @@ TEST(ExtrinsicsFromBoard, LensesThatTheViewsDoNotDetermineAreKept) {
   const auto result = calibrateExtrinsics(request);
   ASSERT_TRUE(result) << sentence(result.error());
   for (std::size_t k = 0; k < result->cameras.size(); ++k) {
-    EXPECT_FALSE(result->fits[k].lensRefined) << k;
+    EXPECT_FALSE(result->fits[k].isLensRefined) << k;
     EXPECT_EQ(result->cameras[k].intrinsics.focalX, request.cameras[k].camera.intrinsics.focalX);
   }
   ASSERT_EQ(result->notices.size(), 4U);

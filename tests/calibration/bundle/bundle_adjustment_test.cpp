@@ -37,7 +37,7 @@ std::vector<BundleCamera> nudged(const CameraRig& rig) {
     BundleCamera camera;
     camera.camera = rig[c];
     camera.camera.cameraFromWorld.linear() =
-        rotationFromTurn(0.0175 * way) * rig[c].cameraFromWorld.linear();
+        rotationExponential(0.0175 * way) * rig[c].cameraFromWorld.linear();
     camera.camera.cameraFromWorld.translation() += 0.04 * way.reverse();
     cameras.push_back(camera);
   }
@@ -128,7 +128,7 @@ TEST(BundleAdjustment, AStickBringsTheRigBackToTheBit) {
   const CameraRig rig = fourCameras();
   BundleProblem problem = wavedProblem(rig, true, 40);
   problem.cameras[0].camera = rig[0];
-  problem.cameras[0].poseFixed = true;
+  problem.cameras[0].isPoseFixed = true;
   const auto result = adjustBundle(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   EXPECT_LT(result->rms, 1e-6);
@@ -185,8 +185,8 @@ TEST(BundleAdjustment, FindsFocalLengthsAndALens) {
     camera.camera.intrinsics.focalX *= 1.03;
     camera.camera.intrinsics.focalY *= 1.03;
     camera.camera.distortion[0] = 0.0;
-    camera.focalFree = true;
-    camera.distortionFree[0] = true;
+    camera.isFocalFree = true;
+    camera.isDistortionFree[0] = true;
   }
   const auto result = adjustBundle(problem);
   ASSERT_TRUE(result) << sentence(result.error());
@@ -202,7 +202,7 @@ TEST(BundleAdjustment, FindsTimeOffsets) {
   const std::vector<double> offsets{0.0, 0.012, -0.016, 0.005};
   BundleProblem problem = wavedProblem(rig, true, 90, 0.0, offsets);
   for (std::size_t c = 1; c < rig.size(); ++c) {
-    problem.cameras[c].offsetFree = true;
+    problem.cameras[c].isTimeOffsetFree = true;
   }
   const auto result = adjustBundle(problem);
   ASSERT_TRUE(result) << sentence(result.error());
@@ -226,7 +226,7 @@ TEST(BundleAdjustment, ABoardOnTheFloorIsTheWorld) {
     BundleState state;
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     if (f > 0) {
-      pose.linear() = rotationFromTurn({0.2 * f, -0.1 * f, 0.3});
+      pose.linear() = rotationExponential({0.2 * f, -0.1 * f, 0.3});
       pose.translation() << 0.05 * f, -0.1, 0.2 + 0.05 * f;
     }
     state.known = true;

@@ -78,8 +78,8 @@ TEST(BundleModel, WhatIsBehindACameraIsNotUsed) {
   start.states[3].ends[0].z() = -4.0;
   BundleModel model(problem, start);
   EXPECT_EQ(model.usedObservations, 10U);
-  EXPECT_FALSE(model.start.observationUsed[6]);
-  EXPECT_FALSE(model.start.observationUsed[7]);
+  EXPECT_FALSE(model.start.isObservationUsed[6]);
+  EXPECT_FALSE(model.start.isObservationUsed[7]);
   EXPECT_EQ(model.costFunctions[6], nullptr);
   EXPECT_NE(model.costFunctions[5], nullptr);
   EXPECT_FALSE(model.isInProblem(model.states[3].values.data()));
@@ -87,9 +87,9 @@ TEST(BundleModel, WhatIsBehindACameraIsNotUsed) {
 
 TEST(BundleModel, OnlyWhatIsFreeVaries) {
   BundleProblem problem = ballSeenAt(kSix);
-  problem.cameras[0].poseFixed = true;
-  problem.cameras[1].focalFree = true;
-  problem.cameras[1].offsetFree = true;
+  problem.cameras[0].isPoseFixed = true;
+  problem.cameras[1].isFocalFree = true;
+  problem.cameras[1].isTimeOffsetFree = true;
   problem.states[5].fixed = true;
   problem.states[5].ends[0] = ballAt(0.5);
   BundleModel model(problem, startOf(problem));
@@ -111,13 +111,13 @@ TEST(BundleModel, EntriesOfALensAreHeldOneByOne) {
   std::vector<int> all(kLensSize);
   std::iota(all.begin(), all.end(), 0);
   EXPECT_EQ(BundleModel::fixedLensEntries(camera), all);
-  camera.focalFree = true;         // entry 0
-  camera.centerFree = true;        // 2 and 3
-  camera.distortionFree[0] = true; // 4
-  camera.distortionFree[7] = true; // 11
+  camera.isFocalFree = true;          // entry 0
+  camera.isPrincipalPointFree = true; // 2 and 3
+  camera.isDistortionFree[0] = true;  // 4
+  camera.isDistortionFree[7] = true;  // 11
   EXPECT_EQ(BundleModel::fixedLensEntries(camera), (std::vector<int>{1, 5, 6, 7, 8, 9, 10}));
-  camera.aspectFree = true;
-  camera.distortionFree.fill(true);
+  camera.isAspectFree = true;
+  camera.isDistortionFree.fill(true);
   EXPECT_TRUE(BundleModel::fixedLensEntries(camera).empty());
 }
 
@@ -152,7 +152,7 @@ TEST(BundleModel, ASticksLengthIsAResidual) {
 TEST(BundleModel, PriorsPullToTheStart) {
   BundleProblem problem = ballSeenAt(kSix);
   problem.cameras[1].posePrior = PosePrior{0.01, 0.01};
-  problem.cameras[1].focalFree = true;
+  problem.cameras[1].isFocalFree = true;
   problem.cameras[1].focalPriorSigma = 0.02;
   BundleStart start = startOf(problem);
   BundleModel model(problem, start);
@@ -174,7 +174,7 @@ TEST(BundleModel, PriorsPullToTheStart) {
 
 TEST(BundleModel, ALateImageDependsOnTheStatesAroundIt) {
   BundleProblem problem = ballSeenAt(kSix);
-  problem.cameras[1].offsetFree = true;
+  problem.cameras[1].isTimeOffsetFree = true;
   BundleModel model(problem, startOf(problem));
   // Camera 2 at the third instant: its own blocks and those of instants 0 to 4.
   const auto blocks = model.blocksOf(5);

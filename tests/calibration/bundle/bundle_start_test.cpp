@@ -40,10 +40,10 @@ TEST(BundleStart, FreePointsAreTriangulated) {
   const auto start = initializeBundle(problem);
   ASSERT_TRUE(start) << sentence(start.error());
   for (std::size_t k = 0; k < kSix.size(); ++k) {
-    EXPECT_TRUE(start->stateUsed[k]);
+    EXPECT_TRUE(start->isStateUsed[k]);
     EXPECT_LT((start->states[k].ends[0] - ballAt(kSix[k])).norm(), 1e-9) << k;
   }
-  EXPECT_EQ(std::ranges::count(start->observationUsed, true), 12);
+  EXPECT_EQ(std::ranges::count(start->isObservationUsed, true), 12);
   EXPECT_FALSE(start->moving); // all images are of their states' instants
 }
 
@@ -61,14 +61,14 @@ TEST(BundleStart, WhatOneCameraSeesSaysNothing) {
   hide(problem, 3, 1);
   const auto start = initializeBundle(problem);
   ASSERT_TRUE(start) << sentence(start.error());
-  EXPECT_FALSE(start->stateUsed[3]);
-  EXPECT_FALSE(start->observationUsed[indexOf(problem, 3, 0)]);
-  EXPECT_EQ(std::ranges::count(start->stateUsed, true), 6);
+  EXPECT_FALSE(start->isStateUsed[3]);
+  EXPECT_FALSE(start->isObservationUsed[indexOf(problem, 3, 0)]);
+  EXPECT_EQ(std::ranges::count(start->isStateUsed, true), 6);
   // Unless the world is defined by it.
   problem.states[3].fixed = true;
   const auto fixed = initializeBundle(problem);
   ASSERT_TRUE(fixed);
-  EXPECT_TRUE(fixed->stateUsed[3]);
+  EXPECT_TRUE(fixed->isStateUsed[3]);
 }
 
 TEST(BundleStart, BothEndsOfAStickMustBeSeenByTwoCameras) {
@@ -89,8 +89,8 @@ TEST(BundleStart, BothEndsOfAStickMustBeSeenByTwoCameras) {
   problem.observations.pop_back(); // of the last state's other end
   const auto fewer = initializeBundle(problem);
   ASSERT_TRUE(fewer) << sentence(fewer.error());
-  EXPECT_FALSE(fewer->stateUsed[5]);
-  EXPECT_TRUE(fewer->stateUsed[4]);
+  EXPECT_FALSE(fewer->isStateUsed[5]);
+  EXPECT_TRUE(fewer->isStateUsed[4]);
 }
 
 TEST(BundleStart, ABoardNeedsFourPoints) {
@@ -114,8 +114,8 @@ TEST(BundleStart, ABoardNeedsFourPoints) {
   }
   const auto start = initializeBundle(problem);
   ASSERT_TRUE(start) << sentence(start.error());
-  EXPECT_TRUE(start->stateUsed[0]); // one camera is enough for a board
-  EXPECT_FALSE(start->stateUsed[1]);
+  EXPECT_TRUE(start->isStateUsed[0]); // one camera is enough for a board
+  EXPECT_FALSE(start->isStateUsed[1]);
   problem.states[0].known = false;
   const auto nowhere = initializeBundle(problem);
   ASSERT_FALSE(nowhere);
@@ -129,7 +129,7 @@ TEST(BundleStart, ACameraThatIsNotKnownNeedsSixObservations) {
   EXPECT_EQ(few.error().code, ErrorCode::Undetermined);
   EXPECT_EQ(few.error().field, "camera 1");
   EXPECT_NE(few.error().detail.find("5 usable observations, at least 6"), std::string::npos);
-  problem.cameras[0].poseFixed = true;
+  problem.cameras[0].isPoseFixed = true;
   EXPECT_EQ(initializeBundle(problem).error().field, "camera 2");
   problem.cameras[1].posePrior = PosePrior{};
   EXPECT_TRUE(initializeBundle(problem));
@@ -143,8 +143,8 @@ TEST(BundleStart, ACameraThatIsNotKnownNeedsSixObservations) {
 /// The instants a point is followed through, around each state, for images that are late.
 std::vector<StateIndices> knotsOf(const std::vector<double>& times) {
   BundleProblem problem = ballSeenAt(times);
-  problem.cameras[1].offsetFree = true;
-  problem.cameras[0].poseFixed = problem.cameras[1].poseFixed = true;
+  problem.cameras[1].isTimeOffsetFree = true;
+  problem.cameras[0].isPoseFixed = problem.cameras[1].isPoseFixed = true;
   const auto start = initializeBundle(problem);
   EXPECT_TRUE(start);
   std::vector<StateIndices> knots;
@@ -184,16 +184,16 @@ TEST(BundleStart, APathIsNotFollowedThroughALongGap) {
 // the other one saw.
 TEST(BundleStart, WhatLosesItsSupportIsDroppedRoundAfterRound) {
   BundleProblem problem = ballSeenAt({0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 1.0, 1.1});
-  problem.cameras[1].offsetFree = true;
+  problem.cameras[1].isTimeOffsetFree = true;
   const auto start = initializeBundle(problem);
   ASSERT_TRUE(start) << sentence(start.error());
   for (const std::size_t state : {6U, 7U}) {
-    EXPECT_FALSE(start->stateUsed[state]);
-    EXPECT_FALSE(start->observationUsed[indexOf(problem, state, 0)]);
-    EXPECT_FALSE(start->observationUsed[indexOf(problem, state, 1)]);
+    EXPECT_FALSE(start->isStateUsed[state]);
+    EXPECT_FALSE(start->isObservationUsed[indexOf(problem, state, 0)]);
+    EXPECT_FALSE(start->isObservationUsed[indexOf(problem, state, 1)]);
   }
-  EXPECT_EQ(std::ranges::count(start->stateUsed, true), 6);
-  EXPECT_EQ(std::ranges::count(start->observationUsed, true), 12);
+  EXPECT_EQ(std::ranges::count(start->isStateUsed, true), 6);
+  EXPECT_EQ(std::ranges::count(start->isObservationUsed, true), 12);
 }
 
 TEST(BundleStart, SenselessNumbersAreRefused) {

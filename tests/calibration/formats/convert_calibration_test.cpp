@@ -53,10 +53,10 @@ TEST(ConvertCalibration, LosesNothingWhereTheModelsAgree) {
     const auto conversion = writeCalibration(plainRig(), target(format));
     ASSERT_TRUE(conversion) << format.name << ": " << sentence(conversion.error());
     ASSERT_EQ(conversion->cameras.size(), 2U);
-    EXPECT_LT(conversion->largestPixels, 1e-6) << format.name;
+    EXPECT_LT(conversion->maxDifferencePx, 1e-6) << format.name;
     for (const auto& camera : conversion->cameras) {
       EXPECT_FALSE(camera.refitted);
-      EXPECT_EQ(camera.lostDirections, 0);
+      EXPECT_EQ(camera.lostDirectionCount, 0);
     }
     EXPECT_FALSE(conversion->decisions.empty());
   }
@@ -135,16 +135,16 @@ TEST(ConvertCalibration, RefitsALensThatTheFormatCannotHoldAndSaysTheLoss) {
   for (const char* name : {"pose2sim", "kalibr"}) {
     const auto conversion = writeCalibration(rig, target(**calibrationFormat(name)));
     ASSERT_TRUE(conversion) << sentence(conversion.error());
-    EXPECT_NEAR(conversion->cameras[0].largestPixels, 8.969, 1e-3) << name;
-    EXPECT_NEAR(conversion->cameras[1].largestPixels, 0.549, 1e-3) << name;
+    EXPECT_NEAR(conversion->cameras[0].maxDifferencePx, 8.969, 1e-3) << name;
+    EXPECT_NEAR(conversion->cameras[1].maxDifferencePx, 0.549, 1e-3) << name;
     EXPECT_TRUE(conversion->cameras[0].refitted && conversion->cameras[1].refitted);
   }
   for (const char* name : {"anipose", "qualisys"}) { // these know k3
     const auto conversion = writeCalibration(rig, target(**calibrationFormat(name)));
     ASSERT_TRUE(conversion) << sentence(conversion.error());
-    EXPECT_LT(conversion->cameras[0].largestPixels, 1e-6) << name;
+    EXPECT_LT(conversion->cameras[0].maxDifferencePx, 1e-6) << name;
     EXPECT_TRUE(conversion->cameras[1].refitted) << name;
-    EXPECT_LT(conversion->cameras[1].largestPixels, 0.549) << name;
+    EXPECT_LT(conversion->cameras[1].maxDifferencePx, 0.549) << name;
   }
   EXPECT_EQ(writeCalibration(rig, target(**calibrationFormat("mrcal")))->cameras[0].refitted,
             false);
@@ -158,9 +158,9 @@ TEST(LensRefit, IsMuchBetterThanDroppingTheCoefficient) {
   EXPECT_EQ(refit.camera.distortion[4], 0.0);
   Camera cut = camera; // k3 simply dropped
   cut.distortion[4] = 0.0;
-  const double dropped = difference(camera, cut, Eigen::Isometry3d::Identity()).largestPixels;
-  EXPECT_LT(refit.largestPixels, 0.1 * dropped);
-  EXPECT_LT(refit.rootMeanSquarePixels, refit.largestPixels);
+  const double dropped = difference(camera, cut, Eigen::Isometry3d::Identity()).maxDifferencePx;
+  EXPECT_LT(refit.maxDifferencePx, 0.1 * dropped);
+  EXPECT_LT(refit.rmsDifferencePx, refit.maxDifferencePx);
 }
 
 TEST(LensRefit, AMildFisheyeFitsAPinholeOfEight) {
@@ -168,7 +168,7 @@ TEST(LensRefit, AMildFisheyeFitsAPinholeOfEight) {
                                        LensModel::Fisheye); // 35 degrees to the corner
   const LensRefit refit = refitLens(camera, {8, false});
   EXPECT_EQ(refit.camera.lens, LensModel::Pinhole);
-  EXPECT_LT(refit.largestPixels, 0.01);
+  EXPECT_LT(refit.maxDifferencePx, 0.01);
 }
 
 TEST(ConvertCalibration, AnAskedUnitIsWritten) {
@@ -176,7 +176,7 @@ TEST(ConvertCalibration, AnAskedUnitIsWritten) {
   wanted.unit = 0.01;
   const auto conversion = writeCalibration(plainRig(), wanted);
   ASSERT_TRUE(conversion);
-  EXPECT_LT(conversion->largestPixels, 1e-6);
+  EXPECT_LT(conversion->maxDifferencePx, 1e-6);
   wanted = target(**calibrationFormat("kalibr"));
   wanted.unit = 0.001;
   EXPECT_EQ(writeCalibration(plainRig(), wanted).error().field, "unit");

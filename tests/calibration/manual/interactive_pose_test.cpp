@@ -253,12 +253,12 @@ TEST(Conversions, AGridSuitsItsRig) {
   Camera camera;
   camera.intrinsics = {640, 480, 500, 500, 319.5, 239.5};
   camera.cameraFromWorld = lookAt({3.0, -3.0, 2.0}, {1.0, 2.0, 0.0});
-  const ReferenceGrid grid = gridFor({camera});
+  const ReferenceGrid grid = referenceGridFor({camera});
   EXPECT_TRUE(checkGrid(grid));
   // 5.7 m away: half a meter from line to line, around (1, 2).
   EXPECT_EQ(grid.step, 0.5);
   EXPECT_LT((grid.center() - Eigen::Vector3d(1.0, 2.0, 0.0)).norm(), 1e-9);
-  EXPECT_EQ(gridFor({}), ReferenceGrid());
+  EXPECT_EQ(referenceGridFor({}), ReferenceGrid());
 }
 
 TEST(Conversions, TargetsAndFocalLengths) {

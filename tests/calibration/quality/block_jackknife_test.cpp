@@ -89,12 +89,12 @@ TEST(BlockJackknife, ALensWithoutSomeViewsIsThatOfACalibrationWithoutThem) {
   ASSERT_TRUE(whole) << sentence(whole.error());
   ASSERT_TRUE(without) << sentence(without.error());
   ASSERT_EQ(whole->evidence.size(), 20U);
-  const Camera found = lensWithout(*whole, 4, 8);
+  const Camera found = lensWithoutViews(*whole, 4, 8);
   const double sigma = whole->parameters[0].sigma;
   EXPECT_NEAR(found.intrinsics.focalX, without->camera.intrinsics.focalX, 0.3 * sigma);
   EXPECT_NEAR(found.intrinsics.centerX, without->camera.intrinsics.centerX,
               0.3 * whole->parameters[1].sigma);
-  EXPECT_EQ(lensWithout(*whole, 100, 200).intrinsics.focalX, whole->camera.intrinsics.focalX);
+  EXPECT_EQ(lensWithoutViews(*whole, 100, 200).intrinsics.focalX, whole->camera.intrinsics.focalX);
 }
 
 TEST(BlockJackknife, VariancesAreWidenedParameterByParameter) {

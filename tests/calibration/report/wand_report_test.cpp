@@ -46,7 +46,7 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   report.result = *result;
   report.accuracy = "In this volume +-3.1 mm (95 %)";
   report.coverage.resize(3);
-  report.offsetsFound = true;
+  report.hasTimeOffsets = true;
   report.notices = {"The ball moved only along one line."};
   const std::string html = htmlText(report);
   EXPECT_NE(html.find("<strong>In this volume +-3.1 mm (95 %)</strong>"), std::string::npos);

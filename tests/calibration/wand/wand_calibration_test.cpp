@@ -143,8 +143,8 @@ TEST(WandCalibration, FindsOffsetsAndFocalLengths) {
     camera.intrinsics.focalX *= 0.98;
     camera.intrinsics.focalY *= 0.98;
   }
-  problem.findOffsets = true;
-  problem.findFocal = true;
+  problem.estimateTimeOffsets = true;
+  problem.estimateFocalLengths = true;
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
@@ -169,7 +169,7 @@ TEST(WandCalibration, CamerasThatRunFreelyAreRefined) {
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 5e-3);
-  problem.findOffsets = true;
+  problem.estimateTimeOffsets = true;
   const auto offset = calibrateFromWand(problem);
   ASSERT_TRUE(offset) << sentence(offset.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
@@ -184,7 +184,7 @@ TEST(WandCalibration, ClocksThatAreFarOffAreFound) {
   WandProblem problem = waveWand(rig, 1, 0.1, 300, offsets);
   problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   const auto roughly = searchTimeOffsets(problem);
-  problem.findOffsets = true;
+  problem.estimateTimeOffsets = true;
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << sentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {

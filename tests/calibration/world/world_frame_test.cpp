@@ -44,7 +44,7 @@ Similarity askew() {
 TEST(WorldFrame, ThreePointsOfTheFloorSetOriginAxesAndUp) {
   const Eigen::Vector3d a(0.5, 0.25, 0.0), b(1.5, 0.25, 0.0), c(0.2, -1.0, 0.0);
   const CameraRig rig = moved(askew(), corners());
-  const auto floor = calibration::floorThrough({askew() * a, askew() * b, askew() * c}, rig);
+  const auto floor = calibration::changeToFloor({askew() * a, askew() * b, askew() * c}, rig);
   ASSERT_TRUE(floor);
   EXPECT_NEAR(floor->rms, 0.0, 1e-9);
   EXPECT_EQ(floor->change.scale, 1.0);
@@ -60,7 +60,7 @@ TEST(WorldFrame, ThreePointsOfTheFloorSetOriginAxesAndUp) {
 TEST(WorldFrame, MoreThanThreePointsGiveTheFloorThatFitsAllOfThem) {
   const std::vector<Eigen::Vector3d> points{
       {0.0, 0.0, 0.003}, {2.0, 0.0, -0.003}, {2.0, 2.0, 0.003}, {0.0, 2.0, -0.003}};
-  const auto floor = calibration::floorThrough(points, corners());
+  const auto floor = calibration::changeToFloor(points, corners());
   ASSERT_TRUE(floor);
   EXPECT_NEAR(floor->rms, 0.003, 1e-9);
   EXPECT_LT(geometry::angleBetween(floor->change.rotation, Eigen::Matrix3d::Identity()), 1e-3);
@@ -68,10 +68,10 @@ TEST(WorldFrame, MoreThanThreePointsGiveTheFloorThatFitsAllOfThem) {
 
 TEST(WorldFrame, PointsOnALineAreNoFloor) {
   const auto floor =
-      calibration::floorThrough({{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {2.0, 2.0, 0.001}}, corners());
+      calibration::changeToFloor({{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {2.0, 2.0, 0.001}}, corners());
   ASSERT_FALSE(floor);
   EXPECT_EQ(floor.error().field, "floor");
-  EXPECT_FALSE(calibration::floorThrough({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, corners()));
+  EXPECT_FALSE(calibration::changeToFloor({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, corners()));
 }
 
 TEST(WorldFrame, ALevelLineTakesOutTheTiltAlongIt) {
@@ -89,12 +89,12 @@ TEST(WorldFrame, ALevelLineTakesOutTheTiltAlongIt) {
 
 TEST(WorldFrame, OriginAndXAxisGoWhereTheyAreWanted) {
   const Eigen::Vector3d point(1.0, -2.0, 0.5);
-  EXPECT_EQ(calibration::originAt(point) * point, Eigen::Vector3d::Zero());
-  const auto axis = calibration::xAxisAlong({1.0, 1.0, 0.2}, {1.0, 3.0, 0.7});
+  EXPECT_EQ(calibration::changeToOrigin(point) * point, Eigen::Vector3d::Zero());
+  const auto axis = calibration::changeToXAxis({1.0, 1.0, 0.2}, {1.0, 3.0, 0.7});
   ASSERT_TRUE(axis);
   const Eigen::Vector3d along = axis->rotation * Eigen::Vector3d(0.0, 2.0, 0.5);
   EXPECT_LT((along - Eigen::Vector3d(2.0, 0.0, 0.5)).norm(), 1e-12);
-  EXPECT_FALSE(calibration::xAxisAlong({1.0, 1.0, 0.2}, {1.0, 1.0, 0.9}));
+  EXPECT_FALSE(calibration::changeToXAxis({1.0, 1.0, 0.2}, {1.0, 1.0, 0.9}));
 }
 
 TEST(WorldFrame, AMeasuredLengthScalesTheWorld) {

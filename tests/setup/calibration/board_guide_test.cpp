@@ -84,7 +84,7 @@ struct Room {
 
 TEST(BoardGuide, WhoDoesAsToldGetsALens) {
   Room room(1);
-  room.wish.lenses.requestedProjectionPx = 2.0;
+  room.wish.lenses.requiredProjectionSigmaPx = 2.0;
   BoardGuide guide(room.project, room.wish);
   std::size_t step = 0;
   BoardGuideState state;
@@ -97,8 +97,8 @@ TEST(BoardGuide, WhoDoesAsToldGetsALens) {
     }
   }
   EXPECT_EQ(state.phase, Phase::Finished) << step;
-  ASSERT_TRUE(state.cameras[0].lens.projectionPx);
-  EXPECT_LE(*state.cameras[0].lens.projectionPx, 2.0);
+  ASSERT_TRUE(state.cameras[0].lens.projectionSigmaPx);
+  EXPECT_LE(*state.cameras[0].lens.projectionSigmaPx, 2.0);
   EXPECT_GE(state.cameras[0].taken.size(), 10U);
   EXPECT_EQ(state.cameras[0].taken.size(), state.seen->cameras[0].views.size());
 

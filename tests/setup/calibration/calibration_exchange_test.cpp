@@ -42,8 +42,8 @@ TEST_F(CalibrationExchange, WhatIsExportedIsImportedAgain) {
     EXPECT_FALSE(std::filesystem::exists(target.path)) << "a preview leaves no file";
     const auto written = exportCalibration(project_, target);
     ASSERT_TRUE(written) << sentence(written.error());
-    EXPECT_EQ(written->largestPixels, preview->largestPixels);
-    EXPECT_LT(written->largestPixels, 1e-6); // a pinhole without distortion fits every format
+    EXPECT_EQ(written->maxDifferencePx, preview->maxDifferencePx);
+    EXPECT_LT(written->maxDifferencePx, 1e-6); // a pinhole without distortion fits every format
     EXPECT_FALSE(written->written.empty());
     EXPECT_FALSE(std::filesystem::exists(folder_ / "preview"));
   }
@@ -73,7 +73,7 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   ASSERT_TRUE(made) << sentence(made.error());
   EXPECT_FALSE(made->matchedByOrder);
   EXPECT_FALSE(made->lensOnly);
-  EXPECT_LT(made->largestPixels, 1e-6);
+  EXPECT_LT(made->maxDifferencePx, 1e-6);
   ASSERT_EQ(made->cameras.size(), 2U);
   EXPECT_EQ(made->cameras[0].name, "left");
   EXPECT_NEAR(made->cameras[0].poseChange.meters, 0.0, 1e-9);

@@ -86,7 +86,7 @@ void LiveWindowTest::initTestCase() {
 
 std::filesystem::path LiveWindowTest::savedProject(const std::string& first,
                                                    const std::string& second) const {
-  Project project = projectOfScene(scene_, "");
+  Project project = makeSceneProject(scene_, "");
   project.cameras[0].source = project.cameras[1].source = SourceKind::Stream;
   project.cameras[0].location = first;
   project.cameras[1].location = second;

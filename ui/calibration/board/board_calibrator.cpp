@@ -64,7 +64,7 @@ BoardPreferences BoardCalibrator::preferences() const {
           static_cast<int>(request_.board.model),
           request_.goal.lenses,
           request_.goal.poses,
-          request_.lenses.requestedProjectionPx,
+          request_.lenses.requiredProjectionSigmaPx,
           request_.requiredPositionSigma};
 }
 
@@ -79,7 +79,7 @@ void BoardCalibrator::loadPreferences() {
   request_.board.model = static_cast<IntrinsicsModel>(std::clamp(kept.lensModel, 0, 2));
   request_.goal.lenses = kept.lenses;
   request_.goal.poses = kept.positions || !request_.goal.lenses;
-  request_.lenses.requestedProjectionPx = kept.lensAccuracy;
+  request_.lenses.requiredProjectionSigmaPx = kept.lensAccuracy;
   request_.requiredPositionSigma = kept.positionAccuracy;
 }
 
@@ -373,7 +373,7 @@ void BoardCalibrator::saveReport(const QString& file) {
 
 void BoardCalibrator::printBoard(const QString& paper, const QString& file) {
   const auto sheets = paperNamed(paper.toStdString()).and_then([this](const Paper& sheet) {
-    return sheetsToPrint(request_.board.board, sheet);
+    return countSheetsToPrint(request_.board.board, sheet);
   });
   write(
       [board = request_.board.board, name = paper.toStdString(), path = file.toStdString()] {

@@ -112,7 +112,9 @@ void BoardGoalForm::connectFields() {
     });
   });
   connect(lensAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double pixels) {
-    edit([pixels](BoardGuideRequest& request) { request.lenses.requestedProjectionPx = pixels; });
+    edit([pixels](BoardGuideRequest& request) {
+      request.lenses.requiredProjectionSigmaPx = pixels;
+    });
   });
   connect(positionAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
     edit([=](BoardGuideRequest& request) {
@@ -185,7 +187,7 @@ void BoardGoalForm::refresh() {
   accuracyLabel_->setVisible(live);
   lensAccuracy_->setVisible(live && request.goal.lenses);
   positionAccuracy_->setVisible(live && request.goal.poses);
-  showValue(*lensAccuracy_, request.lenses.requestedProjectionPx);
+  showValue(*lensAccuracy_, request.lenses.requiredProjectionSigmaPx);
   showValue(*positionAccuracy_, inMillimeters(request.requiredPositionSigma));
 }
 

@@ -124,8 +124,8 @@ void BoardMap::paintOutlines(QPainter& painter, const QRectF& image) const {
 }
 
 void BoardMap::paintTilts(QPainter& painter, const QRectF& image) const {
-  const double step = image.width() / BoardCoverage::kTilts;
-  for (int k = 0; k < BoardCoverage::kTilts; ++k) {
+  const double step = image.width() / BoardCoverage::kTiltCount;
+  for (int k = 0; k < BoardCoverage::kTiltCount; ++k) {
     const auto tilt = static_cast<BoardTilt>(k);
     const bool wanted = camera_.lens.advice == GuidanceAdvice::TiltTo && camera_.lens.tilt == tilt;
     const int views = camera_.lens.coverage.tilts[static_cast<std::size_t>(k)];

@@ -45,7 +45,7 @@ QString missReason(const QString& image, const BoardMiss& miss) {
         .arg(image, pixelText(miss.edgeWidthPx, 0));
   case BoardMiss::Reason::TooSmall:
     return BoardText::tr("%1 (too small: squares are only %2 wide)")
-        .arg(image, pixelText(miss.squarePx, 0));
+        .arg(image, pixelText(miss.squareSizePx, 0));
   case BoardMiss::Reason::Unknown:
     break;
   }
@@ -197,13 +197,13 @@ QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSe
 
 QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
                          const GuidanceSettings& settings) {
-  if (!camera.lens.projectionPx) {
+  if (!camera.lens.projectionSigmaPx) {
     return BoardText::tr("%1 views; at least %2 are needed")
         .arg(QString::number(camera.lens.views), QString::number(settings.minViews));
   }
   return BoardText::tr("%1 views, accuracy %2 (goal: %3)")
-      .arg(QString::number(camera.lens.views), pixelText(*camera.lens.projectionPx, 2),
-           pixelText(settings.requestedProjectionPx, 2));
+      .arg(QString::number(camera.lens.views), pixelText(*camera.lens.projectionSigmaPx, 2),
+           pixelText(settings.requiredProjectionSigmaPx, 2));
 }
 
 QString visibilityText(const BoardGuideState::PerCamera& camera) {

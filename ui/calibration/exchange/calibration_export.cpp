@@ -37,7 +37,7 @@ QString withoutEnding(const QString& file) {
 constexpr double kLeastLossPx = 0.01; ///< less is not worth a number: no click is that accurate
 
 bool losesAccuracy(const CameraDifference& camera) {
-  return !(camera.largestPixels <= kLeastLossPx) || camera.lostDirections > 0;
+  return !(camera.maxDifferencePx <= kLeastLossPx) || camera.lostDirectionCount > 0;
 }
 
 } // namespace
@@ -159,19 +159,19 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
   for (std::size_t k = 0; k < conversion.cameras.size(); ++k) {
     const CameraDifference& camera = conversion.cameras[k];
     const QString name = cameraName(camera.camera, k);
-    if (!(camera.largestPixels <= kLeastLossPx)) {
+    if (!(camera.maxDifferencePx <= kLeastLossPx)) {
       lines << (camera.refitted
                     ? tr("%1: with the exported calibration, projected points move by at most %2, "
                          "because the format cannot store this lens model and the lens was fitted "
                          "again")
                     : tr("%1: with the exported calibration, projected points move by at most %2"))
-                   .arg(name, pixelDifferenceText(camera.largestPixels));
+                   .arg(name, pixelDifferenceText(camera.maxDifferencePx));
     }
-    if (camera.lostDirections > 0) {
+    if (camera.lostDirectionCount > 0) {
       lines << tr("%1: with the exported lens, %2 of 81 tested directions can no longer be "
                   "projected into the image")
                    .arg(name)
-                   .arg(camera.lostDirections);
+                   .arg(camera.lostDirectionCount);
     }
   }
   if (!replaced.isEmpty()) {

@@ -274,7 +274,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   }
   lines << tr("After the import, projected points are at most %1 away from where the file projects "
               "them")
-               .arg(pixelDifferenceText(made->largestPixels));
+               .arg(pixelDifferenceText(made->maxDifferencePx));
   showPreview(lines.join(QLatin1Char('\n')), true);
 }
 

@@ -294,7 +294,7 @@ void GridLayer::drawPoints(QPainter& painter) {
     painted.name = QString::fromStdString(all[k].name);
     painted.chosen = static_cast<int>(k) == points_.chosen();
     painted.isElsewhere =
-        !painted.chosen && snapshot_ && isClickedElsewhere(all[k], snapshot_->frame);
+        !painted.chosen && snapshot_ && isClickedOnlyInOtherFrames(all[k], snapshot_->frame);
     painted.isMisfit = points_.misfit() == static_cast<int>(k);
     if (const PointClick* click = clickIn(all[k], camera_)) {
       painted.click = widgetPosition(click->pixel, placement);

@@ -232,7 +232,7 @@ void UncertaintyMapForm::summarize() {
               "volume")
                .arg(shareText(summary.within),
                     lengthText(plan_.mapOptions().goodSigma, LengthForm::Short),
-                    shareText(summary.tooFew));
+                    shareText(summary.fractionSeenByTooFew));
   }
   summary_->setText(text);
   summary_->setVisible(!text.isEmpty());
