@@ -221,7 +221,7 @@ void halve(const BoardRecording& recording, bool lenses, bool verbose, Ratios& r
   const auto a = calibrated(recording, partOf(recording.seen, 0, end / 2), lenses);
   const auto b = calibrated(recording, partOf(recording.seen, end / 2, end), lenses);
   if (!a || !b) {
-    fmt::print("{}: {}\n", recording.name, sentence(a ? b.error() : a.error()));
+    fmt::print("{}: {}\n", recording.name, errorSentence(a ? b.error() : a.error()));
     return;
   }
   compare(recording, *a, *b, verbose, ratios);
@@ -271,7 +271,7 @@ int main(int count, char** arguments) {
   Ratios real;
   for (const auto& recording : {charucoRecording(data), trayRecording(data)}) {
     if (!recording) {
-      fmt::print("{}\n", sentence(recording.error()));
+      fmt::print("{}\n", errorSentence(recording.error()));
       continue;
     }
     if (recording->lensesKnown) {

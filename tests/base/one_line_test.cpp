@@ -37,7 +37,7 @@ TEST(OneLine, IsCutWhereItIsLong) {
 
 TEST(OneLine, IsEachPartOfASentence) {
   const Error error{ErrorCode::BadValue, "a\nb.toml", "c\x01", "d\r"};
-  EXPECT_EQ(base::sentence(error), "a?b.toml: c?: not a usable value (d?)");
+  EXPECT_EQ(base::errorSentence(error), "a?b.toml: c?: not a usable value (d?)");
 }
 
 } // namespace

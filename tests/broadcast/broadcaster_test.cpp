@@ -101,7 +101,7 @@ TEST(Broadcaster, OpensEverythingOfTheSettings) {
   inputs.settings.osc = "127.0.0.1:" + std::to_string(osc.port());
   inputs.settings.tuio = "127.0.0.1:" + std::to_string(tuio.port());
   auto broadcaster = Broadcaster::open(inputs);
-  ASSERT_TRUE(broadcaster) << sentence(broadcaster.error());
+  ASSERT_TRUE(broadcaster) << errorSentence(broadcaster.error());
   const auto reports = (*broadcaster)->reports();
   ASSERT_EQ(reports.size(), 5U);
   const std::string place = reports[0].address;

@@ -108,7 +108,7 @@ TEST(Ball9Arena, WavingTheBallIsNoWorseThanTheAuthorsCalibration) {
   problem.views = detections();
   problem.initialRig = movedCameras(truth, 0.1, 3.0 / 180.0 * std::numbers::pi, 1);
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   const double authors = medianReprojection(truth, problem.views);
   const double ours = medianReprojection(result->cameras, problem.views);
   EXPECT_GT(ours, 0.0);

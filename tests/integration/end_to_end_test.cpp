@@ -115,7 +115,7 @@ TEST_P(DiskTest, RecordedFramesGiveTheSameBitsAsSimulatedOnes) {
     const auto path = folder_ / ("camera" + std::to_string(k) + (video ? ".mkv" : ""));
     auto writer = video ? FrameWriter::video(path.string(), scene.framesPerSecond)
                         : FrameWriter::images(path.string());
-    ASSERT_TRUE(writer) << sentence(writer.error());
+    ASSERT_TRUE(writer) << errorSentence(writer.error());
     for (int frame = 0; frame < kFrames; ++frame) {
       ASSERT_TRUE(writer->write(renderer.render(static_cast<int>(k), frame)));
     }
@@ -125,7 +125,7 @@ TEST_P(DiskTest, RecordedFramesGiveTheSameBitsAsSimulatedOnes) {
   }
   ASSERT_TRUE(saveProject(project, folder_ / "project.toml"));
   auto fromDisk = openProject(folder_ / "project.toml");
-  ASSERT_TRUE(fromDisk) << sentence(fromDisk.error());
+  ASSERT_TRUE(fromDisk) << errorSentence(fromDisk.error());
   EXPECT_EQ(fromDisk->source->frameCount(), kFrames);
   expectSameBits(tracked(openProject("demo").value(), kFrames),
                  tracked(std::move(*fromDisk), kFrames));

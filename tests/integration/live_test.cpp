@@ -25,7 +25,7 @@ TEST(Live, TwoLoopbackStreamsAreTrackedToTheBall) {
   project.cameras[0].location = left.address();
   project.cameras[1].location = right.address();
   auto inputs = openInputs(project);
-  ASSERT_TRUE(inputs) << sentence(inputs.error());
+  ASSERT_TRUE(inputs) << errorSentence(inputs.error());
   Session session(std::move(*inputs));
   session.play();
 

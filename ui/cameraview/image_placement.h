@@ -9,7 +9,7 @@
 
 namespace dewpoint::ui {
 
-/// PlacedCamera of an image in its widget: upper left corner in widget coordinates, and widget
+/// Placement of an image in its widget: upper left corner in widget coordinates, and widget
 /// units per image pixel. Pixel centers lie at integer coordinates.
 struct ImagePlacement {
   QPointF corner;

@@ -150,7 +150,7 @@ void printDecisions(const WandOptions& options, const WandResult& result) {
 void printAccuracyOf(const WandRefinement& refinement) {
   const auto& accuracy = refinement.accuracy;
   printAccuracy(accuracy ? std::optional(*accuracy) : std::nullopt,
-                accuracy ? accuracySummary(*accuracy) : "none; " + sentence(accuracy.error()),
+                accuracy ? accuracySummary(*accuracy) : "none; " + errorSentence(accuracy.error()),
                 refinement.result.faults);
 }
 

@@ -6,7 +6,7 @@
 namespace dewpoint::app {
 
 int report(const Error& error) {
-  fmt::print(stderr, "dewpoint-cli: {}.\n", sentence(error));
+  fmt::print(stderr, "dewpoint-cli: {}.\n", errorSentence(error));
   switch (error.code) {
   case ErrorCode::FileUnwritable:
     return kExitOutput;

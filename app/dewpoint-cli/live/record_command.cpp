@@ -62,7 +62,7 @@ public:
   void show(const std::vector<Error>& notices) {
     std::vector<std::string> now;
     for (const Error& notice : notices) {
-      now.push_back(sentence(notice));
+      now.push_back(errorSentence(notice));
       if (std::ranges::find(shown_, now.back()) == shown_.end()) {
         fmt::print(stderr, "dewpoint-cli: {}.\n", now.back());
       }

@@ -72,7 +72,7 @@ public:
   /// Prints each notice once.
   void showNotices(const TrackSnapshot& snapshot) {
     for (const Error& notice : snapshot.notices) {
-      if (std::string text = sentence(notice); printed_.insert(text).second) {
+      if (std::string text = errorSentence(notice); printed_.insert(text).second) {
         clear();
         fmt::print(stderr, "dewpoint-cli: note: {}.\n", text);
       }

@@ -269,7 +269,7 @@ int TrackJob::run(SessionInputs inputs) const {
   figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   figures.finished = tracked.has_value() && !interruptionRequested();
   if (!tracked) {
-    figures.notices.push_back(sentence(tracked.error()));
+    figures.notices.push_back(errorSentence(tracked.error()));
   }
   figures.droppedFrames = inputs.source->droppedFrames();
   figures.clocks = run->clockEstimates();

@@ -41,7 +41,7 @@ std::optional<std::string> jsonText(const json& object, const char* key) {
 std::string replyText(const Status& done) {
   json answer{{"type", "reply"}, {"ok", done.has_value()}};
   if (!done) {
-    answer["error"] = sentence(done.error());
+    answer["error"] = errorSentence(done.error());
   }
   return answer.dump(-1, ' ', false, json::error_handler_t::replace);
 }

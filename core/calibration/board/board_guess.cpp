@@ -258,7 +258,7 @@ Result<std::vector<BoardGuess>> guessBoards(const std::vector<cv::Mat>& images,
     guesses = chessboardGuesses(searched, requested, progress);
   }
   if (!guesses) {
-    return canceled();
+    return canceledError();
   }
   std::erase_if(*guesses, [&](const BoardGuess& guess) { return !isSeen(guess); });
   std::ranges::stable_sort(*guesses, std::ranges::greater{}, &BoardGuess::corners);

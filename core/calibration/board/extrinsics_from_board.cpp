@@ -81,7 +81,7 @@ private:
     for (int round = 0; round < kMostRounds; ++round) {
       if (!reportProgress(progress_, CalibrationStage::Adjustment,
                           static_cast<double>(round) / kMostRounds)) {
-        return canceled();
+        return canceledError();
       }
       if (auto adjusted = adjust(RobustLoss::Huber, lossWidth); !adjusted) {
         return tl::make_unexpected(adjusted.error());
@@ -349,7 +349,7 @@ Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
     return failure(ErrorCode::NotFound, "", "cameras", "there is none");
   }
   if (!reportProgress(progress, CalibrationStage::Chaining, 0.0)) {
-    return canceled();
+    return canceledError();
   }
   auto chain = chainCameras(request);
   if (!chain) {

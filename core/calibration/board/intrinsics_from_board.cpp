@@ -148,7 +148,7 @@ private:
       }
       if (!reportProgress(progress_, CalibrationStage::Intrinsics,
                           static_cast<double>(round) / kMostLensRounds)) {
-        return canceled();
+        return canceledError();
       }
       const auto solution = solve(request_, views_, square_);
       if (!solution) {

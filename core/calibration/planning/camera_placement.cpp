@@ -206,7 +206,7 @@ Result<PlacedCamera> placeCamera(const CameraRig& rig, const Camera& lens,
   for (std::size_t k = 0; k < mounts.size(); ++k) {
     if (!reportProgress(progress, CalibrationStage::PlacementSearch,
                         double(k) / double(mounts.size()))) {
-      return canceled();
+      return canceledError();
     }
     if (const double found = search.worth(mounts[k]); found > value) {
       value = found;

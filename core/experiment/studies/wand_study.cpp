@@ -125,7 +125,7 @@ public:
     }
     const auto result = calibrateFromWand(*problem);
     if (!result) {
-      trial.failure = sentence(result.error());
+      trial.failure = errorSentence(result.error());
       return trial;
     }
     measure(*result, trial);

@@ -147,7 +147,7 @@ void addTracking(const SelfTestInputs& parts, SelfTestLines& lines) {
           .map([&](const std::vector<Evaluation>& targets) { return outcomeOf(scene, targets); });
     });
   });
-  lines.push_back(line ? *line : SelfTestLine{Problem, "tracking", sentence(line.error())});
+  lines.push_back(line ? *line : SelfTestLine{Problem, "tracking", errorSentence(line.error())});
 }
 
 constexpr std::array kSelfTests{&addVersions, &addMachine, &addDisk,

@@ -178,7 +178,7 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
     return result;
   }
   if (!reportProgress(progress, CalibrationStage::Assessment, 0.0)) {
-    return canceled();
+    return canceledError();
   }
   for (std::size_t i = 0; i < taking.size(); ++i) {
     rigRequest.cameras[i].views = std::move(views[i]); // all of them, not only the best

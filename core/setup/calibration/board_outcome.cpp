@@ -112,7 +112,7 @@ Status addExtrinsics(const BoardDetections& seen, const BoardCalibrationRequest&
     return tl::make_unexpected(extrinsics.error());
   }
   if (!reportProgress(progress, CalibrationStage::Assessment, 0.5)) {
-    return canceled();
+    return canceledError();
   }
   const auto accuracy =
       assessBoard(*extrinsics, request.board, request.floorFrame, lensesOf(outcome, *extrinsics));
@@ -121,7 +121,7 @@ Status addExtrinsics(const BoardDetections& seen, const BoardCalibrationRequest&
   }
   outcome.accuracy = accuracy ? std::optional(*accuracy) : std::nullopt;
   outcome.accuracySummary =
-      accuracy ? accuracySummary(*accuracy) : "none; " + sentence(accuracy.error());
+      accuracy ? accuracySummary(*accuracy) : "none; " + errorSentence(accuracy.error());
   addPoorLenses(outcome.project, *extrinsics);
   outcome.project = withCameras(std::move(outcome.project), extrinsics->cameras);
   outcome.extrinsics = std::move(*extrinsics);
@@ -202,8 +202,8 @@ std::vector<std::string> outcomeRemarks(const BoardOutcome& outcome) {
     }
   }
   if (outcome.extrinsicsError) {
-    remarks.push_back(
-        "The poses of the cameras were not found: " + sentence(*outcome.extrinsicsError) + ".");
+    remarks.push_back("The poses of the cameras were not found: " +
+                      errorSentence(*outcome.extrinsicsError) + ".");
   }
   if (outcome.extrinsics) {
     for (const std::string& notice : outcome.extrinsics->notices) {

@@ -228,7 +228,7 @@ Status searchFrames(const std::vector<std::int64_t>& frames, const BoardDetector
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
                         static_cast<double>(k) / static_cast<double>(frames.size()))) {
-      return canceled();
+      return canceledError();
     }
     const auto set = picker.read(frames[k]);
     if (!set) {
@@ -278,7 +278,7 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
                         static_cast<double>(camera.searched) /
                             static_cast<double>(pictures.size()))) {
-      return canceled();
+      return canceledError();
     }
     const auto picture = readGrayPicture(file);
     if (!picture) {

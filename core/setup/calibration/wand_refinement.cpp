@@ -249,7 +249,7 @@ std::string htmlText(const WandRefinement& refinement) {
   report.result = refinement.result;
   report.accuracy = refinement.accuracy
                         ? accuracySummary(*refinement.accuracy)
-                        : "Accuracy unknown: " + sentence(refinement.accuracy.error());
+                        : "Accuracy unknown: " + errorSentence(refinement.accuracy.error());
   report.coverage = coverageOf(refinement.result);
   report.hasTimeOffsets = refinement.options.estimateTimeOffsets;
   for (const MotionGap& gap : refinement.gaps) {

@@ -241,7 +241,7 @@ void takeSceneImages(Examination& examination) {
   }
   auto source = examination.options.open(examination.project);
   if (!source) {
-    examination.add(FindingKind::CannotOpen, {sentence(source.error())});
+    examination.add(FindingKind::CannotOpen, {errorSentence(source.error())});
     return;
   }
   const std::int64_t frames = (*source)->frameCount().value_or(1);

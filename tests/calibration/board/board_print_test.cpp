@@ -16,7 +16,7 @@ TEST(BoardPrint, WritesAPdfOfOnePage) {
   for (const char* text : {"chessboard:9x6:0.025", "charuco:7x5:0.025:0.019:DICT_4X4_50",
                            "charuco:5x6:0.03:0.022:DICT_5X5_100:legacy:inverted"}) {
     const auto printed = printBoard(boardOf(text), *paperNamed("a4"), file);
-    ASSERT_TRUE(printed) << sentence(printed.error());
+    ASSERT_TRUE(printed) << errorSentence(printed.error());
     const auto bytes = readTextFile(file);
     ASSERT_TRUE(bytes);
     EXPECT_TRUE(bytes->starts_with("%PDF-"));
@@ -30,7 +30,7 @@ TEST(BoardPrint, ABoardLargerThanThePaperIsSplitOnSheets) {
   for (const char* text : {"chessboard:9x6:0.05", "charuco:7x5:0.1:0.075:DICT_4X4_50:inverted"}) {
     for (const Paper& paper : papers()) {
       const auto sheets = countSheetsToPrint(boardOf(text), paper);
-      ASSERT_TRUE(sheets) << sentence(sheets.error());
+      ASSERT_TRUE(sheets) << errorSentence(sheets.error());
       EXPECT_GT(*sheets, 1) << text << " " << paper.name;
       ASSERT_TRUE(printBoard(boardOf(text), paper, file));
       const auto bytes = readTextFile(file);

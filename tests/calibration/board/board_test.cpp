@@ -11,7 +11,7 @@ TEST(Board, TextComesBack) {
                            "charuco:5x8:0.03:0.02:DICT_6X6_250:legacy",
                            "charuco:4x5:0.054:0.0405:DICT_4X4_1000:inverted"}) {
     const auto board = parseBoard(text);
-    ASSERT_TRUE(board) << sentence(board.error());
+    ASSERT_TRUE(board) << errorSentence(board.error());
     EXPECT_EQ(boardText(*board), text);
   }
 }

@@ -130,7 +130,7 @@ TEST(BundleAdjustment, AStickBringsTheRigBackToTheBit) {
   problem.cameras[0].camera = rig[0];
   problem.cameras[0].isPoseFixed = true;
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(result->rms, 1e-6);
   for (std::size_t c = 0; c < rig.size(); ++c) {
     EXPECT_LT(distance(result->cameras[c], rig[c]), 1e-7);
@@ -159,7 +159,7 @@ TEST(BundleAdjustment, TheCovarianceForetellsTheErrors) {
       problem.observations[i].sigma = 0.3;
     }
     const auto result = adjustBundle(problem);
-    ASSERT_TRUE(result) << sentence(result.error());
+    ASSERT_TRUE(result) << errorSentence(result.error());
     EXPECT_NEAR(result->noiseFactor, 1.0, 0.15);
     for (std::size_t c = 1; c < rig.size(); ++c) {
       const Eigen::Vector3d way = result->cameras[c].center() - result->cameras[0].center();
@@ -189,7 +189,7 @@ TEST(BundleAdjustment, FindsFocalLengthsAndALens) {
     camera.isDistortionFree[0] = true;
   }
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (const Camera& camera : result->cameras) {
     EXPECT_NEAR(camera.intrinsics.focalX, 500.0, 1e-3);
     EXPECT_NEAR(camera.intrinsics.focalY, 510.0, 1e-3);
@@ -205,7 +205,7 @@ TEST(BundleAdjustment, FindsTimeOffsets) {
     problem.cameras[c].isTimeOffsetFree = true;
   }
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
     // What a quartic through instants 33 ms apart misses of this motion is below 1e-5 m.
     EXPECT_NEAR(result->offsets[c], offsets[c], 2e-5);
@@ -244,7 +244,7 @@ TEST(BundleAdjustment, ABoardOnTheFloorIsTheWorld) {
     problem.states.push_back(state);
   }
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
     EXPECT_LT(distance(result->cameras[c], rig[c]), 1e-7);
   }
@@ -260,7 +260,7 @@ TEST(BundleAdjustment, ARobustLossBearsGrossErrors) {
   problem.loss = RobustLoss::Cauchy;
   problem.lossWidth = 1.0;
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 1; c < rig.size(); ++c) {
     EXPECT_NEAR(distance(result->cameras[c], result->cameras[0]), distance(rig[c], rig[0]), 2e-3);
   }
@@ -280,7 +280,7 @@ TEST(BundleAdjustment, TheMiddleOfABallsOutlineIsCorrected) {
     seen.outlineShift = std::pow(radius / sphere.depth(ball), 2);
   }
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(result->rms, 1e-6);
 }
 

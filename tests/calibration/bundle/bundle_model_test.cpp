@@ -16,7 +16,7 @@ using abreast::kSix;
 
 BundleStart startOf(const BundleProblem& problem) {
   auto start = initializeBundle(problem);
-  EXPECT_TRUE(start) << sentence(start.error());
+  EXPECT_TRUE(start) << errorSentence(start.error());
   return std::move(*start);
 }
 

@@ -38,7 +38,7 @@ TEST(BundleStart, FreePointsAreTriangulated) {
   EXPECT_EQ(problem.observations[0].pixel, Eigen::Vector2d(345.0, 252.5));
   EXPECT_EQ(problem.observations[1].pixel, Eigen::Vector2d(220.0, 252.5));
   const auto start = initializeBundle(problem);
-  ASSERT_TRUE(start) << sentence(start.error());
+  ASSERT_TRUE(start) << errorSentence(start.error());
   for (std::size_t k = 0; k < kSix.size(); ++k) {
     EXPECT_TRUE(start->isStateUsed[k]);
     EXPECT_LT((start->states[k].ends[0] - ballAt(kSix[k])).norm(), 1e-9) << k;
@@ -60,7 +60,7 @@ TEST(BundleStart, WhatOneCameraSeesSaysNothing) {
   BundleProblem problem = ballSeenAt({0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6});
   hide(problem, 3, 1);
   const auto start = initializeBundle(problem);
-  ASSERT_TRUE(start) << sentence(start.error());
+  ASSERT_TRUE(start) << errorSentence(start.error());
   EXPECT_FALSE(start->isStateUsed[3]);
   EXPECT_FALSE(start->isObservationUsed[indexOf(problem, 3, 0)]);
   EXPECT_EQ(std::ranges::count(start->isStateUsed, true), 6);
@@ -84,11 +84,11 @@ TEST(BundleStart, BothEndsOfAStickMustBeSeenByTwoCameras) {
     }
   }
   const auto start = initializeBundle(problem);
-  ASSERT_TRUE(start) << sentence(start.error());
+  ASSERT_TRUE(start) << errorSentence(start.error());
   EXPECT_LT((start->states[1].ends[1] - ballAt(0.1) - Eigen::Vector3d(0.5, 0.0, 0.0)).norm(), 1e-9);
   problem.observations.pop_back(); // of the last state's other end
   const auto fewer = initializeBundle(problem);
-  ASSERT_TRUE(fewer) << sentence(fewer.error());
+  ASSERT_TRUE(fewer) << errorSentence(fewer.error());
   EXPECT_FALSE(fewer->isStateUsed[5]);
   EXPECT_TRUE(fewer->isStateUsed[4]);
 }
@@ -113,7 +113,7 @@ TEST(BundleStart, ABoardNeedsFourPoints) {
     }
   }
   const auto start = initializeBundle(problem);
-  ASSERT_TRUE(start) << sentence(start.error());
+  ASSERT_TRUE(start) << errorSentence(start.error());
   EXPECT_TRUE(start->isStateUsed[0]); // one camera is enough for a board
   EXPECT_FALSE(start->isStateUsed[1]);
   problem.states[0].known = false;
@@ -186,7 +186,7 @@ TEST(BundleStart, WhatLosesItsSupportIsDroppedRoundAfterRound) {
   BundleProblem problem = ballSeenAt({0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 1.0, 1.1});
   problem.cameras[1].isTimeOffsetFree = true;
   const auto start = initializeBundle(problem);
-  ASSERT_TRUE(start) << sentence(start.error());
+  ASSERT_TRUE(start) << errorSentence(start.error());
   for (const std::size_t state : {6U, 7U}) {
     EXPECT_FALSE(start->isStateUsed[state]);
     EXPECT_FALSE(start->isObservationUsed[indexOf(problem, state, 0)]);

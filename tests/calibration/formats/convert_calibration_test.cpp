@@ -51,7 +51,7 @@ TEST(ConvertCalibration, LosesNothingWhereTheModelsAgree) {
       continue;
     }
     const auto conversion = writeCalibration(plainRig(), target(format));
-    ASSERT_TRUE(conversion) << format.name << ": " << sentence(conversion.error());
+    ASSERT_TRUE(conversion) << format.name << ": " << errorSentence(conversion.error());
     ASSERT_EQ(conversion->cameras.size(), 2U);
     EXPECT_LT(conversion->maxDifferencePx, 1e-6) << format.name;
     for (const auto& camera : conversion->cameras) {
@@ -75,7 +75,7 @@ TEST(ConvertCalibration, GoesThereAndBackThroughEveryFormat) {
       hints.unit = format.defaultUnit;
     }
     const auto back = readCalibration(there.path, hints);
-    ASSERT_TRUE(back) << format.name << ": " << sentence(back.error());
+    ASSERT_TRUE(back) << format.name << ": " << errorSentence(back.error());
     ASSERT_EQ(back->rig.size(), 2U) << format.name;
     for (std::size_t k = 0; k < 2; ++k) {
       EXPECT_TRUE(back->rig[k].cameraFromWorld.isApprox(rig[k].cameraFromWorld, 1e-9))
@@ -95,13 +95,13 @@ TEST(ConvertCalibration, RenamesAndFitsOnTheWay) {
   const auto& intrinsics = rig[1].intrinsics;
   changes.size = {2 * intrinsics.width, 2 * intrinsics.height};
   const auto conversion = convertCalibration(in.path, {}, out, changes);
-  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  ASSERT_TRUE(conversion) << errorSentence(conversion.error());
   const auto back = readCalibration(out.path, [] {
     CalibrationHints hints;
     hints.unit = 1.0;
     return hints;
   }());
-  ASSERT_TRUE(back) << sentence(back.error());
+  ASSERT_TRUE(back) << errorSentence(back.error());
   EXPECT_EQ(back->rig[0].name, rig[0].name);
   EXPECT_EQ(back->rig[1].name, "renamed");
   EXPECT_NEAR(back->rig[1].intrinsics.focalX, 2.0 * intrinsics.focalX, 1e-6);
@@ -114,12 +114,12 @@ TEST(ConvertCalibration, NamesCamerasOfOnePose) {
   ASSERT_TRUE(writeCalibration(rig, in));
   const auto out = target(**calibrationFormat("anipose"));
   auto conversion = convertCalibration(in.path, {}, out);
-  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  ASSERT_TRUE(conversion) << errorSentence(conversion.error());
   EXPECT_TRUE(conversion->notices.empty());
   rig[1].cameraFromWorld = rig[0].cameraFromWorld;
   ASSERT_TRUE(writeCalibration(rig, in));
   conversion = convertCalibration(in.path, {}, out);
-  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  ASSERT_TRUE(conversion) << errorSentence(conversion.error());
   ASSERT_EQ(conversion->notices.size(), 1U);
   EXPECT_NE(
       conversion->notices.front().find(rig[0].name + " and " + rig[1].name + " have the same pose"),
@@ -134,14 +134,14 @@ TEST(ConvertCalibration, RefitsALensThatTheFormatCannotHoldAndSaysTheLoss) {
   // both in a corner.
   for (const char* name : {"pose2sim", "kalibr"}) {
     const auto conversion = writeCalibration(rig, target(**calibrationFormat(name)));
-    ASSERT_TRUE(conversion) << sentence(conversion.error());
+    ASSERT_TRUE(conversion) << errorSentence(conversion.error());
     EXPECT_NEAR(conversion->cameras[0].maxDifferencePx, 8.969, 1e-3) << name;
     EXPECT_NEAR(conversion->cameras[1].maxDifferencePx, 0.549, 1e-3) << name;
     EXPECT_TRUE(conversion->cameras[0].refitted && conversion->cameras[1].refitted);
   }
   for (const char* name : {"anipose", "qualisys"}) { // these know k3
     const auto conversion = writeCalibration(rig, target(**calibrationFormat(name)));
-    ASSERT_TRUE(conversion) << sentence(conversion.error());
+    ASSERT_TRUE(conversion) << errorSentence(conversion.error());
     EXPECT_LT(conversion->cameras[0].maxDifferencePx, 1e-6) << name;
     EXPECT_TRUE(conversion->cameras[1].refitted) << name;
     EXPECT_LT(conversion->cameras[1].maxDifferencePx, 0.549) << name;
@@ -218,7 +218,7 @@ TEST(ConvertCalibration, MrcalProjectsTheSameFromOurFile) {
   rig[0].distortion = {0.4, -0.1, 0.001, -0.0005, 0.01, 0.35, -0.02, 0.004};
   auto wanted = target(**calibrationFormat("mrcal"));
   const auto conversion = writeCalibration(rig, wanted);
-  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  ASSERT_TRUE(conversion) << errorSentence(conversion.error());
   const auto answer = wanted.path / "answer.txt";
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string program =

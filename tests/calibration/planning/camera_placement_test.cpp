@@ -94,7 +94,7 @@ TEST(CameraPlacement, ASecondCameraLooksAcrossTheFirst) {
   // line through both there is none. Anything between 45 and 135 degrees is near the best.
   const CameraRig rig{at({-2, 0, 1.5})};
   const auto found = placeCamera(rig, lens(), settings());
-  ASSERT_TRUE(found) << sentence(found.error());
+  ASSERT_TRUE(found) << errorSentence(found.error());
   EXPECT_TRUE(onWallOrCeiling(found->camera.center())) << found->camera.center().transpose();
   const double cosine = found->camera.opticalAxis().dot(rig[0].opticalAxis());
   EXPECT_LT(std::abs(cosine), std::cos(std::numbers::pi / 4.0));

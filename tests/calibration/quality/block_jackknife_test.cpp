@@ -55,7 +55,7 @@ TEST(BlockJackknife, ErrorsThatFramesShareWidenEachCamera) {
   }
   problem.initialRig = moved(truth, 0.1, 0.05, 5);
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   const auto accuracy = assessWand(*result, {});
   ASSERT_TRUE(accuracy);
   ASSERT_EQ(accuracy->cameras.size(), truth.size());
@@ -86,8 +86,8 @@ IntrinsicsRequest lensRequest(int first, int end) {
 TEST(BlockJackknife, ALensWithoutSomeViewsIsThatOfACalibrationWithoutThem) {
   const auto whole = calibrateIntrinsics(lensRequest(0, 0));
   const auto without = calibrateIntrinsics(lensRequest(4, 8));
-  ASSERT_TRUE(whole) << sentence(whole.error());
-  ASSERT_TRUE(without) << sentence(without.error());
+  ASSERT_TRUE(whole) << errorSentence(whole.error());
+  ASSERT_TRUE(without) << errorSentence(without.error());
   ASSERT_EQ(whole->evidence.size(), 20U);
   const Camera found = lensWithoutViews(*whole, 4, 8);
   const double sigma = whole->parameters[0].sigma;

@@ -150,7 +150,7 @@ TEST(CalibrationAccuracy, OutsideTheVolumeItIsLargerAndStillTrue) {
     }
     problem.initialRig = moved(truth, 0.1, 0.05, seed);
     const auto result = calibrateFromWand(problem);
-    ASSERT_TRUE(result) << sentence(result.error());
+    ASSERT_TRUE(result) << errorSentence(result.error());
     const auto accuracy = assessCalibration(result->problem, result->bundle);
     ASSERT_TRUE(accuracy);
     ASSERT_TRUE(accuracy->outsidePosition95) << seed;
@@ -208,7 +208,7 @@ TEST(CalibrationAccuracy, WidensWhereErrorsAreNotIndependent) {
   }
   problem.initialRig = moved(truth, 0.1, 0.05, 5);
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   const auto accuracy = assessWand(*result, {});
   ASSERT_TRUE(accuracy);
   EXPECT_GT(accuracy->modelFactor, 1.5);

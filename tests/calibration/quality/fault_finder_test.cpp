@@ -29,7 +29,7 @@ WandProblem clean(std::uint32_t seed, int cameras = 4) {
 
 FaultReport find(const WandProblem& problem) {
   const auto bundle = wandBundle(problem);
-  EXPECT_TRUE(bundle) << sentence(bundle.error());
+  EXPECT_TRUE(bundle) << errorSentence(bundle.error());
   FaultSearchInput question;
   question.problem = *bundle;
   return findFaults(question);

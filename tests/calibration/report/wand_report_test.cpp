@@ -37,7 +37,7 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   problem.initialRig[1].name = "left & <right>";
   problem.scale = WandScale::Stick;
   auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   // Copied: moving it is a false alarm of g++ 12 about the short text.
   const DetectedFault late{CalibrationFault::CameraDelayed, {1}, 12.0, 99.0, "camera 2 is late"};
   result->faults.push_back(late);

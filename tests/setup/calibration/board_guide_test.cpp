@@ -105,7 +105,7 @@ TEST(BoardGuide, WhoDoesAsToldGetsALens) {
   BoardCalibrationRequest wish = room.wish.board;
   wish.views = 60;
   const auto outcome = calibrateFromBoards(room.project, *state.seen, wish, {true, false});
-  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome) << errorSentence(outcome.error());
   const double focal = outcome->project.cameras[0].camera.intrinsics.focalX;
   EXPECT_NEAR(focal, room.cameras[0].intrinsics.focalX, 4.0);
 }
@@ -158,7 +158,7 @@ TEST(BoardGuide, PlacesFromABoardThatBothSee) {
   EXPECT_LE(*state.cameras[1].positionSigma, room.wish.requiredPositionSigma);
   const auto outcome =
       calibrateFromBoards(room.project, *state.seen, room.wish.board, room.wish.goal);
-  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome) << errorSentence(outcome.error());
   // The right camera stands 12 cm to the right of the left one.
   EXPECT_LT((outcome->project.cameras[1].camera.center() - Eigen::Vector3d(0.12, 0.0, 0.0)).norm(),
             0.002);

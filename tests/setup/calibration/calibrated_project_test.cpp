@@ -129,7 +129,7 @@ TEST(CalibratedProject, ACroppedPictureTakesItsCalibrationAndClicksAlong) {
   project.cameras[1].calibrated.lens = recordOfLens(before, CalibrationOrigin::Board);
   const ImageMargins margins{20, 10, 30, 5};
   const auto cropped = withImageCrop(project, 1, margins);
-  ASSERT_TRUE(cropped) << sentence(cropped.error());
+  ASSERT_TRUE(cropped) << errorSentence(cropped.error());
   EXPECT_EQ(cropped->cameras[0], project.cameras[0]);
   EXPECT_EQ(cropped->cameras[1].crop, margins);
   EXPECT_EQ(cropped->cameras[1].camera.intrinsics.width, 110);

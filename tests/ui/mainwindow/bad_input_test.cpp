@@ -32,7 +32,7 @@ void writeVideo(const SceneRenderer& renderer, int camera, const std::string& fi
   auto writer = FrameWriter::video(file, renderer.scene().framesPerSecond);
   for (std::int64_t frame = 0; writer && frame < frames; ++frame) {
     if (const auto written = writer->write(renderer.render(camera, frame)); !written) {
-      qFatal("%s", sentence(written.error()).c_str());
+      qFatal("%s", errorSentence(written.error()).c_str());
     }
   }
   if (!writer || !writer->finish()) {

@@ -92,7 +92,7 @@ std::filesystem::path LiveWindowTest::savedProject(const std::string& first,
   project.cameras[1].location = second;
   const std::filesystem::path file = folder_.filePath("live.toml").toStdString();
   if (const auto saved = saveProject(project, file); !saved) {
-    qFatal("%s", sentence(saved.error()).c_str());
+    qFatal("%s", errorSentence(saved.error()).c_str());
   }
   return file;
 }
