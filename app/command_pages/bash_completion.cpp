@@ -26,7 +26,7 @@ std::string knownPaths(const DeclaredCommand& program) {
 std::string valuesOf(const DeclaredCommand& command) {
   std::string cases;
   for (const DeclaredArgument& option : command.options) {
-    if (option.value.empty()) {
+    if (option.valueKind.empty()) {
       continue;
     }
     std::vector<std::string> patterns;
@@ -54,7 +54,7 @@ std::string bashCompletion(const DeclaredCommand& program) {
   script += "  if [[ $current == '=' ]]; then\n    current=''\n"
             "  elif [[ $previous == '=' ]]; then\n"
             "    previous=${COMP_WORDS[COMP_CWORD - 2]}\n  fi\n";
-  if (!program.commands.empty()) {
+  if (!program.subcommands.empty()) {
     script += fmt::format("  for ((k = 1; k < COMP_CWORD; ++k)); do\n"
                           "    word=${{COMP_WORDS[k]}}\n"
                           "    case \"$path $word\" in\n    {}) path+=\" $word\" ;;\n    esac\n"
@@ -72,10 +72,10 @@ std::string bashCompletion(const DeclaredCommand& program) {
   script += fmt::format("  if [[ -z $value && $current == -* ]]; then\n"
                         "    case \"$path\" in\n{}    esac\n",
                         names);
-  if (!program.commands.empty()) {
+  if (!program.subcommands.empty()) {
     std::string commands;
     for (const DeclaredCommand* command : commandAndSubcommands(program)) {
-      if (!command->commands.empty()) {
+      if (!command->subcommands.empty()) {
         commands += fmt::format("    {}) words={} ;;\n", singleQuoted(bashPath(*command)),
                                 singleQuoted(joined(commandNames(*command), " ")));
       }

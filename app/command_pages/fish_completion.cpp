@@ -15,10 +15,10 @@ std::string fishOption(const DeclaredArgument& option) {
   for (const std::string& name : option.names) {
     text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   }
-  if (!option.value.empty()) {
+  if (!option.valueKind.empty()) {
     text += option.choices.empty() ? " -rF" : " -xa " + fishQuoted(joined(option.choices, " "));
   }
-  return text + " -d " + fishQuoted(option.sentence);
+  return text + " -d " + fishQuoted(option.description);
 }
 
 } // namespace
@@ -50,9 +50,9 @@ std::string fishCompletion(const DeclaredCommand& program) {
     const std::string path = pathWithoutProgram(*command);
     const std::string begin =
         fmt::format("complete -c {} -n '{}{}{}'", name, function, path.empty() ? "" : " ", path);
-    for (const DeclaredCommand& below : command->commands) {
+    for (const DeclaredCommand& below : command->subcommands) {
       script +=
-          fmt::format("{} -fa {} -d {}\n", begin, below.path.back(), fishQuoted(below.sentence));
+          fmt::format("{} -fa {} -d {}\n", begin, below.path.back(), fishQuoted(below.description));
     }
     for (const DeclaredArgument& option : command->options) {
       script += begin + fishOption(option) + "\n";

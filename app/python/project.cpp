@@ -139,7 +139,7 @@ void save(ProjectHandle& handle, const std::optional<std::filesystem::path>& wan
     raise(saved.error());
   }
   handle.project.file = std::filesystem::absolute(file).lexically_normal();
-  handle.origin = file.string();
+  handle.openedAs = file.string();
 }
 
 py::object fileOf(const ProjectHandle& handle) {
@@ -190,7 +190,7 @@ void bindFields(ProjectClass& project) {
 
 void raiseProjectError(const ProjectHandle& handle, Error error) {
   if (error.file.empty()) {
-    error.file = handle.origin;
+    error.file = handle.openedAs;
   }
   raise(error);
 }

@@ -62,7 +62,7 @@ Result<FrameSetPtr> RecordingHandle::take() {
   return inputs_.source->next();
 }
 
-FrameSetPtr RecordingHandle::next() {
+FrameSetPtr RecordingHandle::nextFrameSet() {
   while (true) {
     if (PyErr_CheckSignals() != 0) {
       throw py::error_already_set();
@@ -83,9 +83,9 @@ void RecordingHandle::seek(std::int64_t frame) {
   valueOrRaise(sought);
 }
 
-FrameSetPtr RecordingHandle::at(std::int64_t frame) {
+FrameSetPtr RecordingHandle::frameSetAt(std::int64_t frame) {
   seek(frame);
-  return next();
+  return nextFrameSet();
 }
 
 void bindRecording(py::module_& module) {
@@ -108,7 +108,7 @@ void bindRecording(py::module_& module) {
            })
       .def("__getitem__",
            [](RecordingHandle& recording, std::int64_t frame) {
-             const FrameSetPtr set = recording.at(frameNumber(recording, frame));
+             const FrameSetPtr set = recording.frameSetAt(frameNumber(recording, frame));
              if (!set) {
                throw py::index_error("there is no such frame");
              }
@@ -120,7 +120,7 @@ void bindRecording(py::module_& module) {
              return recording;
            })
       .def("__next__", [](RecordingHandle& recording) {
-        const FrameSetPtr set = recording.next();
+        const FrameSetPtr set = recording.nextFrameSet();
         if (!set) {
           throw py::stop_iteration();
         }

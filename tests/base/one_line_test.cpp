@@ -14,11 +14,11 @@ TEST(OneLine, KeepsWhatIsPlain) {
 }
 
 TEST(OneLine, CountsTheBytesOfTheFirstCharacter) {
-  EXPECT_EQ(base::utf8Bytes("a\xE2\x82\xAC"), 1U);
-  EXPECT_EQ(base::utf8Bytes("\xE2\x82\xAC and more"), 3U);
-  EXPECT_EQ(base::utf8Bytes("\x80"), 0U);
-  EXPECT_EQ(base::utf8Bytes(""), 0U);
-  EXPECT_EQ(base::utf8Bytes(std::string_view()), 0U) << "there is no first byte to read";
+  EXPECT_EQ(base::utf8CharacterSize("a\xE2\x82\xAC"), 1U);
+  EXPECT_EQ(base::utf8CharacterSize("\xE2\x82\xAC and more"), 3U);
+  EXPECT_EQ(base::utf8CharacterSize("\x80"), 0U);
+  EXPECT_EQ(base::utf8CharacterSize(""), 0U);
+  EXPECT_EQ(base::utf8CharacterSize(std::string_view()), 0U) << "there is no first byte to read";
 }
 
 TEST(OneLine, HasNoControlCharactersAndIsUtf8) {

@@ -107,7 +107,7 @@ TEST(Broadcaster, OpensEverythingOfTheSettings) {
   const std::string place = reports[0].address;
   const auto port = static_cast<std::uint16_t>(std::stoi(place.substr(place.rfind(':') + 1)));
   TestSocket client = TestSocket::connectedTo(port);
-  ASSERT_TRUE(becomesTrue([&] { return (*broadcaster)->reports()[0].clients == 1; }));
+  ASSERT_TRUE(becomesTrue([&] { return (*broadcaster)->reports()[0].clientCount == 1; }));
   (*broadcaster)->offer(trackedFrame(3));
   const std::string lines = client.readUntil("\"frame\":3");
   EXPECT_TRUE(lines.starts_with(R"({"type":"rig","axes":"z-up")")) << lines;

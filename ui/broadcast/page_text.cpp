@@ -26,7 +26,7 @@ broadcast::PageTexts pageTexts() {
   broadcast::PageTexts texts;
   texts.language = languageTag().toStdString();
   texts.title = PageText::tr("Dewpoint live").toStdString();
-  texts.view = PageText::tr("Cameras, targets and their tracks in 3D").toStdString();
+  texts.viewDescription = PageText::tr("Cameras, targets and their tracks in 3D").toStdString();
   texts.help =
       PageText::tr("Drag: rotate · Wheel or two fingers: zoom · Double click: reset").toStdString();
   texts.connecting = PageText::tr("Connecting…").toStdString();

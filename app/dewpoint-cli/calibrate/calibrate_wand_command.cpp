@@ -156,14 +156,14 @@ void printAccuracyOf(const WandRefinement& refinement) {
 
 int calibrate(WandCommandOptions options) {
   if (const auto settled = settle(options); !settled) {
-    report(settled.error());
+    reportError(settled.error());
     return kExitUsage;
   }
   auto inputs = resolveProject(options.project).and_then([](Project project) {
     return openInputs(std::move(project));
   });
   if (!inputs) {
-    return report(inputs.error());
+    return reportError(inputs.error());
   }
   catchInterruption();
   WandBars bars;
@@ -172,7 +172,7 @@ int calibrate(WandCommandOptions options) {
                           [&](const WandCalibrationProgress& work) { return bars.show(work); });
   bars.finish();
   if (!result) {
-    return report(result.error());
+    return reportError(result.error());
   }
   printCameras(*result);
   printDecisions(options.wand, result->result);
@@ -190,12 +190,12 @@ int calibrate(WandCommandOptions options) {
                                               : std::nullopt;
   const bool better = !isInaccurate(*result) && !kept;
   if (kept && options.apply) {
-    report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
-            *kept + "; the project was not changed"});
+    reportError({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
+                 *kept + "; the project was not changed"});
   } else if (kept) {
     fmt::print("note: {}\n", *kept);
   } else if (!better) {
-    report(
+    reportError(
         {ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
          fmt::format(
              "less accurate than before (error up to {:.2f} m): wave through more of the volume{}",
@@ -210,7 +210,7 @@ int calibrate(WandCommandOptions options) {
     written = writeTextFile(options.report, htmlText(*result));
   }
   if (!written) {
-    return report(written.error());
+    return reportError(written.error());
   }
   return better || !options.apply ? kExitDone : kExitBadInput;
 }

@@ -97,13 +97,13 @@ std::string cameraSentence(const CameraDifference& camera) {
 int convert(ConvertOptions& options) {
   takeHints(options);
   if (const auto taken = takeChanges(options); !taken) {
-    report(taken.error());
+    reportError(taken.error());
     return kExitUsage;
   }
   const auto conversion =
       convertCalibration(options.in, options.hints, options.target, options.changes);
   if (!conversion) {
-    return report(conversion.error());
+    return reportError(conversion.error());
   }
   for (const std::string& decision : conversion->decisions) {
     fmt::print("{}\n", decision);

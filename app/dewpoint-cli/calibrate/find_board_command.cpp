@@ -47,7 +47,7 @@ Result<FoundGuesses> proposedBoards(const FindBoardOptions& options) {
   BoardDescription lengths;
   lengths.squareSize = options.square > 0.0 ? options.square : lengths.squareSize;
   const auto progress = interruptibleProgress();
-  if (!isProject(options.inputs)) {
+  if (!isSingleProject(options.inputs)) {
     return proposeBoards({options.inputs.begin(), options.inputs.end()}, lengths, options.looks,
                          progress)
         .map([](std::vector<BoardGuess> guesses) {

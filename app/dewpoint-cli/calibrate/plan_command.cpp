@@ -77,11 +77,11 @@ void printRig(const CameraRig& rig, const PlacementSettings& settings) {
 int plan(PlanOptions& options) {
   const auto project = resolveProject(options.project);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   const auto volume = volumeOf(options, *project);
   if (!volume) {
-    report(volume.error());
+    reportError(volume.error());
     return kExitUsage;
   }
   options.placement.volume = *volume;
@@ -93,7 +93,7 @@ int plan(PlanOptions& options) {
                                  [](CalibrationStage, double) { return !interruptionRequested(); });
   if (!found) {
     return found.error().code == ErrorCode::Canceled ? static_cast<int>(kExitInterrupted)
-                                                     : report(found.error());
+                                                     : reportError(found.error());
   }
   const Eigen::Vector3d center = found->camera.center();
   const Heading heading = headingOf(found->camera);
@@ -106,7 +106,7 @@ int plan(PlanOptions& options) {
   if (!options.out.empty()) {
     rig.push_back(found->camera);
     if (const auto written = saveCalibration(rig, options.out); !written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   return kExitDone;

@@ -5,7 +5,7 @@
 
 namespace dewpoint::app {
 
-int report(const Error& error) {
+int reportError(const Error& error) {
   fmt::print(stderr, "dewpoint-cli: {}.\n", errorSentence(error));
   switch (error.code) {
   case ErrorCode::FileUnwritable:

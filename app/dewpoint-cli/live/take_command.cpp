@@ -38,7 +38,7 @@ int checkTake(const TakeCheckOptions& options) {
     progress->finish();
   }
   if (!comparison) {
-    return report(comparison.error());
+    return reportError(comparison.error());
   }
   for (const std::string& line : describeReplay(*comparison)) {
     fmt::print("{}\n", line);

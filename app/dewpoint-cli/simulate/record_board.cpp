@@ -132,7 +132,7 @@ int recordBoard(const std::filesystem::path& folder, std::optional<std::int64_t>
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
-    return report({ErrorCode::FileUnwritable, folder.string(), option, problem.message()});
+    return reportError({ErrorCode::FileUnwritable, folder.string(), option, problem.message()});
   }
   const BoardDescription board; // chessboard:9x6:0.025
   const CameraRig cameras = camerasAroundTheBoard();
@@ -146,13 +146,13 @@ int recordBoard(const std::filesystem::path& folder, std::optional<std::int64_t>
                                          (folder / (camera.name + ".mkv")).string());
     if (!written) {
       progress.finish();
-      return report(written.error());
+      return reportError(written.error());
     }
     progress.show(++done);
   }
   progress.finish();
   if (const auto written = saveCalibration(cameras, folder / "truth.toml"); !written) {
-    return report(written.error());
+    return reportError(written.error());
   }
   fmt::print("{}: {} frames of {} cameras, truth.toml; the board is {}, on the floor in frame 0\n",
              folder.string(), count, cameras.size(), calibration::boardText(board));

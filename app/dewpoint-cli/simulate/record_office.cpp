@@ -50,7 +50,7 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
-    return report({ErrorCode::FileUnwritable, folder.string(), option, problem.message()});
+    return reportError({ErrorCode::FileUnwritable, folder.string(), option, problem.message()});
   }
   simulation::ViewCache views;
   const OfficeRenderer renderer(scene, views);
@@ -72,7 +72,7 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
                                 writeRoom(renderer, k, camera.backgroundImage)}) {
       if (!written) {
         progress.finish();
-        return report(written.error());
+        return reportError(written.error());
       }
     }
     project.cameras.push_back(std::move(camera));
@@ -82,7 +82,7 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
                               saveCalibration(rigOf(project), folder / "calibration.toml"),
                               saveProject(project, folder / "project.toml")}) {
     if (!written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   fmt::print("{}: {} frames of {} cameras, project.toml, calibration.toml, truth.csv\n",

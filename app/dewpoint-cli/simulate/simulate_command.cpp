@@ -86,8 +86,8 @@ Status writeCamera(const SceneRenderer& renderer, int index, const SimulateOptio
 /// The scene of people has a story of its own: of the options only those that are not about balls.
 int simulateOffice(const SimulateOptions& options) {
   if (options.motion || options.distractors || options.occluder || options.images) {
-    report({ErrorCode::BadValue, "", "--motion, --look-alikes, --occluder, --images",
-            "only for scenes with balls, not for the office"});
+    reportError({ErrorCode::BadValue, "", "--motion, --look-alikes, --occluder, --images",
+                 "only for scenes with balls, not for the office"});
     return kExitUsage;
   }
   OfficeScene scene = builtInOfficeScene();
@@ -99,8 +99,8 @@ int simulateOffice(const SimulateOptions& options) {
 /// The scene to calibrate from has no ball and no noise: of the options only how long it is.
 int simulateBoard(const SimulateOptions& options) {
   if (options.motion || options.distractors || options.occluder || options.images || options.seed) {
-    report({ErrorCode::BadValue, "", "--seed, --motion, --look-alikes, --occluder, --images",
-            "only for scenes with balls, not for the board"});
+    reportError({ErrorCode::BadValue, "", "--seed, --motion, --look-alikes, --occluder, --images",
+                 "only for scenes with balls, not for the board"});
     return kExitUsage;
   }
   return recordBoard(options.out, options.frames, "--out");
@@ -115,13 +115,13 @@ int simulate(const SimulateOptions& options) {
   }
   auto scene = chosenScene(options);
   if (!scene) {
-    return report(scene.error());
+    return reportError(scene.error());
   }
   const std::filesystem::path folder(options.out);
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
-    return report({ErrorCode::FileUnwritable, folder.string(), "--out", problem.message()});
+    return reportError({ErrorCode::FileUnwritable, folder.string(), "--out", problem.message()});
   }
   Project project = makeSceneProject(*scene, "");
   project.truth = std::filesystem::absolute(folder / "truth.csv");
@@ -132,7 +132,7 @@ int simulate(const SimulateOptions& options) {
     const auto written =
         writeCamera(renderer, static_cast<int>(k), options, folder, project.cameras[k], progress);
     if (!written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   progress.finish();
@@ -140,7 +140,7 @@ int simulate(const SimulateOptions& options) {
                               saveCalibration(rigOf(project), folder / "calibration.toml"),
                               saveProject(project, folder / "project.toml")}) {
     if (!written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   fmt::print("{}: {} frames of {} cameras, project.toml, calibration.toml, truth.csv\n",

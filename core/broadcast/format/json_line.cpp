@@ -48,7 +48,7 @@ std::string jsonTarget(const TargetMessage& target, const RigMessage& rig) {
                      target.id, quotedJson(target.name), target.state, jsonVector(target.position),
                      jsonVector(target.velocity),
                      target.position ? jsonSymmetric(target.covariance) : std::string("null"),
-                     jsonNumber(target.existence, 6), cameras);
+                     jsonNumber(target.existenceProbability, 6), cameras);
 }
 
 } // namespace

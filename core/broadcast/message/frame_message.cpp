@@ -155,7 +155,7 @@ FrameMessage frameMessageOf(const TrackSnapshot& snapshot, const RecentPositions
     sent.id = identityOf(target.estimate, k);
     sent.name = target.target.name;
     sent.state = stateWord(session::trackingState(target));
-    sent.existence = existenceProbabilityOf(target.estimate);
+    sent.existenceProbability = existenceProbabilityOf(target.estimate);
     const auto position = positionOf(target.estimate);
     if (!position || !position->mean.allFinite() || !isHeld(target.estimate)) {
       continue;

@@ -63,7 +63,7 @@ struct TargetMessage {
   /// Acceleration: change of the velocity since the previous frame, length per second squared; zero
   /// if unknown.
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
-  double existence = 0.0;   ///< existence probability, 0 to 1
+  double existenceProbability = 0.0; ///< existence probability, 0 to 1
   std::vector<int> cameras; ///< cameras that see the target, as indices in RigMessage::cameras
 };
 

@@ -55,7 +55,7 @@ int turnStep(int symmetry) {
 std::vector<PairPose> pairPoses(const ExtrinsicsRequest& request, const BoardChain& chain,
                                 const ViewIndex& index, std::size_t one, std::size_t other) {
   std::vector<PairPose> poses;
-  const int symmetry = request.board.symmetry();
+  const int symmetry = request.board.symmetryOrder();
   for (const auto& [instant, at] : index[one]) {
     const auto found = index[other].find(instant);
     if (found == index[other].end()) {
@@ -189,7 +189,7 @@ void placeBoards(const ExtrinsicsRequest& request, BoardChain& chain) {
     chain.firstFromBoard[instant] =
         chain.cameraFromFirst[view->camera].inverse() * view->cameraFromBoard;
   }
-  const int symmetry = request.board.symmetry();
+  const int symmetry = request.board.symmetryOrder();
   for (PosedView& view : chain.views) {
     const Eigen::Isometry3d expected =
         chain.cameraFromFirst[view.camera] * chain.firstFromBoard[view.view->instant];

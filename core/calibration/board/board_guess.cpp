@@ -68,7 +68,7 @@ std::optional<BoardDescription> boardOfGrid(const MarkerGrid& grid, const Marker
   board.columns = grid.columns;
   board.rows = grid.rows;
   board.squareSize = requested.squareSize;
-  board.legacy = grid.whiteFirst;
+  board.usesLegacyLayout = grid.whiteFirst;
   board.inverted = reading.inverted;
   const double part =
       requested.kind == KindOfBoard::Charuco ? requested.markerSize / requested.squareSize : 0.0;
@@ -284,7 +284,7 @@ std::string guessText(const BoardGuess& guess) {
           ? fmt::format("chessboard of {} x {} inner corners", board.columns, board.rows)
           : fmt::format("ChArUco board of {} x {} squares, {}", board.columns, board.rows,
                         board.dictionary);
-  text += board.legacy ? ", legacy layout" : "";
+  text += board.usesLegacyLayout ? ", legacy layout" : "";
   text += board.inverted ? ", black and white exchanged" : "";
   text += guess.mirrored ? ", mirrored" : "";
   return text;

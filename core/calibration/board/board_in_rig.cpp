@@ -46,7 +46,7 @@ Seen renumbered(const Eigen::Isometry3d& worldFromBoard, const BoardDescription&
     }
     const BoardDetection original = *seen[k];
     double best = std::numeric_limits<double>::infinity();
-    for (int turns = 0; turns < 4; turns += 4 / board.symmetry()) {
+    for (int turns = 0; turns < 4; turns += 4 / board.symmetryOrder()) {
       const BoardDetection turned = rotated(original, board, turns);
       const double error =
           fitView(board, {"", 0, turned}, rig[k], rig[k].cameraFromWorld * worldFromBoard).rmsPx;

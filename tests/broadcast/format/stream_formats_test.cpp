@@ -52,7 +52,7 @@ TEST(StreamFormats, JsonIsOneLineForAFrame) {
 TEST(StreamFormats, JsonStaysValidWhateverTheNamesAndNumbers) {
   FrameMessage frame = exampleFrame();
   frame.targets[0].name = "line\nend \xff";
-  frame.targets[0].existence = std::numeric_limits<double>::quiet_NaN();
+  frame.targets[0].existenceProbability = std::numeric_limits<double>::quiet_NaN();
   const std::string line = broadcast::jsonLinesFormat().encode(frame).front();
   EXPECT_EQ(line.find('\n'), line.size() - 1);
   EXPECT_NE(line.find(R"("line\nend )"), std::string::npos);

@@ -46,7 +46,7 @@ TestSocket webSocketOf(const WebServer& server) {
   const std::string answer = client.readUntil("\r\n\r\n");
   EXPECT_NE(answer.find("101"), std::string::npos) << answer;
   EXPECT_NE(answer.find("s3pPLMBiTxaQ9kYGzzhZRbK+xOo="), std::string::npos) << answer;
-  EXPECT_TRUE(becomesTrue([&] { return server.report().clients == 1; }));
+  EXPECT_TRUE(becomesTrue([&] { return server.report().clientCount == 1; }));
   return client;
 }
 

@@ -38,11 +38,11 @@ TEST(Board, ErrorsNameThePart) {
 }
 
 TEST(Board, SymmetryFollowsFromTheColors) {
-  EXPECT_EQ(parseBoard("chessboard:9x6:0.025")->symmetry(), 1);
-  EXPECT_EQ(parseBoard("chessboard:7x5:0.025")->symmetry(), 2);
-  EXPECT_EQ(parseBoard("chessboard:6x6:0.025")->symmetry(), 4);
-  EXPECT_EQ(parseBoard("chessboard:7x7:0.025")->symmetry(), 2);
-  EXPECT_EQ(parseBoard("charuco:7x5:0.054:0.04:DICT_4X4_50")->symmetry(), 1);
+  EXPECT_EQ(parseBoard("chessboard:9x6:0.025")->symmetryOrder(), 1);
+  EXPECT_EQ(parseBoard("chessboard:7x5:0.025")->symmetryOrder(), 2);
+  EXPECT_EQ(parseBoard("chessboard:6x6:0.025")->symmetryOrder(), 4);
+  EXPECT_EQ(parseBoard("chessboard:7x7:0.025")->symmetryOrder(), 2);
+  EXPECT_EQ(parseBoard("charuco:7x5:0.054:0.04:DICT_4X4_50")->symmetryOrder(), 1);
 }
 
 TEST(Board, LegacyMattersForEvenRowsOnly) {

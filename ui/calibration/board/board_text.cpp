@@ -229,7 +229,7 @@ QString guessedBoardText(const BoardGuess& guess) {
                 ? BoardText::tr("a chessboard with %1 × %2 inner corners").arg(columns, rows)
                 : BoardText::tr("a ChArUco board with %1 × %2 squares, %3")
                       .arg(columns, rows, QString::fromStdString(board.dictionary)));
-  if (board.legacy) {
+  if (board.usesLegacyLayout) {
     parts << BoardText::tr("legacy layout");
   }
   if (board.inverted) {
