@@ -94,7 +94,7 @@ double medianReprojection(const CameraRig& rig,
   }
   bundle.loss = RobustLoss::SoftL1;
   bundle.lossWidth = 1.0;
-  bundle.draft = true;
+  bundle.isDraft = true;
   const auto result = adjustBundle(bundle);
   return result ? medianResidual(bundle, *result) : -1.0;
 }

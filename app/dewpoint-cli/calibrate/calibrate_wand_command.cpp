@@ -105,7 +105,7 @@ void printCameras(const WandRefinement& refinement) {
                result.views[c] > 0 ? fmt::format("{:.3f}", result.cameraMedianResidualPx[c]) : "-",
                inCentimeters(shift.meters), inDegrees(shift.radians));
     if (options.estimateTimeOffsets) {
-      fmt::print(" {:>9.2f}", -inMilliseconds(result.offsets[c]) + 0.0); // no -0.00
+      fmt::print(" {:>9.2f}", -inMilliseconds(result.timeOffsets[c]) + 0.0); // no -0.00
     }
     if (options.estimateFocalLengths) {
       fmt::print(" {:>7.1f}", camera.intrinsics.focalX);

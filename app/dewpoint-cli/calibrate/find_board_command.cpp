@@ -68,8 +68,8 @@ int findBoard(const FindBoardOptions& options) {
   }
   for (const BoardGuess& guess : found->guesses) {
     fmt::print("{}\n  {}: {} corners in {} of {} images\n", boardText(guess.board),
-               guessText(guess), guess.corners, guess.images, guess.searched);
-    if (guess.mirrored) {
+               guessText(guess), guess.cornerCount, guess.imageCount, guess.searchedImageCount);
+    if (guess.isMirrored) {
       fmt::print("  The images are mirrored left to right: set mirror = true in the project file, "
                  "or false if it is set.\n");
     }

@@ -72,12 +72,13 @@ int BoardGuidance::emptiestRegion(const Eigen::Vector2d& middle) const {
   const auto& in = camera_.intrinsics;
   int emptiest = 0;
   std::pair<int, double> best;
-  for (int k = 0; k < static_cast<int>(coverage_.corners.size()); ++k) {
+  for (int k = 0; k < static_cast<int>(coverage_.cornerCounts.size()); ++k) {
     const int column = k % BoardCoverage::kColumns;
     const int row = k / BoardCoverage::kColumns;
     const Eigen::Vector2d place((column + 0.5) / BoardCoverage::kColumns * in.width,
                                 (row + 0.5) / BoardCoverage::kRows * in.height);
-    const std::pair rank(coverage_.corners[static_cast<std::size_t>(k)], -(place - middle).norm());
+    const std::pair rank(coverage_.cornerCounts[static_cast<std::size_t>(k)],
+                         -(place - middle).norm());
     if (k == 0 || rank < best) {
       best = rank;
       emptiest = k;
@@ -97,7 +98,7 @@ GuidanceAdvice BoardGuidance::nextAdvice(const BoardDetection& detection,
   state.region = emptiestRegion(middle);
   // Tilts and places alternate, so that neither is all that is ever shown.
   if (views_.size() % 2 == 0) {
-    const auto& tilts = coverage_.tilts;
+    const auto& tilts = coverage_.tiltCounts;
     state.tilt = static_cast<BoardTilt>(std::ranges::min_element(tilts) - tilts.begin());
     return GuidanceAdvice::TiltTo;
   }
@@ -121,7 +122,7 @@ void BoardGuidance::advise(const BoardDetection& detection, GuidanceState& state
 GuidanceState BoardGuidance::summary() const {
   GuidanceState state;
   state.coverage = coverage_;
-  state.views = static_cast<int>(views_.size());
+  state.viewCount = static_cast<int>(views_.size());
   state.projectionSigmaPx = projectionPx_;
   return state;
 }

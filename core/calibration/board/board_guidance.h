@@ -43,7 +43,7 @@ struct GuidanceState {
   int region = -1;
   BoardTilt tilt = BoardTilt::Flat; ///< tilt to show if the advice is TiltTo
   BoardCoverage coverage;           ///< coverage of the captured views
-  int views = 0;                    ///< number of views captured so far
+  int viewCount = 0;                ///< number of views captured so far
   double holdProgress = 0.0;        ///< elapsed fraction of GuidanceSettings::holdSeconds, 0 to 1
   bool captured = false;            ///< true if this image was captured as a view
   /// IntrinsicsResult::independentProjectionSigmaPx of the latest calibration, pixels; empty before

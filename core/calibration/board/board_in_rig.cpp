@@ -73,7 +73,7 @@ BundleProblem problemOf(const Eigen::Isometry3d& worldFromBoard, const BoardDesc
   }
   problem.bodies.push_back(body);
   BundleState state;
-  state.known = true;
+  state.isKnown = true;
   state.worldFromBoard = worldFromBoard;
   problem.states.push_back(state);
   for (std::size_t k = 0; k < rig.size(); ++k) {

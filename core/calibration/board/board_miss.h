@@ -18,7 +18,7 @@ struct BoardMiss {
     TooSmall,      ///< the board is found after the image is enlarged
   };
   Reason reason = Reason::Unknown;
-  int corners = 0;           ///< TooFewCorners: number of corners that were found
+  int cornerCount = 0;       ///< TooFewCorners: number of corners that were found
   double edgeWidthPx = 0.0;  ///< Blurred: width of the sharpest edges in the image, pixels
   double squareSizePx = 0.0; ///< TooSmall: side of the squares in the image, pixels
 

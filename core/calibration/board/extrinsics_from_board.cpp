@@ -105,7 +105,8 @@ private:
   /// Returns whether a lens that may be off by `worst` pixels is no better than the given one.
   bool isLensUseless(std::size_t k, double worst) const {
     const BoardCamera& given = request_.cameras[k];
-    const bool isKnownBetter = worst > kWorstRayPx && given.lensError && *given.lensError < worst;
+    const bool isKnownBetter =
+        worst > kWorstRayPx && given.intrinsicsErrorPx && *given.intrinsicsErrorPx < worst;
     return isKnownBetter || !(worst <= kUndeterminedRayShare * given.camera.intrinsics.width);
   }
 
@@ -187,7 +188,7 @@ private:
       index = problem.states.size();
       BundleState state;
       state.time = static_cast<double>(index);
-      state.known = true;
+      state.isKnown = true;
       state.worldFromBoard = chain_.firstFromBoard[instant];
       problem.states.push_back(state);
     }

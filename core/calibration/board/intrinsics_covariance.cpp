@@ -36,14 +36,14 @@ Eigen::VectorXd imageOf(const Camera& camera, const std::vector<Eigen::Vector3d>
 /// Derivatives of the image by the intrinsics.
 Eigen::MatrixXd byIntrinsics(const Camera& camera, const IntrinsicsParameters& parameters,
                              const std::vector<Eigen::Vector3d>& pointsCamera) {
-  const Eigen::VectorXd values = parameters.of(camera);
-  const Eigen::VectorXd steps = parameters.steps(camera);
+  const Eigen::VectorXd values = parameters.valuesOf(camera);
+  const Eigen::VectorXd steps = parameters.stepSizes(camera);
   Eigen::MatrixXd derivative(2 * static_cast<Eigen::Index>(pointsCamera.size()), values.size());
   for (Eigen::Index k = 0; k < values.size(); ++k) {
     Eigen::VectorXd step = Eigen::VectorXd::Zero(values.size());
     step(k) = steps(k);
-    derivative.col(k) = (imageOf(parameters.applied(camera, values + step), pointsCamera) -
-                         imageOf(parameters.applied(camera, values - step), pointsCamera)) /
+    derivative.col(k) = (imageOf(parameters.withValues(camera, values + step), pointsCamera) -
+                         imageOf(parameters.withValues(camera, values - step), pointsCamera)) /
                         (2.0 * steps(k));
   }
   return derivative;
@@ -103,7 +103,7 @@ IntrinsicsParameters::IntrinsicsParameters(IntrinsicsModel model, bool squarePix
   names_.insert(names_.end(), lens.begin(), lens.begin() + coefficients_);
 }
 
-Eigen::VectorXd IntrinsicsParameters::of(const Camera& camera) const {
+Eigen::VectorXd IntrinsicsParameters::valuesOf(const Camera& camera) const {
   std::vector<double> values{camera.intrinsics.focalX};
   if (!squarePixels_) {
     values.push_back(camera.intrinsics.focalY);
@@ -113,7 +113,7 @@ Eigen::VectorXd IntrinsicsParameters::of(const Camera& camera) const {
   return Eigen::Map<Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-Camera IntrinsicsParameters::applied(Camera camera, const Eigen::VectorXd& values) const {
+Camera IntrinsicsParameters::withValues(Camera camera, const Eigen::VectorXd& values) const {
   Eigen::Index at = 0;
   camera.intrinsics.focalX = values(at++);
   camera.intrinsics.focalY = squarePixels_ ? camera.intrinsics.focalX : values(at++);
@@ -125,7 +125,7 @@ Camera IntrinsicsParameters::applied(Camera camera, const Eigen::VectorXd& value
   return camera;
 }
 
-Eigen::VectorXd IntrinsicsParameters::steps(const Camera& camera) const {
+Eigen::VectorXd IntrinsicsParameters::stepSizes(const Camera& camera) const {
   Eigen::VectorXd steps = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(names_.size()), 1e-5);
   steps.head(squarePixels_ ? 3 : 4).setConstant(1e-5 * camera.intrinsics.focalX);
   return steps;
@@ -203,7 +203,7 @@ Eigen::VectorXd lensChangeWithoutViews(const std::vector<ViewNormalEquations>& e
 }
 
 Camera lensWithoutViews(const IntrinsicsResult& result, std::int64_t first, std::int64_t end) {
-  if (result.evidence.empty()) {
+  if (result.viewNormalEquations.empty()) {
     return result.camera;
   }
   // The names tell how many parameters there are; the camera tells the model.
@@ -214,8 +214,9 @@ Camera lensWithoutViews(const IntrinsicsResult& result, std::int64_t first, std:
                                         : coefficients == 5 ? IntrinsicsModel::FiveCoefficients
                                                             : IntrinsicsModel::EightCoefficients,
                                         square);
-  return parameters.applied(result.camera, parameters.of(result.camera) +
-                                               lensChangeWithoutViews(result.evidence, first, end));
+  return parameters.withValues(result.camera,
+                               parameters.valuesOf(result.camera) +
+                                   lensChangeWithoutViews(result.viewNormalEquations, first, end));
 }
 
 Eigen::MatrixXd lensJackknife(const std::vector<ViewNormalEquations>& evidence) {

@@ -18,11 +18,11 @@ public:
 
   const std::vector<std::string>& names() const { return names_; }
   /// Returns the parameter values of a camera, in the order of names().
-  Eigen::VectorXd of(const Camera& camera) const;
+  Eigen::VectorXd valuesOf(const Camera& camera) const;
   /// Returns the camera with these parameter values.
-  Camera applied(Camera camera, const Eigen::VectorXd& values) const;
+  Camera withValues(Camera camera, const Eigen::VectorXd& values) const;
   /// Returns a step size for each parameter, in the order of names(), for numeric derivatives.
-  Eigen::VectorXd steps(const Camera& camera) const;
+  Eigen::VectorXd stepSizes(const Camera& camera) const;
 
 private:
   std::vector<std::string> names_;

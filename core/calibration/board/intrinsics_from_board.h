@@ -33,7 +33,7 @@ struct IntrinsicsRequest {
   int width = 0;
   int height = 0;
   IntrinsicsModel model = IntrinsicsModel::FiveCoefficients;
-  PixelShape pixels = PixelShape::Measured;
+  PixelShape pixelShape = PixelShape::Measured;
 };
 
 /// Estimated parameter and its standard deviation, in pixels or dimensionless.
@@ -63,7 +63,7 @@ struct IntrinsicsResult {
   std::vector<EstimatedParameter> parameters;
   Eigen::MatrixXd covariance; ///< covariance of `parameters`, in the same order
   /// Information in each view used, in ascending order of instants; see lensWithoutViews().
-  std::vector<ViewNormalEquations> evidence;
+  std::vector<ViewNormalEquations> viewNormalEquations;
   BoardCoverage coverage; ///< coverage of the views used
   /// Largest standard deviation of the projection of a ray across the image, in pixels; see
   /// projectionSigma().

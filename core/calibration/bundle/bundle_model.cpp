@@ -50,7 +50,7 @@ void BundleModel::makeBlocks() {
     blocks.rotation = wanted.camera.cameraFromWorld.linear();
     Eigen::Map<Eigen::Vector3d>(blocks.pose.data() + 3) = wanted.camera.center();
     blocks.lens = lensBlock(wanted.camera);
-    blocks.offset = wanted.offset;
+    blocks.timeOffset = wanted.timeOffset;
     cameras.push_back(blocks);
   }
   for (const BundleState& wanted : start.states) {
@@ -104,7 +104,7 @@ void BundleModel::addObservations() {
     }
     solver.AddResidualBlock(cost.get(), lossFor(problem.observations[i].sigma), blocks);
     costFunctions[i] = cost.release(); // the solver owns it
-    ++usedObservations;
+    ++usedObservationCount;
   }
 }
 
@@ -119,7 +119,7 @@ PixelCostSetup BundleModel::setupOf(std::size_t i) const {
   setup.sigma = seen.sigma;
   setup.outlineShift = seen.outlineShift;
   setup.ballStateSize = ballStateSize(body.kind);
-  setup.time = state.time + seen.lag;
+  setup.time = state.time + seen.timeAfterState;
   if (body.kind == Kind::Board) {
     setup.boardRotation = states[seen.state].rotation;
     setup.boardPoint = body.points[seen.point];
@@ -135,7 +135,7 @@ PixelCostSetup BundleModel::setupOf(std::size_t i) const {
 std::vector<double*> BundleModel::blocksOf(std::size_t i) {
   const BundleObservation& seen = problem.observations[i];
   CameraBlocks& camera = cameras[seen.camera];
-  std::vector<double*> blocks{camera.pose.data(), camera.lens.data(), &camera.offset};
+  std::vector<double*> blocks{camera.pose.data(), camera.lens.data(), &camera.timeOffset};
   for (const std::size_t knot : start.knots[i]) {
     blocks.push_back(states[knot].values.data());
   }
@@ -189,13 +189,13 @@ void BundleModel::fixKnownParameters() {
     double* lens = cameras[c].lens.data();
     hold(cameras[c].pose.data(), wanted.isPoseFixed);
     hold(lens, held.size() == kLensSize);
-    hold(&cameras[c].offset, !wanted.isTimeOffsetFree);
+    hold(&cameras[c].timeOffset, !wanted.isTimeOffsetFree);
     if (!held.empty() && held.size() < kLensSize && solver.HasParameterBlock(lens)) {
       solver.SetManifold(lens, new ceres::SubsetManifold(kLensSize, held));
     }
   }
   for (std::size_t s = 0; s < states.size(); ++s) {
-    hold(states[s].values.data(), start.states[s].fixed);
+    hold(states[s].values.data(), start.states[s].isFixed);
   }
 }
 

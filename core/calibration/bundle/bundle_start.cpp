@@ -36,7 +36,7 @@ Status checkIndices(const BundleProblem& problem) {
     if (state.body >= problem.bodies.size() || !std::isfinite(state.time)) {
       return wrong("states", "a state has no body or no time");
     }
-    if (problem.bodies[state.body].kind == Kind::Board && !state.known && !state.fixed) {
+    if (problem.bodies[state.body].kind == Kind::Board && !state.isKnown && !state.isFixed) {
       return wrong(problem.bodies[state.body].name, "a board needs a pose to start from");
     }
   }
@@ -45,7 +45,7 @@ Status checkIndices(const BundleProblem& problem) {
         seen.point >= pointCount(problem.bodies[problem.states[seen.state].body])) {
       return wrong("observations", "an observation has no camera, no state or no point");
     }
-    if (!seen.pixel.allFinite() || !(seen.sigma > 0.0) || !std::isfinite(seen.lag)) {
+    if (!seen.pixel.allFinite() || !(seen.sigma > 0.0) || !std::isfinite(seen.timeAfterState)) {
       return wrong("observations", "a pixel or its sigma is not a number");
     }
   }
@@ -89,7 +89,7 @@ private:
   }
 
   bool supported(std::size_t state) const {
-    if (start_.states[state].fixed) {
+    if (start_.states[state].isFixed) {
       return true;
     }
     const BundleBody& body = bodyOf(state);
@@ -121,7 +121,7 @@ private:
   bool placed(std::size_t state) {
     BundleState& there = start_.states[state];
     const BundleBody& body = bodyOf(state);
-    if (there.known || there.fixed || body.kind == Kind::Board) {
+    if (there.isKnown || there.isFixed || body.kind == Kind::Board) {
       return true;
     }
     for (std::size_t point = 0; point < pointCount(body); ++point) {
@@ -146,7 +146,7 @@ private:
   /// Whether a camera's images can be of other instants than the states.
   bool betweenInstants(const BundleObservation& seen) const {
     const BundleCamera& camera = problem_.cameras[seen.camera];
-    return camera.isTimeOffsetFree || camera.offset + seen.lag != 0.0;
+    return camera.isTimeOffsetFree || camera.timeOffset + seen.timeAfterState != 0.0;
   }
 
   void chooseKnots() {

@@ -28,7 +28,7 @@ BundleProblem statesOf(const BundleProblem& problem, std::size_t first, std::siz
   std::vector<std::size_t> renamed(problem.states.size(), kNone);
   for (std::size_t s = 0; s < problem.states.size(); ++s) {
     const bool isInside = s >= first && s < end;
-    if (isInside == inside || problem.states[s].fixed) {
+    if (isInside == inside || problem.states[s].isFixed) {
       renamed[s] = part.states.size();
       part.states.push_back(problem.states[s]);
     }
@@ -39,7 +39,7 @@ BundleProblem statesOf(const BundleProblem& problem, std::size_t first, std::siz
       part.observations.push_back(seen);
     }
   }
-  part.draft = true;
+  part.isDraft = true;
   return part;
 }
 
@@ -49,7 +49,7 @@ Result<BundleResult> withHeldCameras(BundleProblem part, const BundleResult& wit
     BundleCamera known;
     known.camera = without.cameras[c];
     known.isPoseFixed = true;
-    known.offset = without.offsets[c];
+    known.timeOffset = without.timeOffsets[c];
     part.cameras[c] = known;
   }
   return adjustBundle(part);
@@ -89,8 +89,8 @@ BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& 
     }
     jackknife.rigs.push_back(without->cameras);
     if (const auto held = withHeldCameras(statesOf(problem, first, end, true), *without)) {
-      jackknife.squares += held->rms * held->rms * static_cast<double>(held->used);
-      jackknife.points += held->used;
+      jackknife.squares += held->rms * held->rms * static_cast<double>(held->usedObservationCount);
+      jackknife.points += held->usedObservationCount;
     }
   }
   return jackknife;

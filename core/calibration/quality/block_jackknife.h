@@ -35,7 +35,7 @@ struct BlockJackknife {
 /// jackknife: Efron & Stein 1981; Kott 2001). Neighboring states may share errors, for example
 /// because of delayed images or of a lens model that does not fit one part of the image. Such an
 /// error is left out together with its block, so the scatter of the solutions includes it. A
-/// repetition without a solution is skipped. States that are `fixed` are never left out.
+/// repetition without a solution is skipped. States that are `isFixed` are never left out.
 BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
                               const InitialCamerasWithout& initialCamerasWithout = nullptr);
 

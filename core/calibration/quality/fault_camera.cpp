@@ -254,7 +254,7 @@ private:
     const auto& states = input_.problem.states;
     std::vector<double> gaps;
     for (std::size_t s = 0; s < times.size(); ++s) {
-      if (!states[s].fixed) {
+      if (!states[s].isFixed) {
         byTime_[times[s]] = s;
       }
     }

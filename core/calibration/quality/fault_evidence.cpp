@@ -71,7 +71,7 @@ BundleProblem pointProblem(const CameraRig& initialRig, const ImagePoints& image
     problem.states.push_back({.time = static_cast<double>(problem.states.size())});
   }
   problem.loss = RobustLoss::SoftL1;
-  problem.draft = true;
+  problem.isDraft = true;
   problem.maxIterations = 60;
   return problem;
 }
@@ -91,7 +91,7 @@ Result<BundleResult> narrowed(BundleProblem& problem, std::size_t firstWidth) {
       }
       for (std::size_t s = 0; s < problem.states.size(); ++s) {
         problem.states[s] = now->states[s];
-        problem.states[s].known = problem.states[s].known && !problem.states[s].fixed;
+        problem.states[s].isKnown = problem.states[s].isKnown && !problem.states[s].isFixed;
       }
     }
   }
@@ -201,10 +201,10 @@ std::optional<CameraResection> fitCamera(const Camera& initial,
   for (const PointCorrespondence& seen : correspondences) {
     problem.observations.push_back(
         {.camera = 0, .state = problem.states.size(), .pixel = seen.pixel});
-    problem.states.push_back({.fixed = true, .ends = {seen.position, seen.position}});
+    problem.states.push_back({.isFixed = true, .ends = {seen.position, seen.position}});
   }
   problem.loss = RobustLoss::SoftL1;
-  problem.draft = true;
+  problem.isDraft = true;
   problem.maxIterations = quick ? 8 : 40;
   const auto now = narrowed(problem, quick ? kWidths.size() - 2 : 0);
   if (correspondences.empty() || !now) {

@@ -199,7 +199,7 @@ Result<FaultReport> findWandFaults(const WandProblem& problem) {
     input.isUnsynchronized =
         problem.estimateTimeOffsets ||
         std::any_of(bundle.observations.begin(), bundle.observations.end(),
-                    [](const BundleObservation& seen) { return seen.lag != 0.0; });
+                    [](const BundleObservation& seen) { return seen.timeAfterState != 0.0; });
     return findFaults(input);
   });
 }

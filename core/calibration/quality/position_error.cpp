@@ -146,7 +146,7 @@ std::vector<Eigen::Vector3d> observedPositions(const BundleProblem& problem,
                                                const BundleResult& result) {
   std::vector<Eigen::Vector3d> positions;
   for (const BundleState& state : result.states) {
-    if (!state.known) {
+    if (!state.isKnown) {
       continue;
     }
     const BundleBody& body = problem.bodies[state.body];
@@ -235,7 +235,7 @@ Eigen::VectorXd cameraParameterDifference(const std::vector<CameraColumn>& colum
     } else if (index < kPoseSize) {
       value = after.center()[index - 3] - before.center()[index - 3];
     } else if (columns[k].quantity == CameraQuantity::TimeOffset) {
-      value = to.offsets[columns[k].camera] - from.offsets[columns[k].camera];
+      value = to.timeOffsets[columns[k].camera] - from.timeOffsets[columns[k].camera];
     } else {
       const auto entry = static_cast<std::size_t>(index - kPoseSize);
       value = lensBlock(after)[entry] - lensBlock(before)[entry];

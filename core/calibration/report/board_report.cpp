@@ -41,7 +41,8 @@ std::vector<std::string> tiltCounts(const BoardCoverage& coverage) {
   std::vector<std::string> notes;
   notes.reserve(std::size(names));
   for (int k = 0; k < BoardCoverage::kTiltCount; ++k) {
-    notes.push_back(fmt::format("{}: {}", names[k], coverage.tilts[static_cast<std::size_t>(k)]));
+    notes.push_back(
+        fmt::format("{}: {}", names[k], coverage.tiltCounts[static_cast<std::size_t>(k)]));
   }
   return notes;
 }

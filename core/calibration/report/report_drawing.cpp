@@ -104,7 +104,7 @@ std::string coverageDrawing(const Intrinsics& image, const BoardCoverage& covera
   const double height = width * image.height / image.width;
   const double cellWidth = width / BoardCoverage::kColumns;
   const double cellHeight = height / BoardCoverage::kRows;
-  const auto& counts = coverage.corners;
+  const auto& counts = coverage.cornerCounts;
   const double most = std::max(1, *std::ranges::max_element(counts));
   std::string svg = opened(kDrawingWidth, height, "coverage");
   auto out = std::back_inserter(svg);

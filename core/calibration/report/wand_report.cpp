@@ -38,7 +38,7 @@ std::vector<SpaceLine> wandPath(const WandResult& result) {
   double last = -1e9;
   for (std::size_t k = 0; k < states.size(); ++k) {
     const BundleState& state = states[k];
-    if (!state.known || state.body >= bodies.size()) {
+    if (!state.isKnown || state.body >= bodies.size()) {
       continue;
     }
     if (bodies[state.body].kind == BundleBody::Kind::Stick) {
@@ -76,7 +76,7 @@ void addStatistics(std::string& html, const WandReport& report) {
                    pixelsOf(result.cameraMedianResidualPx[c]), inCentimeters(shift.meters),
                    inDegrees(shift.radians));
     if (report.hasTimeOffsets) {
-      fmt::format_to(out, "<td>{:.2f}</td>", inMilliseconds(-result.offsets[c]) + 0.0);
+      fmt::format_to(out, "<td>{:.2f}</td>", inMilliseconds(-result.timeOffsets[c]) + 0.0);
     }
     html += "</tr>\n";
   }

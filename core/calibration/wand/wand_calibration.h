@@ -86,8 +86,8 @@ struct FreeFall {
 
 /// Output of calibrateFromWand().
 struct WandResult {
-  CameraRig cameras;           ///< same names as the initial cameras
-  std::vector<double> offsets; ///< seconds; true time = camera's time + offset
+  CameraRig cameras;               ///< same names as the initial cameras
+  std::vector<double> timeOffsets; ///< seconds; true time = camera's time + offset
   std::vector<double>
       cameraMedianResidualPx; ///< median length of the residuals that were kept, pixels, per camera
   double medianPx = 0.0;

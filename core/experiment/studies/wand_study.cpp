@@ -169,7 +169,7 @@ private:
       truth.push_back(rig_[c].center());
     }
     for (const BundleState& state : result.bundle.states) {
-      for (std::size_t ball = 0; state.known && ball < balls; ++ball) {
+      for (std::size_t ball = 0; state.isKnown && ball < balls; ++ball) {
         found.push_back(state.ends[ball]);
         truth.push_back(wave_.end(ball, state.time));
       }

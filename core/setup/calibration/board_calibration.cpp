@@ -48,7 +48,7 @@ Result<IntrinsicsResult> lensOf(const BoardDetections::PerCamera& camera,
   lensRequest.width = camera.width;
   lensRequest.height = camera.height;
   lensRequest.model = request.model;
-  lensRequest.pixels = request.pixels;
+  lensRequest.pixelShape = request.pixels;
   return calibrateIntrinsics(lensRequest, progress);
 }
 

@@ -152,7 +152,7 @@ void BoardGuide::calibrateLens(std::size_t camera) {
   lensRequest.width = state_.cameras[camera].width;
   lensRequest.height = state_.cameras[camera].height;
   lensRequest.model = request_.board.model;
-  lensRequest.pixels = request_.board.pixels;
+  lensRequest.pixelShape = request_.board.pixels;
   if (const auto result = calibrateIntrinsics(lensRequest)) {
     guidance.acceptCalibration(*result);
     state_.cameras[camera].rmsPx = result->rmsPx;
@@ -202,7 +202,7 @@ void BoardGuide::storeRigState(const RigGuidance::State& state) {
       }
     }
   }
-  if (state.finished && state.instants < request_.maxInstants) {
+  if (state.finished && state.instantCount < request_.maxInstants) {
     calibrateRig();
   } else if (state.finished) {
     state_.phase = BoardGuideState::Phase::Finished;

@@ -44,13 +44,13 @@ std::optional<double> errorBefore(const WandOptions& options, const CameraRig& b
   }
   BundleProblem problem = result.problem;
   for (std::size_t k = 0; k < before.size(); ++k) {
-    const double offset = problem.cameras[k].offset;
-    problem.cameras[k] = {.camera = before[k], .isPoseFixed = true, .offset = offset};
+    const double offset = problem.cameras[k].timeOffset;
+    problem.cameras[k] = {.camera = before[k], .isPoseFixed = true, .timeOffset = offset};
   }
   for (BundleState& state : problem.states) {
-    state.known = false; // the solution's positions are no start in the former world
+    state.isKnown = false; // the solution's positions are no start in the former world
   }
-  problem.draft = true;
+  problem.isDraft = true;
   const auto adjusted = adjustBundle(problem);
   return adjusted ? std::optional(adjusted->rms) : std::nullopt;
 }
@@ -226,7 +226,7 @@ Project withRefinement(Project project, const WandRefinement& refinement) {
   const WandResult& result = refinement.result;
   project = withCameras(std::move(project), result.cameras);
   if (refinement.options.estimateTimeOffsets) {
-    project = withTimeOffsets(std::move(project), result.offsets);
+    project = withTimeOffsets(std::move(project), result.timeOffsets);
   }
   recordCameras(refinement, project);
   recordWorld(refinement, project.calibrated);
@@ -238,7 +238,7 @@ std::vector<BoardCoverage> coverageOf(const WandResult& result) {
   for (const BundleObservation& seen : result.problem.observations) {
     const Intrinsics& image = result.cameras[seen.camera].intrinsics;
     const int region = BoardCoverage::regionOf(seen.pixel, image.width, image.height);
-    ++coverage[seen.camera].corners.at(static_cast<std::size_t>(region));
+    ++coverage[seen.camera].cornerCounts.at(static_cast<std::size_t>(region));
   }
   return coverage;
 }

@@ -149,7 +149,7 @@ Result<WandResult> calibrateFromViews(const Project& project,
     return !callback || callback({false, now.step, now.steps, now.rms});
   });
   if (result && options.estimateTimeOffsets) { // a camera that is late is none of the faults then
-    problem->views = shiftedInTime(std::move(problem->views), result->offsets);
+    problem->views = shiftedInTime(std::move(problem->views), result->timeOffsets);
   }
   const bool canceled = !result && result.error().code == ErrorCode::Canceled;
   const auto report = canceled ? FaultReport{} : findWandFaults(*problem).value_or(FaultReport{});

@@ -57,8 +57,8 @@ TEST(BoardMiss, AHiddenCharucoBoardShowsTooFewCorners) {
   ASSERT_FALSE(BoardDetector(board).detect(image, DetectionEffort::Exact));
   const BoardMiss miss = diagnoseMissedBoard(BoardDetector(board), image);
   ASSERT_EQ(miss.reason, BoardMiss::Reason::TooFewCorners) << missReasonText(miss);
-  EXPECT_GE(miss.corners, 1);
-  EXPECT_LE(miss.corners, 3);
+  EXPECT_GE(miss.cornerCount, 1);
+  EXPECT_LE(miss.cornerCount, 3);
 }
 
 } // namespace

@@ -96,7 +96,7 @@ TEST(ExtrinsicsFromBoard, LensesThatTheViewsDoNotDetermineAreKept) {
   auto request = extrinsicsRequest("chessboard:9x6:0.025", 0.5);
   request.refineIntrinsics = true;
   for (BoardCamera& camera : request.cameras) {
-    camera.lensError = 1.0;
+    camera.intrinsicsErrorPx = 1.0;
   }
   const auto result = calibrateExtrinsics(request);
   ASSERT_TRUE(result) << errorSentence(result.error());

@@ -208,7 +208,7 @@ TEST(BundleAdjustment, FindsTimeOffsets) {
   ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
     // What a quartic through instants 33 ms apart misses of this motion is below 1e-5 m.
-    EXPECT_NEAR(result->offsets[c], offsets[c], 2e-5);
+    EXPECT_NEAR(result->timeOffsets[c], offsets[c], 2e-5);
   }
   EXPECT_LT(result->rms, 0.01);
 }
@@ -229,8 +229,8 @@ TEST(BundleAdjustment, ABoardOnTheFloorIsTheWorld) {
       pose.linear() = rotationExponential({0.2 * f, -0.1 * f, 0.3});
       pose.translation() << 0.05 * f, -0.1, 0.2 + 0.05 * f;
     }
-    state.known = true;
-    state.fixed = f == 0;
+    state.isKnown = true;
+    state.isFixed = f == 0;
     state.worldFromBoard = pose;
     for (std::size_t c = 0; c < rig.size(); ++c) {
       for (std::size_t p = 0; p < board.points.size(); ++p) {

@@ -43,7 +43,7 @@ TEST(BundleModel, BlocksHoldTheStart) {
   // Pose, lens and offset of the camera that looks, and the state.
   EXPECT_EQ(model.blocksOf(5),
             (std::vector<double*>{model.cameras[1].pose.data(), model.cameras[1].lens.data(),
-                                  &model.cameras[1].offset, model.states[2].values.data()}));
+                                  &model.cameras[1].timeOffset, model.states[2].values.data()}));
   EXPECT_NEAR(costOf(model), 0.0, 1e-15); // the pixels are exact
 }
 
@@ -90,15 +90,15 @@ TEST(BundleModel, OnlyWhatIsFreeVaries) {
   problem.cameras[0].isPoseFixed = true;
   problem.cameras[1].isFocalFree = true;
   problem.cameras[1].isTimeOffsetFree = true;
-  problem.states[5].fixed = true;
+  problem.states[5].isFixed = true;
   problem.states[5].ends[0] = ballAt(0.5);
   BundleModel model(problem, startOf(problem));
   EXPECT_FALSE(model.isVariable(model.cameras[0].pose.data()));
   EXPECT_TRUE(model.isVariable(model.cameras[1].pose.data()));
   EXPECT_FALSE(model.isVariable(model.cameras[0].lens.data()));
   EXPECT_TRUE(model.isVariable(model.cameras[1].lens.data()));
-  EXPECT_FALSE(model.isVariable(&model.cameras[0].offset));
-  EXPECT_TRUE(model.isVariable(&model.cameras[1].offset));
+  EXPECT_FALSE(model.isVariable(&model.cameras[0].timeOffset));
+  EXPECT_TRUE(model.isVariable(&model.cameras[1].timeOffset));
   EXPECT_TRUE(model.isVariable(model.states[0].values.data()));
   EXPECT_FALSE(model.isVariable(model.states[5].values.data()));
   // Of the lens one number of twelve: the focal length.
@@ -186,7 +186,7 @@ TEST(BundleModel, ALateImageDependsOnTheStatesAroundIt) {
   EXPECT_NEAR(costOf(model), 0.0, 1e-12);
   // 10 ms later the ball is 10 mm, 5 mm and 2 mm farther; the path of five instants on a straight
   // line says so exactly.
-  model.cameras[1].offset = 0.01;
+  model.cameras[1].timeOffset = 0.01;
   const Eigen::Vector2d off =
       abreast::pixelOf(1.0, ballAt(0.21)) - abreast::pixelOf(1.0, ballAt(0.2));
   std::vector<ceres::ResidualBlockId> all;

@@ -49,7 +49,7 @@ TEST(BundleStart, FreePointsAreTriangulated) {
 
 TEST(BundleStart, AStartThatIsKnownIsKept) {
   BundleProblem problem = ballSeenAt(kSix);
-  problem.states[2].known = true;
+  problem.states[2].isKnown = true;
   problem.states[2].ends[0] = {9.0, 9.0, 9.0};
   const auto start = initializeBundle(problem);
   ASSERT_TRUE(start);
@@ -65,7 +65,7 @@ TEST(BundleStart, WhatOneCameraSeesSaysNothing) {
   EXPECT_FALSE(start->isObservationUsed[indexOf(problem, 3, 0)]);
   EXPECT_EQ(std::ranges::count(start->isStateUsed, true), 6);
   // Unless the world is defined by it.
-  problem.states[3].fixed = true;
+  problem.states[3].isFixed = true;
   const auto fixed = initializeBundle(problem);
   ASSERT_TRUE(fixed);
   EXPECT_TRUE(fixed->isStateUsed[3]);
@@ -101,7 +101,7 @@ TEST(BundleStart, ABoardNeedsFourPoints) {
   for (std::size_t k = 0; k < 2; ++k) {
     BundleState state;
     state.time = double(k);
-    state.known = true;
+    state.isKnown = true;
     state.worldFromBoard.translation() = Eigen::Vector3d(0.0, 0.0, 5.0);
     problem.states.push_back(state);
     for (std::size_t point = 0; point < (k == 0 ? 6U : 3U); ++point) {
@@ -116,7 +116,7 @@ TEST(BundleStart, ABoardNeedsFourPoints) {
   ASSERT_TRUE(start) << errorSentence(start.error());
   EXPECT_TRUE(start->isStateUsed[0]); // one camera is enough for a board
   EXPECT_FALSE(start->isStateUsed[1]);
-  problem.states[0].known = false;
+  problem.states[0].isKnown = false;
   const auto nowhere = initializeBundle(problem);
   ASSERT_FALSE(nowhere);
   EXPECT_EQ(nowhere.error().field, "board");
@@ -213,7 +213,7 @@ TEST(BundleStart, SenselessNumbersAreRefused) {
   EXPECT_EQ(fieldOf([](auto& p) { p.observations[0].point = 1; }), "observations");
   EXPECT_EQ(fieldOf([&](auto& p) { p.observations[0].pixel.x() = nan; }), "observations");
   EXPECT_EQ(fieldOf([](auto& p) { p.observations[0].sigma = 0.0; }), "observations");
-  EXPECT_EQ(fieldOf([&](auto& p) { p.observations[0].lag = nan; }), "observations");
+  EXPECT_EQ(fieldOf([&](auto& p) { p.observations[0].timeAfterState = nan; }), "observations");
 }
 
 } // namespace

@@ -88,7 +88,7 @@ TEST(BlockJackknife, ALensWithoutSomeViewsIsThatOfACalibrationWithoutThem) {
   const auto without = calibrateIntrinsics(lensRequest(4, 8));
   ASSERT_TRUE(whole) << errorSentence(whole.error());
   ASSERT_TRUE(without) << errorSentence(without.error());
-  ASSERT_EQ(whole->evidence.size(), 20U);
+  ASSERT_EQ(whole->viewNormalEquations.size(), 20U);
   const Camera found = lensWithoutViews(*whole, 4, 8);
   const double sigma = whole->parameters[0].sigma;
   EXPECT_NEAR(found.intrinsics.focalX, without->camera.intrinsics.focalX, 0.3 * sigma);

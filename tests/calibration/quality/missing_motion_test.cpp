@@ -28,7 +28,7 @@ WandResult followed(const CameraRig& rig, const BallPath& path, double seconds =
   result.problem.bodies = {{.name = "ball"}};
   for (int f = 0; f < static_cast<int>(seconds * kRate); ++f) {
     const double time = f / kRate;
-    BundleState state{.time = time, .known = true};
+    BundleState state{.time = time, .isKnown = true};
     state.ends[0] = path(time);
     for (std::size_t c = 0; c < rig.size(); ++c) {
       const auto pixel = Projector(rig[c]).project(state.ends[0]);

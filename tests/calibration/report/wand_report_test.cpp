@@ -63,7 +63,7 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   EXPECT_EQ(count(html, "<svg"), count(html, "</svg>"));
   // A stick is a line of two points, in each of the two views once.
   const auto& states = result->bundle.states;
-  const auto sticks = std::ranges::count(states, true, &BundleState::known);
+  const auto sticks = std::ranges::count(states, true, &BundleState::isKnown);
   ASSERT_LT(states.size(), 300U); // none is left out of the drawing
   EXPECT_GT(sticks, 30);
   EXPECT_EQ(count(html, "<polyline class=\"board\""), 2U * std::size_t(sticks));

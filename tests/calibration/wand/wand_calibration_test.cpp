@@ -148,7 +148,7 @@ TEST(WandCalibration, FindsOffsetsAndFocalLengths) {
   const auto result = calibrateFromWand(problem);
   ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
-    EXPECT_NEAR(result->offsets[c], offsets[c], 5e-4);
+    EXPECT_NEAR(result->timeOffsets[c], offsets[c], 5e-4);
     EXPECT_NEAR(result->cameras[c].intrinsics.focalX, 450.0, 1.0);
   }
   EXPECT_LT(misplacement(result->cameras, rig), 5e-3);
@@ -173,7 +173,7 @@ TEST(WandCalibration, CamerasThatRunFreelyAreRefined) {
   const auto offset = calibrateFromWand(problem);
   ASSERT_TRUE(offset) << errorSentence(offset.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
-    EXPECT_NEAR(offset->offsets[c], 0.0, 5e-4);
+    EXPECT_NEAR(offset->timeOffsets[c], 0.0, 5e-4);
   }
 }
 
@@ -189,7 +189,7 @@ TEST(WandCalibration, ClocksThatAreFarOffAreFound) {
   ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
     EXPECT_NEAR(roughly[c], offsets[c], 0.5 / 15.0);
-    EXPECT_NEAR(result->offsets[c], offsets[c], 5e-4);
+    EXPECT_NEAR(result->timeOffsets[c], offsets[c], 5e-4);
   }
 }
 

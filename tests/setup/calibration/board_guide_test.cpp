@@ -153,7 +153,7 @@ TEST(BoardGuide, PlacesFromABoardThatBothSee) {
     }
   }
   EXPECT_EQ(state.phase, Phase::Finished);
-  EXPECT_GE(state.rig.instants, 5);
+  EXPECT_GE(state.rig.instantCount, 5);
   ASSERT_TRUE(state.cameras[1].positionSigma);
   EXPECT_LE(*state.cameras[1].positionSigma, room.wish.requiredPositionSigma);
   const auto outcome =
@@ -170,11 +170,11 @@ TEST(BoardGuide, TakesWhatAPersonAsksForAndGoesOn) {
   BoardGuide guide(room.project, room.wish);
   guide.step(*room.frames(room.shown(9, BoardTilt::Flat)));
   const auto state = guide.captureNow();
-  EXPECT_EQ(state.cameras[0].lens.views, 1);
+  EXPECT_EQ(state.cameras[0].lens.viewCount, 1);
   EXPECT_EQ(state.seen->cameras[0].views.size(), 1U);
   EXPECT_EQ(guide.skipToPoses().phase, Phase::Poses);
   guide.step(*room.frames(room.shown(16, BoardTilt::Flat, 0.5)));
-  EXPECT_EQ(guide.captureNow().rig.instants, 1);
+  EXPECT_EQ(guide.captureNow().rig.instantCount, 1);
   EXPECT_EQ(guide.state().cameras[1].pairViews, 1);
   EXPECT_FALSE(guide.state().floorFrame);
   guide.step(*room.frames(room.shown(10, BoardTilt::Flat, 0.5)));
@@ -208,7 +208,7 @@ TEST(BoardGuide, ACameraWithoutImagesHoldsNobodyUp) {
     frames.frames[1] = nullptr;
     state = guide.step(frames);
   }
-  EXPECT_EQ(state.cameras[0].lens.views, 1);
+  EXPECT_EQ(state.cameras[0].lens.viewCount, 1);
   EXPECT_EQ(state.cameras[1].width, 0);
 }
 
@@ -229,12 +229,12 @@ TEST(BoardGuideThread, LooksAtTheNewestImagesInItsOwnThread) {
     watch.show(frames);
     until([&] { return watch.newest()->frame == frames->index; });
   }
-  EXPECT_EQ(watch.newest()->cameras[0].lens.views, 1);
+  EXPECT_EQ(watch.newest()->cameras[0].lens.viewCount, 1);
   EXPECT_GE(woken, kStill);
   watch.captureNow();
-  until([&] { return watch.newest()->cameras[0].lens.views == 2; });
+  until([&] { return watch.newest()->cameras[0].lens.viewCount == 2; });
   watch.begin(room.project, room.wish); // over again, at once
-  EXPECT_EQ(watch.newest()->cameras[0].lens.views, 0);
+  EXPECT_EQ(watch.newest()->cameras[0].lens.viewCount, 0);
 }
 
 } // namespace

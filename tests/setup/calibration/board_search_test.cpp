@@ -124,7 +124,7 @@ TEST(BoardSearch, AMirroredCameraIsNamed) {
   EXPECT_FALSE(seen->otherBoard);
   EXPECT_FALSE(seen->cameras[0].otherBoard);
   ASSERT_TRUE(seen->cameras[1].otherBoard);
-  EXPECT_TRUE(seen->cameras[1].otherBoard->mirrored);
+  EXPECT_TRUE(seen->cameras[1].otherBoard->isMirrored);
   const MirroredVideos mirrored = mirroredVideos(*seen);
   EXPECT_EQ(mirrored.cause, MirroredVideos::Cause::Videos);
   EXPECT_EQ(mirrored.cameras, std::vector<std::size_t>{1});
@@ -145,7 +145,7 @@ TEST(BoardSearch, ProposalsForARecordingAndForOneTime) {
   const auto boards = proposeBoards(*source, requested);
   ASSERT_TRUE(boards) << errorSentence(boards.error());
   EXPECT_EQ(boardText(boards->front().board), kRight);
-  EXPECT_EQ(boards->front().searched, 16);
+  EXPECT_EQ(boards->front().searchedImageCount, 16);
   ASSERT_TRUE(source->seek(3));
   const auto frames = source->next();
   ASSERT_TRUE(frames && *frames);

@@ -227,8 +227,8 @@ void BoardCalibrator::takeGuesses(const Proposed& proposed) {
     Q_EMIT mirroredVideosFound();
     return;
   }
-  if (!best.mirrored && isSameBoard(best.board, request_.board.board)) {
-    Q_EMIT boardConfirmed(best.images, best.searched);
+  if (!best.isMirrored && isSameBoard(best.board, request_.board.board)) {
+    Q_EMIT boardConfirmed(best.imageCount, best.searchedImageCount);
     return;
   }
   proposal_ = best;

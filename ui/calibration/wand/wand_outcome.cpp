@@ -250,7 +250,7 @@ void WandOutcome::fillTable() {
     set(k, Moved, lengthNumber(shift.meters, LengthScale::Centimeters, 1));
     set(k, Turned, angleNumber(shift.radians, 2));
     // True time is the camera's plus the offset: a late image has a negative one.
-    set(k, Offset, millisecondsNumber(-result.offsets[k], NumberForm::Signed));
+    set(k, Offset, millisecondsNumber(-result.timeOffsets[k], NumberForm::Signed));
   }
   table_->resizeRowsToContents();
   int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();
