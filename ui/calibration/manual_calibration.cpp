@@ -250,14 +250,14 @@ void ManualCalibration::dragTo(const Eigen::Vector2d& pixel) {
   if (!drag_) {
     return;
   }
-  const Drag result =
+  const DragResult result =
       dragPoint(drag_->start, drag_->held, {drag_->point, pixel + drag_->grip}, settings_);
   reportLimit(result);
   changeCamera(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), result.camera,
                "drag grid");
 }
 
-void ManualCalibration::reportLimit(const Drag& result) {
+void ManualCalibration::reportLimit(const DragResult& result) {
   QString sentence;
   switch (result.limit) {
   case DragLimit::None:

@@ -61,7 +61,7 @@ void printProposal(const Project& project, const CameraFromPoints& found) {
 }
 
 void printCamera(const Project& project, const CameraFromPoints& found) {
-  fmt::print("{:<16} {:>6} {:>8.3f}  {}\n", cameraOf(project, found).camera.name, found.clicks,
+  fmt::print("{:<16} {:>6} {:>8.3f}  {}\n", cameraOf(project, found).camera.name, found.clickCount,
              found.rmsPx, statusText(found.status));
   if (found.proposal) {
     printProposal(project, found);
@@ -90,8 +90,8 @@ void printPoints(const Project& project, const PointSolution& solution) {
                solution.rig[static_cast<std::size_t>(residual.camera)].name, residual.pixels,
                inMillimeters(residual.meters));
   }
-  if (solution.worst) {
-    const std::string& name = project.points[static_cast<std::size_t>(*solution.worst)].name;
+  if (solution.worstPoint) {
+    const std::string& name = project.points[static_cast<std::size_t>(*solution.worstPoint)].name;
     fmt::print("{}: {}.\n", solution.isWorstPointWrong ? "Does not fit the other points" : "Worst",
                name);
   }

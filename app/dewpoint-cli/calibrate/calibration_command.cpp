@@ -70,8 +70,8 @@ Status takeChanges(ConvertOptions& options) {
 }
 
 void takeHints(ConvertOptions& options) {
-  options.hints.unit = meters(options.unit);
-  options.target.unit = meters(options.outUnit);
+  options.hints.metersPerUnit = meters(options.unit);
+  options.target.metersPerUnit = meters(options.outUnit);
   if (!options.size.empty()) {
     options.hints.size = sizeFrom(options.size);
   }
@@ -86,7 +86,7 @@ void takeHints(ConvertOptions& options) {
 std::string cameraSentence(const CameraDifference& camera) {
   std::string text = fmt::format("{}: largest difference over the image {} px{}", camera.camera,
                                  twoSignificantDigitsText(camera.maxDifferencePx),
-                                 camera.refitted ? " (refitted)" : "");
+                                 camera.isRefitted ? " (refitted)" : "");
   if (camera.lostDirectionCount > 0) {
     text +=
         fmt::format("; {} of 81 directions no longer map to a pixel", camera.lostDirectionCount);
@@ -116,7 +116,7 @@ int convert(ConvertOptions& options) {
   }
   fmt::print("largest reprojection difference: {} px\n",
              twoSignificantDigitsText(conversion->maxDifferencePx));
-  for (const auto& file : conversion->written) {
+  for (const auto& file : conversion->writtenFiles) {
     fmt::print("{}\n", file.string());
   }
   return kExitDone;
@@ -172,7 +172,7 @@ void addCalibrationCommand(CLI::App& app, int& exitCode) {
   add->add_option("--to-size", options->toSize, "With --fit: new size of the images, WIDTHxHEIGHT")
       ->check(wrongSize)
       ->needs(fit);
-  add->add_flag("--force", options->target.replace, "Replace existing files");
+  add->add_flag("--force", options->target.replacesExisting, "Replace existing files");
   convertCommand->footer(formatNames());
   convertCommand->callback([options, &exitCode] { exitCode = convert(*options); });
 }

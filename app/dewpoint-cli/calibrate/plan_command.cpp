@@ -70,7 +70,7 @@ void printRig(const CameraRig& rig, const PlacementSettings& settings) {
              low.y(), low.z(), high.x(), high.y(), high.z());
   fmt::print("cameras                 {}\n", rig.size());
   fmt::print("within {:.4g} mm         {:.1f} % of the volume\n", inMillimeters(settings.goodSigma),
-             inPercent(summary.within));
+             inPercent(summary.fractionWithinLimit));
   fmt::print("fewer than two cameras  {:.1f} %\n", inPercent(summary.fractionSeenByTooFew));
 }
 

@@ -160,7 +160,7 @@ Status checkPlausible(const ParsedCalibration& calibration, const CalibrationHin
                       const std::string& file) {
   const CameraRig& rig = calibration.rig;
   Status status = checkPrincipalPoint(rig, file);
-  if (status && !hints.unit && calibration.hasPoses) {
+  if (status && !hints.metersPerUnit && calibration.hasPoses) {
     status = checkUnit(rig, file);
   }
   if (status && calibration.hasPoses) {

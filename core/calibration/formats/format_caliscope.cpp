@@ -109,7 +109,7 @@ CalibrationFormat caliscopeFormat() {
   format.contents =
       "5 coefficients or fisheye, camera from world, meters; numbers instead of names";
   format.lenses = {5, true};
-  format.unit = 1.0;
+  format.metersPerUnit = 1.0;
   format.recognize = recognizeCaliscope;
   format.read = readCaliscope;
   format.write = writeCaliscope;

@@ -153,7 +153,7 @@ CalibrationFormat kalibrFormat() {
       "meters; no names, no world";
   format.lenses = {4, true};
   format.firstCameraIsWorld = true;
-  format.unit = 1.0;
+  format.metersPerUnit = 1.0;
   format.recognize = recognizeKalibr;
   format.read = readKalibr;
   format.write = writeKalibr;

@@ -137,7 +137,7 @@ CalibrationFormat mrcalFormat() {
   format.contents = "8 coefficients, one camera a file, camera from reference, meters";
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, false};
-  format.unit = 1.0;
+  format.metersPerUnit = 1.0;
   format.recognize = recognizeMrcal;
   format.read = readMrcal;
   format.write = writeMrcal;

@@ -193,7 +193,7 @@ CalibrationFormat rosFormat() {
                     "camera a file; poses in static_transforms.yaml beside it, meters";
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, true};
-  format.unit = 1.0;
+  format.metersPerUnit = 1.0;
   format.recognize = recognizeRos;
   format.read = readRos;
   format.write = writeRos;

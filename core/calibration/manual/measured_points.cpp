@@ -77,7 +77,7 @@ void findWorst(const std::vector<bool>& solved, const std::vector<MeasuredPoint>
   for (const ClickResidual& residual : solution.residuals) {
     if (solved[static_cast<std::size_t>(residual.camera)] && residual.pixels > largest) {
       largest = residual.pixels;
-      solution.worst = residual.point;
+      solution.worstPoint = residual.point;
     }
   }
   if (solution.rmsPx < kNoise) {
@@ -88,7 +88,7 @@ void findWorst(const std::vector<bool>& solved, const std::vector<MeasuredPoint>
     const auto rms = rmsWithout(solution.rig, solved, points, k);
     if (rms && *rms < least) {
       least = *rms;
-      solution.worst = k;
+      solution.worstPoint = k;
       solution.isWorstPointWrong = true;
     }
   }
@@ -113,7 +113,7 @@ bool zPointsDown(const std::vector<CameraClicks>& clicked) {
       return false;
     }
     inverted += side == WorldSide::Inverted ? 1 : 0;
-    inSpace = inSpace || (side == WorldSide::Inverted && !one.pose.planar);
+    inSpace = inSpace || (side == WorldSide::Inverted && !one.pose.isPlanar);
   }
   return inverted > 1 || inSpace;
 }

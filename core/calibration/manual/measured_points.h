@@ -84,7 +84,7 @@ struct SymmetryProposal {
 /// Result of solveFromPoints() for one camera.
 struct CameraFromPoints {
   int camera = 0;
-  int clicks = 0;
+  int clickCount = 0;
   PoseStatus status = PoseStatus::None;
   double rmsPx = 0.0;
   std::optional<SymmetryProposal> proposal;
@@ -99,9 +99,9 @@ struct PointSolution {
   double rmsPx = 0.0;
   /// Index of the wrong point if `isWorstPointWrong`; otherwise, index of the point with the
   /// largest residual.
-  std::optional<int> worst;
-  /// True if all other points fit when the point `worst` is left out. That point was then entered
-  /// or clicked incorrectly.
+  std::optional<int> worstPoint;
+  /// True if all other points fit when the point `worstPoint` is left out. That point was then
+  /// entered or clicked incorrectly.
   bool isWorstPointWrong = false;
 
   bool hasSolvedCamera() const;

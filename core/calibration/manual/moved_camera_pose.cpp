@@ -189,13 +189,13 @@ Result<MovedCameraPose> estimateMovedPose(const Camera& camera, const CameraMoti
   const Projector projector(moved.camera);
   for (const PointSighting& sighting : sightings) {
     const auto off = residual(projector, sighting.world, sighting);
-    moved.used += off && off->norm() < kAgrees ? 1 : 0;
+    moved.usedSightingCount += off && off->norm() < kAgrees ? 1 : 0;
   }
-  if (2 * std::size_t(moved.used) < sightings.size()) {
+  if (2 * std::size_t(moved.usedSightingCount) < sightings.size()) {
     return failure(ErrorCode::Mismatch, "", camera.name,
                    fmt::format("only {} of {} detections agree with any pose near the previous "
                                "one; calibrate this camera again",
-                               moved.used, sightings.size()));
+                               moved.usedSightingCount, sightings.size()));
   }
   return moved;
 }

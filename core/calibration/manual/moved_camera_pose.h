@@ -32,7 +32,8 @@ struct CameraMotionPrior {
 /// New pose of a camera that was moved.
 struct MovedCameraPose {
   Camera camera;
-  int used = 0; ///< number of sightings that agree with the new pose within three sigma
+  int usedSightingCount =
+      0; ///< number of sightings that agree with the new pose within three sigma
   /// Median distance between the pixels of all sightings and their projections with the old pose,
   /// in pixels; 0 if there are no sightings.
   double medianPxBefore = 0.0;

@@ -159,7 +159,8 @@ Status check(const Camera& lens, const PlacementSettings& settings) {
 
 double fractionWithin(const CameraRig& rig, const PlacementSettings& settings) {
   const VolumeGrid cells = gridOver(settings.volume, settings.reportedCellCount);
-  return summaryOf(RigMapper().map(cells, settings.pixelSigma, rig), settings.goodSigma).within;
+  return summaryOf(RigMapper().map(cells, settings.pixelSigma, rig), settings.goodSigma)
+      .fractionWithinLimit;
 }
 
 } // namespace

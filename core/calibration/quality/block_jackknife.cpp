@@ -57,7 +57,7 @@ Result<BundleResult> withHeldCameras(BundleProblem part, const BundleResult& wit
 
 } // namespace
 
-double BlockJackknife::factor() const {
+double BlockJackknife::errorFactor() const {
   const auto count = static_cast<double>(rigs.size());
   return rigs.size() < kLeastSolutions
              ? 0.0
@@ -89,8 +89,9 @@ BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& 
     }
     jackknife.rigs.push_back(without->cameras);
     if (const auto held = withHeldCameras(statesOf(problem, first, end, true), *without)) {
-      jackknife.squares += held->rms * held->rms * static_cast<double>(held->usedObservationCount);
-      jackknife.points += held->usedObservationCount;
+      jackknife.squaredErrorSum +=
+          held->rms * held->rms * static_cast<double>(held->usedObservationCount);
+      jackknife.leftOutPointCount += held->usedObservationCount;
     }
   }
   return jackknife;

@@ -225,7 +225,7 @@ void assessOutside(const BundleProblem& problem, const BundleResult& result,
   const Eigen::MatrixXd found =
       apart(from.apart,
             jackknifeDeviations(positionChanges(errors.positions, result.cameras, from.blocks.rigs),
-                                from.blocks.factor()));
+                                from.blocks.errorFactor()));
   const Eigen::MatrixXd& larger = found.norm() > stated.norm() ? found : stated;
   accuracy.outsidePosition95 =
       std::max(accuracy.position95, percentile95(errors, larger, from.scaleSigma, from.pixelSigma,
@@ -249,7 +249,7 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
   const double noise = std::max(result.noiseFactor, 1e-9);
   const Eigen::MatrixXd deviation = noise * root(result.covariance.matrix);
   BlockJackknife blocks = leaveOutBlocks(problem, result, known.initialCamerasWithout);
-  const double factor = blocks.factor();
+  const double factor = blocks.errorFactor();
   const Eigen::MatrixXd changes = positionChanges(errors.positions, result.cameras, blocks.rigs);
   const Eigen::MatrixXd apart = jackknifeDeviations(changes, factor);
   const Eigen::MatrixXd stated = perCamera * deviation;
@@ -257,9 +257,11 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
   CalibrationAccuracy accuracy;
   accuracy.changeRatio = ratioOf(found, stated);
   accuracy.modelFactor = accuracy.changeRatio > kClearlyLarger ? accuracy.changeRatio : 1.0;
-  accuracy.leftOutPointCount = blocks.points;
+  accuracy.leftOutPointCount = blocks.leftOutPointCount;
   accuracy.leftOutRmsPx =
-      blocks.points > 0 ? std::sqrt(blocks.squares / static_cast<double>(blocks.points)) : 0.0;
+      blocks.leftOutPointCount > 0
+          ? std::sqrt(blocks.squaredErrorSum / static_cast<double>(blocks.leftOutPointCount))
+          : 0.0;
   const double scale = known.scaleKnown ? known.scaleSigma : 0.0;
   const double pixels = noise * typicalSigma(problem);
   const Eigen::MatrixXd& larger = found.norm() > stated.norm() ? found : stated;

@@ -110,7 +110,8 @@ private:
     if (found != nullptr) {
       *found = one->camera;
     }
-    return Explained{meanCost(one->squares, sigma_), std::sqrt(upperMedian(one->squares))};
+    return Explained{meanCost(one->squaredResiduals, sigma_),
+                     std::sqrt(upperMedian(one->squaredResiduals))};
   }
 
   /// Keeps the hypothesis if it is clearly better than none and than the best so far.
@@ -207,8 +208,8 @@ private:
     if (!first || !second) {
       return std::nullopt;
     }
-    std::vector<double> squares = first->squares;
-    squares.insert(squares.end(), second->squares.begin(), second->squares.end());
+    std::vector<double> squares = first->squaredResiduals;
+    squares.insert(squares.end(), second->squaredResiduals.begin(), second->squaredResiduals.end());
     return TwoPoses{first->camera,
                     second->camera,
                     {meanCost(squares, sigma_), std::sqrt(upperMedian(squares))}};

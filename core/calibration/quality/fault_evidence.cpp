@@ -152,17 +152,17 @@ std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
       fit.rig[c] = now->cameras[next++];
     }
   }
-  fit.squares = squaresOf(*now);
+  fit.squaredResiduals = squaresOf(*now);
   for (std::size_t c = 0; c < initialRig.size(); ++c) {
     if (!plausible(initialRig[c], fit.rig[c], sigma)) {
-      fit.squares.assign(fit.squares.size(), kUnseenPx2);
+      fit.squaredResiduals.assign(fit.squaredResiduals.size(), kUnseenPx2);
     }
   }
   fit.points = problem.states.size();
-  const auto rows = static_cast<double>(fit.squares.size());
+  const auto rows = static_cast<double>(fit.squaredResiduals.size());
   const double degreesOfFreedom = rows - 3.0 * static_cast<double>(problem.states.size()) -
                                   6.0 * static_cast<double>(problem.cameras.size());
-  fit.sigmaPx = std::sqrt(upperMedian(fit.squares) / kMedianSquare * rows /
+  fit.sigmaPx = std::sqrt(upperMedian(fit.squaredResiduals) / kMedianSquare * rows /
                           std::max(degreesOfFreedom, 0.1 * rows));
   return fit;
 }
@@ -212,7 +212,7 @@ std::optional<CameraResection> fitCamera(const Camera& initial,
   }
   CameraResection found{now->cameras[0], squaresOf(*now)};
   if (!plausible(initial, found.camera, sigma)) {
-    found.squares.assign(found.squares.size(), kUnseenPx2);
+    found.squaredResiduals.assign(found.squaredResiduals.size(), kUnseenPx2);
   }
   return found;
 }

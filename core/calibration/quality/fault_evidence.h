@@ -39,7 +39,7 @@ struct PointFit {
   CameraRig rig;
   double sigmaPx = 0.0; ///< robust standard deviation of an image point per axis, corrected for the
                         ///< degrees of freedom; pixels
-  std::vector<double> squares; ///< squared residuals per axis, pixels²
+  std::vector<double> squaredResiduals; ///< squared residuals per axis, pixels²
   std::size_t points = 0;
 };
 
@@ -72,7 +72,7 @@ struct CameraResection {
   Camera camera;
   /// Squared residuals per axis, pixels²; set to a large value for points that the camera cannot
   /// see, or for all points if the pose is far from the initial one.
-  std::vector<double> squares;
+  std::vector<double> squaredResiduals;
 };
 /// Estimates the pose of one camera near `initial` from points with known positions and, if
 /// `isFocalFree`, its focal length. `quick`: uses fewer iterations, for a start value that is

@@ -165,8 +165,9 @@ private:
           swap.fit.sigmaPx > kSwapExplains * all_->sigmaPx) {
         continue;
       }
-      const double gain = static_cast<double>(swap.fit.squares.size()) *
-                          (meanCost(all_->squares, best_) - meanCost(swap.fit.squares, best_));
+      const double gain =
+          static_cast<double>(swap.fit.squaredResiduals.size()) *
+          (meanCost(all_->squaredResiduals, best_) - meanCost(swap.fit.squaredResiduals, best_));
       if (gain > kMinGain && (!best || gain > best->gain)) {
         best = DetectedFault{CalibrationFault::CamerasSwapped, {swap.one, swap.other}, 0.0, gain};
       }

@@ -186,7 +186,7 @@ private:
     trial.scaleError = 1.0 / fitSimilarity(found, truth, true).scale - 1.0;
     for (std::size_t c = 0; c < rig_.size(); ++c) {
       const double clock = trial.kind == WandCase::Unsynced ? clocks_.at(c) : 0.0;
-      trial.offsetError = std::max(trial.offsetError, std::abs(result.offsets[c] - clock));
+      trial.offsetError = std::max(trial.offsetError, std::abs(result.timeOffsets[c] - clock));
     }
     trial.medianPx = result.medianPx;
     trial.solveSeconds = result.seconds;

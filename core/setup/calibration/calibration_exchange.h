@@ -49,7 +49,7 @@ struct CalibrationImport {
   /// (checkRig()).
   std::vector<camera_motion::CameraDisagreement> faults;
   /// Largest change of a projection, in pixels, if the cameras of the file are saved in Dewpoint's
-  /// own format and read again (difference()).
+  /// own format and read again (compareCameras()).
   double maxDifferencePx = 0.0;
 };
 

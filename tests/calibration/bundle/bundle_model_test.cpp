@@ -38,7 +38,7 @@ TEST(BundleModel, BlocksHoldTheStart) {
   ASSERT_EQ(model.states.size(), 6U);
   EXPECT_LT((Eigen::Map<const Eigen::Vector3d>(model.states[2].values.data()) - ballAt(0.2)).norm(),
             1e-9);
-  EXPECT_EQ(model.usedObservations, 12U);
+  EXPECT_EQ(model.usedObservationCount, 12U);
   EXPECT_EQ(model.solver.NumResidualBlocks(), 12);
   // Pose, lens and offset of the camera that looks, and the state.
   EXPECT_EQ(model.blocksOf(5),
@@ -77,7 +77,7 @@ TEST(BundleModel, WhatIsBehindACameraIsNotUsed) {
   BundleStart start = startOf(problem);
   start.states[3].ends[0].z() = -4.0;
   BundleModel model(problem, start);
-  EXPECT_EQ(model.usedObservations, 10U);
+  EXPECT_EQ(model.usedObservationCount, 10U);
   EXPECT_FALSE(model.start.isObservationUsed[6]);
   EXPECT_FALSE(model.start.isObservationUsed[7]);
   EXPECT_EQ(model.costFunctions[6], nullptr);

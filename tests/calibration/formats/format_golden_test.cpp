@@ -27,7 +27,7 @@ struct Golden {
 
 CalibrationHints unit(double meters) {
   CalibrationHints hints;
-  hints.unit = meters;
+  hints.metersPerUnit = meters;
   return hints;
 }
 

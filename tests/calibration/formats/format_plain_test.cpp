@@ -22,7 +22,7 @@ Result<ParsedCalibration> readText(const std::string& name, const std::string& t
 
 CalibrationHints inMeters() {
   CalibrationHints hints;
-  hints.unit = 1.0;
+  hints.metersPerUnit = 1.0;
   return hints;
 }
 
@@ -168,7 +168,7 @@ TEST(FormatPlain, AsksForWhatIsMissing) {
   ASSERT_TRUE(read) << errorSentence(read.error());
   EXPECT_EQ(read->rig.front().lens, LensModel::Fisheye);
 
-  hints.unit.reset();
+  hints.metersPerUnit.reset();
   read = readText("c.json", matrix + pose + "}", hints);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().field, "unit") << errorSentence(read.error());

@@ -57,7 +57,7 @@ protected:
     hints.size = {1280, 720};
     auto calibration = readCalibration(file, hints);
     if (!calibration && calibration.error().field == "unit") {
-      hints.unit = 0.001;
+      hints.metersPerUnit = 0.001;
       calibration = readCalibration(file, hints);
     }
     return calibration;

@@ -120,8 +120,8 @@ TEST(MeasuredPoints, TheMistypedPointIsNamed) {
   auto points = pointsSeenBy(rig, 8);
   points[5].world.x() += 0.1; // 10 cm: the tape was read wrongly
   const PointSolution solution = solveFromPoints(displaced(rig), points);
-  ASSERT_TRUE(solution.worst);
-  EXPECT_EQ(*solution.worst, 5);
+  ASSERT_TRUE(solution.worstPoint);
+  EXPECT_EQ(*solution.worstPoint, 5);
   EXPECT_TRUE(solution.isWorstPointWrong);
   points.erase(points.begin() + 5);
   EXPECT_LT(apart(solveFromPoints(displaced(rig), points).rig[0], rig[0]), 1e-6);

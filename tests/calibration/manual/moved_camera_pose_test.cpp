@@ -80,7 +80,7 @@ TEST(EstimateMovedPose, IsNotFooledByWrongSightings) {
       estimateMovedPose(camera(), {.turn = Eigen::Vector3d(0.1, 0.2, 0.0) * kDegree}, seen);
   ASSERT_TRUE(moved) << errorSentence(moved.error());
   EXPECT_LT(angleBetween(moved->camera, bumped), 0.05 * kDegree);
-  EXPECT_LE(moved->used, 160);
+  EXPECT_LE(moved->usedSightingCount, 160);
 }
 
 TEST(EstimateMovedPose, SaysWhenNoPoseNearbyFits) {

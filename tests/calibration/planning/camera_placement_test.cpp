@@ -132,7 +132,8 @@ TEST(CameraPlacement, TheFirstCameraSeesAsMuchAsItCan) {
   ASSERT_TRUE(found);
   RigMapper mapper;
   const RigMap map = mapper.map(gridOver(kRoom, 900), 0.5, {found->camera});
-  const auto seen = double(std::ranges::count(map.counts, 1)) / double(map.counts.size());
+  const auto seen =
+      double(std::ranges::count(map.cameraCounts, 1)) / double(map.cameraCounts.size());
   EXPECT_GT(seen, 0.7); // a corner sees three quarters or so of a box of 4 x 4 x 2 with 90 degrees
 }
 
@@ -184,11 +185,11 @@ TEST(RigMap, GoingOnGivesWhatBeginningAgainDoes) {
   rig[1] = at({2, 0, 2});
   rig[0].name = "called otherwise";
   const RigMap moved = going.map(grid, 0.5, rig);
-  EXPECT_EQ(moved.counts, RigMapper().map(grid, 0.5, rig).counts);
+  EXPECT_EQ(moved.cameraCounts, RigMapper().map(grid, 0.5, rig).cameraCounts);
   rig.pop_back();
   const RigMap fewer = going.map(grid, 0.5, rig);
   const RigMap anew = RigMapper().map(grid, 0.5, rig);
-  EXPECT_EQ(fewer.counts, anew.counts);
+  EXPECT_EQ(fewer.cameraCounts, anew.cameraCounts);
   EXPECT_EQ(fewer.cameraCount, 2U);
   for (std::size_t i = 0; i < anew.sigmas.size(); ++i) {
     if (!std::isnan(anew.sigmas[i])) {
@@ -202,7 +203,7 @@ TEST(RigMap, TheSummaryCountsCells) {
   const RigMap map{
       {{0, 0, 0}, {4, 1, 1}, {4, 1, 1}}, 2, {0.001F, 0.004F, 0.02F, none}, {2, 3, 2, 1}};
   const RigMapSummary summary = summaryOf(map, 0.005);
-  EXPECT_DOUBLE_EQ(summary.within, 0.5);
+  EXPECT_DOUBLE_EQ(summary.fractionWithinLimit, 0.5);
   EXPECT_DOUBLE_EQ(summary.fractionSeenByTooFew, 0.25);
   EXPECT_NEAR(summary.medianSigma, 0.02, 1e-6); // two of four are below it
 }
@@ -246,7 +247,7 @@ TEST(CameraPlacement, FiguresAreThoseOfTheMapThatIsShown) {
   with.push_back(found->camera);
   const auto shared = [&](const CameraRig& cameras) {
     const RigMap map = RigMapper().map(gridOver(kRoom, 2000), onMap.pixelSigma, cameras);
-    return summaryOf(map, onMap.goodSigma).within;
+    return summaryOf(map, onMap.goodSigma).fractionWithinLimit;
   };
   EXPECT_EQ(found->goodFractionBefore, shared(rig));
   EXPECT_EQ(found->goodFractionAfter, shared(with));

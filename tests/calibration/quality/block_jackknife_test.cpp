@@ -37,10 +37,10 @@ TEST(BlockJackknife, OfAMeanIsItsKnownVariance) {
   jackknife.rigs.resize(10);
   const double widened = studentQuantile95(9.0) / 1.96;
   const double variance = (numbers.array() - numbers.mean()).square().sum() / 9.0 / 10.0;
-  EXPECT_NEAR(jackknifeDeviations(without, jackknife.factor()).squaredNorm(),
+  EXPECT_NEAR(jackknifeDeviations(without, jackknife.errorFactor()).squaredNorm(),
               widened * widened * variance, 1e-9);
   jackknife.rigs.resize(3);
-  EXPECT_EQ(jackknife.factor(), 0.0); // too few to tell
+  EXPECT_EQ(jackknife.errorFactor(), 0.0); // too few to tell
 }
 
 /// Frames of one camera that was late share their errors; the covariance takes each corner as an

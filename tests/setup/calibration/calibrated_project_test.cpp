@@ -202,11 +202,11 @@ TEST(CalibratedProject, OnlyAFocalLengthThatWasComputedCountsAsMeasured) {
   solution.rig = {project.cameras[0].camera, moved(project.cameras[1].camera)};
   CameraFromPoints& found = solution.cameras.emplace_back();
   found.camera = 1;
-  found.clicks = kFewestPointsOfFocal - 1;
+  found.clickCount = kFewestPointsOfFocal - 1;
   const Project kept = withPointSolution(project, solution, true);
   EXPECT_TRUE(kept.cameras[1].calibrated.pose);
   EXPECT_FALSE(kept.cameras[1].calibrated.lens);
-  found.clicks = kFewestPointsOfFocal;
+  found.clickCount = kFewestPointsOfFocal;
   EXPECT_TRUE(withPointSolution(project, solution, true).cameras[1].calibrated.lens);
   EXPECT_FALSE(withPointSolution(project, solution, false).cameras[1].calibrated.lens);
 }

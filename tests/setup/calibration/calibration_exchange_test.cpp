@@ -44,7 +44,7 @@ TEST_F(CalibrationExchange, WhatIsExportedIsImportedAgain) {
     ASSERT_TRUE(written) << errorSentence(written.error());
     EXPECT_EQ(written->maxDifferencePx, preview->maxDifferencePx);
     EXPECT_LT(written->maxDifferencePx, 1e-6); // a pinhole without distortion fits every format
-    EXPECT_FALSE(written->written.empty());
+    EXPECT_FALSE(written->writtenFiles.empty());
     EXPECT_FALSE(std::filesystem::exists(folder_ / "preview"));
   }
 }
@@ -68,7 +68,7 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   EXPECT_EQ(asked.question, ImportQuestion::Unit);
   EXPECT_EQ(asked.error.detail.find("--"), std::string::npos) << asked.error.detail;
   EXPECT_NE(asked.error.detail.find("probably mm"), std::string::npos) << asked.error.detail;
-  wish.hints.unit = 0.001;
+  wish.hints.metersPerUnit = 0.001;
   const auto made = importCalibration(project_, wish);
   ASSERT_TRUE(made) << errorSentence(made.error());
   EXPECT_FALSE(made->matchedByOrder);
@@ -137,7 +137,7 @@ TEST_F(CalibrationExchange, TwoCamerasOfOnePoseAreNamed) {
 
 TEST_F(CalibrationExchange, AFileOfOneCameraIsForTheOneThatIsNamed) {
   ImportRequest wish{kGolden / "opencv_sample.yml", {}};
-  wish.hints.unit = 1.0;
+  wish.hints.metersPerUnit = 1.0;
   const auto unknown = importCalibration(project_, wish);
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().field, "camera");

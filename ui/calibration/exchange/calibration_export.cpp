@@ -64,7 +64,7 @@ CalibrationExportDialog::CalibrationExportDialog(Document& document, QWidget* pa
 }
 
 const CalibrationFormat& CalibrationExportDialog::format() const {
-  return **calibrationFormat(format_->currentData().toString().toStdString());
+  return **findCalibrationFormat(format_->currentData().toString().toStdString());
 }
 
 bool CalibrationExportDialog::isFolder() const {
@@ -74,7 +74,7 @@ bool CalibrationExportDialog::isFolder() const {
 }
 
 void CalibrationExportDialog::formatChanged() {
-  unit_->setEnabled(!format().unit.has_value());
+  unit_->setEnabled(!format().metersPerUnit.has_value());
   if (!file().isEmpty()) {
     // The same place, with the ending of the format.
     setFile(withoutEnding(file()) + ending());
@@ -132,7 +132,7 @@ void CalibrationExportDialog::retranslateFields() {
     unit_->addItem(tr("millimeters"), QStringLiteral("mm"));
     unit_->addItem(tr("centimeters"), QStringLiteral("cm"));
     unit_->setCurrentIndex(chosen);
-    unit_->setEnabled(!format().unit.has_value());
+    unit_->setEnabled(!format().metersPerUnit.has_value());
   }
 }
 
@@ -140,9 +140,10 @@ CalibrationOutput CalibrationExportDialog::target() const {
   CalibrationOutput target;
   target.path = file().toStdString();
   target.format = format().name;
-  target.unit = unit_->isEnabled() ? parseLengthUnit(unit_->currentData().toString().toStdString())
-                                   : std::nullopt;
-  target.replace = true;
+  target.metersPerUnit = unit_->isEnabled()
+                             ? parseLengthUnit(unit_->currentData().toString().toStdString())
+                             : std::nullopt;
+  target.replacesExisting = true;
   return target;
 }
 
@@ -160,7 +161,7 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
     const CameraDifference& camera = conversion.cameras[k];
     const QString name = cameraName(camera.camera, k);
     if (!(camera.maxDifferencePx <= kLeastLossPx)) {
-      lines << (camera.refitted
+      lines << (camera.isRefitted
                     ? tr("%1: with the exported calibration, projected points move by at most %2, "
                          "because the format cannot store this lens model and the lens was fitted "
                          "again")
@@ -221,7 +222,7 @@ void CalibrationExportDialog::finish(const Result<CalibrationConversion>& writte
     return;
   }
   QStringList files;
-  for (const auto& one : written->written) {
+  for (const auto& one : written->writtenFiles) {
     files << QString::fromStdString(one.string());
   }
   const QString sentence = tr("Saved %1.").arg(files.join(QStringLiteral(", ")));
