@@ -93,7 +93,7 @@ public:
     std::int64_t dropped = broadcaster.droppedFrames();
     for (const broadcast::OutletReport& report : broadcaster.reports()) {
       clients += report.clientCount;
-      dropped += report.dropped;
+      dropped += report.droppedPieces;
     }
     const char* state = snapshot.state == PlayState::Playing ? "" : "stopped, ";
     fmt::print(stderr, "\r\x1b[K{}frame {}, {:.1f} images/s, {}; {} clients, {} sent, {} dropped{}",

@@ -65,7 +65,7 @@ double BlockJackknife::errorFactor() const {
 }
 
 BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
-                              const InitialCamerasWithout& initialCamerasWithout) {
+                              const InitialCamerasWithoutStates& initialCamerasWithoutStates) {
   BlockJackknife jackknife;
   const std::size_t count = problem.states.size();
   const std::size_t blocks = std::min(kMostBlocks, count);
@@ -74,7 +74,7 @@ BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& 
     const std::size_t end = (block + 1) * count / blocks;
     BundleProblem rest = statesOf(problem, first, end, false);
     const CameraRig before =
-        initialCamerasWithout ? initialCamerasWithout(first, end) : CameraRig{};
+        initialCamerasWithoutStates ? initialCamerasWithoutStates(first, end) : CameraRig{};
     for (std::size_t c = 0; c < rest.cameras.size(); ++c) {
       Camera& camera = rest.cameras[c].camera;
       camera.cameraFromWorld = result.cameras[c].cameraFromWorld;

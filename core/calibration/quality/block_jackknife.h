@@ -15,7 +15,7 @@ namespace dewpoint::calibration {
 /// from `first` to before `end` are left out. It is needed if the intrinsics were estimated from
 /// the same images: then their initial values must be estimated without the images of these states,
 /// too.
-using InitialCamerasWithout = std::function<CameraRig(std::size_t first, std::size_t end)>;
+using InitialCamerasWithoutStates = std::function<CameraRig(std::size_t first, std::size_t end)>;
 
 /// Solutions of an adjustment that was repeated, each time without one block of neighboring states.
 struct BlockJackknife {
@@ -37,8 +37,9 @@ struct BlockJackknife {
 /// because of delayed images or of a lens model that does not fit one part of the image. Such an
 /// error is left out together with its block, so the scatter of the solutions includes it. A
 /// repetition without a solution is skipped. States that are `isFixed` are never left out.
-BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
-                              const InitialCamerasWithout& initialCamerasWithout = nullptr);
+BlockJackknife
+leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
+               const InitialCamerasWithoutStates& initialCamerasWithoutStates = nullptr);
 
 /// Returns the displacement of each position (3 rows for each position; meters) for each solution
 /// (columns). The position is triangulated by the cameras of the solution, from the pixels at which

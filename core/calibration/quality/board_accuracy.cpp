@@ -167,7 +167,7 @@ Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
   known.upSigma = worldInstant ? upSigma(result, board, *worldInstant) : std::nullopt;
   const bool estimated = std::ranges::any_of(lenses, [](const auto* lens) { return lens; });
   if (estimated && result.boardPoses.size() == result.problem.states.size()) {
-    known.initialCamerasWithout = [&](std::size_t first, std::size_t end) {
+    known.initialCamerasWithoutStates = [&](std::size_t first, std::size_t end) {
       return lensesWithout(result, lenses, first, end);
     };
   }

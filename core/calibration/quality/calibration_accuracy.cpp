@@ -248,7 +248,7 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
       removeRigidMotion(errors.positions, errors.fromCameras, sizeless);
   const double noise = std::max(result.noiseFactor, 1e-9);
   const Eigen::MatrixXd deviation = noise * root(result.covariance.matrix);
-  BlockJackknife blocks = leaveOutBlocks(problem, result, known.initialCamerasWithout);
+  BlockJackknife blocks = leaveOutBlocks(problem, result, known.initialCamerasWithoutStates);
   const double factor = blocks.errorFactor();
   const Eigen::MatrixXd changes = positionChanges(errors.positions, result.cameras, blocks.rigs);
   const Eigen::MatrixXd apart = jackknifeDeviations(changes, factor);

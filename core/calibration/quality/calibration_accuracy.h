@@ -20,8 +20,8 @@ struct AccuracyPriors {
   /// Standard deviation of the upward direction about each of two horizontal axes, radians; empty
   /// if the upward direction is arbitrary.
   std::optional<double> upSigma;
-  /// Set if the intrinsics were estimated from the same images; see InitialCamerasWithout.
-  InitialCamerasWithout initialCamerasWithout = nullptr;
+  /// Set if the intrinsics were estimated from the same images; see InitialCamerasWithoutStates.
+  InitialCamerasWithoutStates initialCamerasWithoutStates = nullptr;
 };
 
 /// Accuracy of one camera's pose. With a probability of 95 %, the error is at most 1.96 times these

@@ -107,7 +107,7 @@ private:
     }
     const auto [first, last] = std::ranges::minmax_element(times);
     const double seconds = times.empty() ? 0.0 : *last - *first;
-    add({.missing = MissingMotion::LongEnough, .value = seconds}, seconds, kLeastSeconds);
+    add({.missing = MissingMotion::Duration, .value = seconds}, seconds, kLeastSeconds);
   }
 
   /// A line, a plane, a small volume, or no depth: each of them explains the next ones.
@@ -295,7 +295,7 @@ const char* sideText(ImageSide side) {
 
 } // namespace
 
-std::vector<MotionGap> missingMotion(const WandResult& result) {
+std::vector<MotionGap> findMissingMotion(const WandResult& result) {
   return MotionSearch(result).run();
 }
 
@@ -305,7 +305,7 @@ std::string motionGapText(const MotionGap& gap, const CameraRig& rig) {
                                                                  : std::string("a camera");
   };
   switch (gap.missing) {
-  case MissingMotion::LongEnough:
+  case MissingMotion::Duration:
     return fmt::format("The ball was seen for only {:.0f} s. Wave for half a minute.", gap.value);
   case MissingMotion::OffTheLine:
     return "The ball moved only along one line. Move it in all directions: to the sides, up and "

@@ -126,7 +126,7 @@ Similarity movedBy(const Eigen::Vector3d& shift, double turn) {
   return {1.0, turnAboutVertical(turn), shift};
 }
 
-std::optional<Similarity> uprightTurn(const CameraRig& rig) {
+std::optional<Similarity> uprightRotation(const CameraRig& rig) {
   if (rig.empty()) {
     return std::nullopt;
   }

@@ -67,6 +67,6 @@ Similarity movedBy(const Eigen::Vector3d& shift, double turn);
 ///
 /// The mean of the images' upward directions shows which way is up. Returns nothing if the cameras
 /// look steeply down on average, because such cameras may be mounted upside down under a ceiling.
-std::optional<Similarity> uprightTurn(const CameraRig& rig);
+std::optional<Similarity> uprightRotation(const CameraRig& rig);
 
 } // namespace dewpoint::calibration

@@ -88,7 +88,7 @@ AgreementModel::regionImagesOf(std::size_t color, std::size_t camera,
   const SightingHistory& history = histories_[color][camera];
   const double focal = focals_[calibration];
   const double anyShape = radii_[color] > 0.0 ? 0.0 : kAnyShape;
-  const std::size_t stride = history.countedSightings() / kMostCounted + 1;
+  const std::size_t stride = history.countEvidence() / kMostCounted + 1;
   std::size_t counted = 0;
   std::vector<RegionImage> instants;
   instants.reserve(history.images().size());

@@ -117,7 +117,7 @@ bool CameraAgreement::hasEnoughSightings() const {
   double images = 0.0;
   for (const auto& color : histories_) {
     for (const SightingHistory& history : color) {
-      counted += history.countedSightings();
+      counted += history.countEvidence();
       for (const SightingImage& image : history.images()) {
         regions += static_cast<double>(image.regions.size());
         images += image.regions.empty() ? 0.0 : 1.0;

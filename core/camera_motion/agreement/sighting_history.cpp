@@ -21,7 +21,7 @@ constexpr double kLeastMoved = 6.0;  ///< pixels: more than noise moves a small 
 SightingHistory::SightingHistory(const ColorRanges& color, const Camera& camera)
     : search_(color), unprojector_(geometry::withoutPose(camera)) {}
 
-std::size_t SightingHistory::countedSightings() const {
+std::size_t SightingHistory::countEvidence() const {
   std::size_t count = 0;
   for (const SightingImage& image : images_) {
     count += static_cast<std::size_t>(
@@ -58,7 +58,7 @@ void SightingHistory::add(const cv::Mat& image, double time) {
   }
   counted_ = std::move(counted);
   images_.push_back(std::move(now));
-  while (images_.front().time < time - kKeptSeconds) {
+  while (images_.front().time < time - kHistorySeconds) {
     images_.pop_front();
   }
 }

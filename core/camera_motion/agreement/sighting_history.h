@@ -36,7 +36,7 @@ struct SightingImage {
 class SightingHistory {
 public:
   /// Time span for which images are kept, in seconds.
-  static constexpr double kKeptSeconds = 4.0;
+  static constexpr double kHistorySeconds = 4.0;
 
   SightingHistory(const ColorRanges& color, const Camera& camera);
 
@@ -45,7 +45,7 @@ public:
   void add(const cv::Mat& image, double time);
   void clear() { images_.clear(); }
   /// Returns the number of sightings that count as evidence (RegionSighting::countsAsEvidence).
-  std::size_t countedSightings() const;
+  std::size_t countEvidence() const;
   /// Returns the sightings of each image, in order of time.
   const std::deque<SightingImage>& images() const { return images_; }
 

@@ -81,7 +81,7 @@ Result<WandRefinement> assessed(const Project& project, const WandOptions& optio
   refinement.options = options;
   refinement.accuracy = assessWand(*result, options.floorTimes);
   refinement.beforePx = errorBefore(options, before, *result);
-  refinement.gaps = missingMotion(*result);
+  refinement.gaps = findMissingMotion(*result);
   refinement.before = std::move(before);
   refinement.result = std::move(*result);
   addRecords(project, refinement);

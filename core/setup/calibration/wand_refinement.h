@@ -29,7 +29,7 @@ struct WandRefinement {
   /// Largest recorded error of the camera positions in `before` (PoseRecord::error), meters; empty
   /// if no error is recorded.
   std::optional<double> beforeError = std::nullopt;
-  /// Kinds of motion that the recording lacks; see missingMotion().
+  /// Kinds of motion that the recording lacks; see findMissingMotion().
   std::vector<MotionGap> gaps = {};
 };
 

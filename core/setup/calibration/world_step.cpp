@@ -61,7 +61,7 @@ Result<FloorChange> changeOf(WorldStep step, const CameraRig& rig, const Positio
   case WorldStep::Upright:
     break;
   }
-  if (const auto upright = uprightTurn(rig)) {
+  if (const auto upright = uprightRotation(rig)) {
     return rigid(*upright);
   }
   return failure(ErrorCode::Undetermined, "", "cameras",
@@ -122,7 +122,7 @@ Result<Project> withLengthCheck(Project project, const MeasuredPoint& from, cons
 }
 
 bool canTurnUpright(const Project& project) {
-  return uprightTurn(rigOf(project)).has_value();
+  return uprightRotation(rigOf(project)).has_value();
 }
 
 } // namespace dewpoint::setup

@@ -166,7 +166,7 @@ private:
 
   void checkGaps(const FrameReader& reader) {
     const std::int64_t length =
-        CaptureSchedule::lengthOf({footage_.frames, 0.0, {}, footage_.sequenceNumbers});
+        CaptureSchedule::frameSetCountOf({footage_.frames, 0.0, {}, footage_.sequenceNumbers});
     if (length > footage_.frames && camera_.times.empty()) {
       hasFault_ = true;
       examination_.addIn(camera_.location, FindingKind::ImagesMissing,
@@ -271,7 +271,7 @@ void compareLengths(Examination& examination) {
       continue;
     }
     const std::int64_t length =
-        CaptureSchedule::lengthOf({footage.frames, 0.0, {}, footage.sequenceNumbers});
+        CaptureSchedule::frameSetCountOf({footage.frames, 0.0, {}, footage.sequenceNumbers});
     least = list.empty() ? length : std::min(least, length);
     most = std::max(most, length);
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", examination.nameOf(k), length);

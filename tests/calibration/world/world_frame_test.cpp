@@ -125,10 +125,10 @@ TEST(WorldFrame, AllCamerasMoveTogether) {
 }
 
 TEST(WorldFrame, AnUpsideDownWorldIsTurned) {
-  EXPECT_FALSE(calibration::uprightTurn(corners()));
+  EXPECT_FALSE(calibration::uprightRotation(corners()));
   for (const WorldAxis axis : {WorldAxis::X, WorldAxis::Y}) {
     const CameraRig under = moved(calibration::quarterTurns(axis, 2), corners());
-    const auto turn = calibration::uprightTurn(under);
+    const auto turn = calibration::uprightRotation(under);
     ASSERT_TRUE(turn);
     for (const Camera& camera : moved(*turn, under)) {
       EXPECT_NEAR(camera.center().z(), 2.2, 1e-12);
@@ -141,22 +141,22 @@ TEST(WorldFrame, TheAxesOfAFirstCameraAreTurnedUpright) {
   Similarity toFirst;
   toFirst.rotation = rig[0].cameraFromWorld.linear();
   toFirst.translation = rig[0].cameraFromWorld.translation();
-  const auto turn = calibration::uprightTurn(moved(toFirst, rig));
+  const auto turn = calibration::uprightRotation(moved(toFirst, rig));
   ASSERT_TRUE(turn);
   // The first camera looks down by about 26 degrees, and so z is that far from up.
   const Eigen::Vector3d up = (*turn * toFirst).rotation * Eigen::Vector3d::UnitZ();
   EXPECT_GT(up.z(), std::cos(30.0 * base::kDegree));
-  EXPECT_FALSE(calibration::uprightTurn(moved(*turn * toFirst, rig)));
+  EXPECT_FALSE(calibration::uprightRotation(moved(*turn * toFirst, rig)));
 }
 
 TEST(WorldFrame, CamerasUnderACeilingMayHangUpsideDown) {
-  EXPECT_FALSE(calibration::uprightTurn(corners(std::numbers::pi)));
+  EXPECT_FALSE(calibration::uprightRotation(corners(std::numbers::pi)));
 }
 
 TEST(WorldFrame, CamerasThatLookStraightDownDoNotShowWhichWayIsUp) {
-  EXPECT_FALSE(calibration::uprightTurn(
+  EXPECT_FALSE(calibration::uprightRotation(
       {cameraAt({0.0, 0.0, 2.0}, {0.0, 0.0, 0.0}), cameraAt({1.0, 0.0, 2.0}, {1.0, 0.0, 0.0})}));
-  EXPECT_FALSE(calibration::uprightTurn({}));
+  EXPECT_FALSE(calibration::uprightRotation({}));
 }
 
 } // namespace
