@@ -167,7 +167,7 @@ int main(int argc, char** argv) {
   const auto picture = [&](int frame) { return folder + fmt::format("frame{:05}.jpg", frame); };
   const auto room = readBackgroundImage(picture(kEmptyFrame), {"throws", 0, 0, 0});
   if (!room) {
-    fmt::print(stderr, "{}\n", sentence(room.error()));
+    fmt::print(stderr, "{}\n", errorSentence(room.error()));
     return 1;
   }
   for (const auto& [name, boxes] : readBoxes(folder + "balls_by_color.csv")) {

@@ -162,7 +162,7 @@ int run(int count, char** arguments) {
   if (count > 1) {
     auto recorded = recordedBoxClips(arguments[1]);
     if (!recorded) {
-      fmt::print(stderr, "{}\n", sentence(recorded.error()));
+      fmt::print(stderr, "{}\n", errorSentence(recorded.error()));
       return EXIT_FAILURE;
     }
     clips = std::move(*recorded);
@@ -176,7 +176,7 @@ int run(int count, char** arguments) {
   for (const BoxClip& clip : clips) {
     if (const auto measured = measure(clip, step, region ? regionFromClick : boxFromClick);
         !measured) {
-      fmt::print(stderr, "{}\n", sentence(measured.error()));
+      fmt::print(stderr, "{}\n", errorSentence(measured.error()));
       return EXIT_FAILURE;
     }
   }

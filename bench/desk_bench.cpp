@@ -62,7 +62,7 @@ Scene fourCameraScene() {
 std::filesystem::path recordFour(const std::filesystem::path& folder) {
   const Scene scene = fourCameraScene();
   const SceneRenderer renderer(scene);
-  Project project = projectOfScene(scene, "");
+  Project project = makeSceneProject(scene, "");
   for (int k = 0; k < kCameras; ++k) {
     auto& camera = project.cameras[static_cast<std::size_t>(k)];
     camera.source = SourceKind::Video;

@@ -200,14 +200,14 @@ std::vector<DetectedFault> faultsOf(BoardRecording recording, bool verbose) {
   if (!recording.lensesKnown) {
     const auto lenses = setup::intrinsicsFromBoards(recording.seen, request);
     if (!lenses) {
-      fmt::print("{}: {}\n", recording.name, sentence(lenses.error()));
+      fmt::print("{}: {}\n", recording.name, errorSentence(lenses.error()));
       return {};
     }
     recording.project = setup::withIntrinsics(recording.project, lenses->cameras);
   }
   const auto result = setup::extrinsicsFromBoards(recording.project, recording.seen, request);
   if (!result) {
-    fmt::print("{}: {}\n", recording.name, sentence(result.error()));
+    fmt::print("{}: {}\n", recording.name, errorSentence(result.error()));
     return {};
   }
   if (verbose) {
@@ -279,7 +279,7 @@ public:
   void real(const char* data) const {
     for (const auto& recording : {charucoRecording(data), trayRecording(data)}) {
       if (!recording) {
-        fmt::print("{}\n", sentence(recording.error()));
+        fmt::print("{}\n", errorSentence(recording.error()));
         continue;
       }
       for (const bool known : {true, false}) {

@@ -182,14 +182,14 @@ void compare(const BoardRecording& recording, const Half& a, const Half& b, bool
     distances.push_back((moved * inA[i] - inB[i]).norm());
   }
   std::ranges::sort(distances);
-  const double stated = std::hypot(a.accuracy.cameras95, b.accuracy.cameras95);
+  const double stated = std::hypot(a.accuracy.cameraPart95, b.accuracy.cameraPart95);
   for (const double distance : distances) {
     ratios["position in the volume"].push_back(distance / stated);
   }
   if (verbose && !distances.empty()) {
     fmt::print("  {} position in the volume: {:.2f}, stated {:.2f} and {:.2f}\n", recording.name,
-               1e3 * distances[distances.size() * 95 / 100], 1e3 * a.accuracy.cameras95,
-               1e3 * b.accuracy.cameras95);
+               1e3 * distances[distances.size() * 95 / 100], 1e3 * a.accuracy.cameraPart95,
+               1e3 * b.accuracy.cameraPart95);
   }
 }
 
@@ -221,7 +221,7 @@ void halve(const BoardRecording& recording, bool lenses, bool verbose, Ratios& r
   const auto a = calibrated(recording, partOf(recording.seen, 0, end / 2), lenses);
   const auto b = calibrated(recording, partOf(recording.seen, end / 2, end), lenses);
   if (!a || !b) {
-    fmt::print("{}: {}\n", recording.name, sentence(a ? b.error() : a.error()));
+    fmt::print("{}: {}\n", recording.name, errorSentence(a ? b.error() : a.error()));
     return;
   }
   compare(recording, *a, *b, verbose, ratios);
@@ -271,7 +271,7 @@ int main(int count, char** arguments) {
   Ratios real;
   for (const auto& recording : {charucoRecording(data), trayRecording(data)}) {
     if (!recording) {
-      fmt::print("{}\n", sentence(recording.error()));
+      fmt::print("{}\n", errorSentence(recording.error()));
       continue;
     }
     if (recording->lensesKnown) {

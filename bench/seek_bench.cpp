@@ -73,7 +73,7 @@ SessionInputs inputsOf(const std::vector<std::string>& videos) {
   }
   auto source = openRecording(cameras, 10000.0); // so that playing does not wait
   if (!source) {
-    fmt::print(stderr, "{}\n", sentence(source.error()));
+    fmt::print(stderr, "{}\n", errorSentence(source.error()));
     std::exit(1);
   }
   inputs.source = std::move(*source);

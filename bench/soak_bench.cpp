@@ -103,7 +103,7 @@ int soak(int hours, const std::string& method) {
   using Clock = std::chrono::steady_clock;
   const Scene scene = soakScene();
   SessionInputs inputs;
-  inputs.project = projectOfScene(scene, "");
+  inputs.project = makeSceneProject(scene, "");
   if (!method.empty()) {
     inputs.project.method = method;
     inputs.project.parameters = ParameterValues(methodParameters(method));

@@ -36,10 +36,10 @@ void addErrors(Marked& marked) {
   // The codes count up from 0; the first number that is no code any more has the general phrase.
   constexpr int kMoreThanEnough = 1000;
   const std::string beyond =
-      dewpoint::base::phrase(static_cast<dewpoint::base::ErrorCode>(kMoreThanEnough));
+      dewpoint::base::errorPhrase(static_cast<dewpoint::base::ErrorCode>(kMoreThanEnough));
   std::string phrase;
   for (int code = 0; phrase != beyond; ++code) {
-    phrase = dewpoint::base::phrase(static_cast<dewpoint::base::ErrorCode>(code));
+    phrase = dewpoint::base::errorPhrase(static_cast<dewpoint::base::ErrorCode>(code));
     marked.emplace("Error", phrase);
   }
 }

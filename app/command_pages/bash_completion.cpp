@@ -14,7 +14,7 @@ std::string bashPath(const DeclaredCommand& command) {
 
 std::string knownPaths(const DeclaredCommand& program) {
   std::vector<std::string> paths;
-  for (const DeclaredCommand* command : withSubcommands(program)) {
+  for (const DeclaredCommand* command : commandAndSubcommands(program)) {
     if (command != &program) {
       paths.push_back(singleQuoted(bashPath(*command)));
     }
@@ -26,7 +26,7 @@ std::string knownPaths(const DeclaredCommand& program) {
 std::string valuesOf(const DeclaredCommand& command) {
   std::string cases;
   for (const DeclaredArgument& option : command.options) {
-    if (option.value.empty()) {
+    if (option.valueKind.empty()) {
       continue;
     }
     std::vector<std::string> patterns;
@@ -54,7 +54,7 @@ std::string bashCompletion(const DeclaredCommand& program) {
   script += "  if [[ $current == '=' ]]; then\n    current=''\n"
             "  elif [[ $previous == '=' ]]; then\n"
             "    previous=${COMP_WORDS[COMP_CWORD - 2]}\n  fi\n";
-  if (!program.commands.empty()) {
+  if (!program.subcommands.empty()) {
     script += fmt::format("  for ((k = 1; k < COMP_CWORD; ++k)); do\n"
                           "    word=${{COMP_WORDS[k]}}\n"
                           "    case \"$path $word\" in\n    {}) path+=\" $word\" ;;\n    esac\n"
@@ -63,7 +63,7 @@ std::string bashCompletion(const DeclaredCommand& program) {
   }
   std::string values;
   std::string names;
-  for (const DeclaredCommand* command : withSubcommands(program)) {
+  for (const DeclaredCommand* command : commandAndSubcommands(program)) {
     values += valuesOf(*command);
     names += fmt::format("    {}) words={} ;;\n", singleQuoted(bashPath(*command)),
                          singleQuoted(joined(optionNames(*command), " ")));
@@ -72,10 +72,10 @@ std::string bashCompletion(const DeclaredCommand& program) {
   script += fmt::format("  if [[ -z $value && $current == -* ]]; then\n"
                         "    case \"$path\" in\n{}    esac\n",
                         names);
-  if (!program.commands.empty()) {
+  if (!program.subcommands.empty()) {
     std::string commands;
-    for (const DeclaredCommand* command : withSubcommands(program)) {
-      if (!command->commands.empty()) {
+    for (const DeclaredCommand* command : commandAndSubcommands(program)) {
+      if (!command->subcommands.empty()) {
         commands += fmt::format("    {}) words={} ;;\n", singleQuoted(bashPath(*command)),
                                 singleQuoted(joined(commandNames(*command), " ")));
       }

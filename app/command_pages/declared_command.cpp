@@ -20,7 +20,7 @@ std::vector<std::string> listedChoices(const std::string& list) {
 /// The parser describes a value as "TEXT", "TEXT:{a,b}" or "INT:INT in [1 - 256]".
 void readKindOfValue(const std::string& text, DeclaredArgument& argument) {
   const std::size_t colon = text.find(':');
-  argument.value = text.substr(0, colon);
+  argument.valueKind = text.substr(0, colon);
   if (colon == std::string::npos) {
     return;
   }
@@ -48,7 +48,7 @@ DeclaredArgument declaredArgument(const CLI::Option& option) {
     readKindOfValue(option.get_type_name(), argument);
   }
   argument.defaultValue = option.get_default_str();
-  argument.sentence = option.get_description();
+  argument.description = option.get_description();
   argument.isRequired = option.get_required();
   argument.isRepeatable = option.get_items_expected_max() > 1;
   return argument;
@@ -69,7 +69,7 @@ void readDeclarations(const CLI::App& app, DeclaredCommand& command) {
     } else if (!below->get_group().empty()) {
       std::vector<std::string> longer = command.path;
       longer.push_back(below->get_name());
-      command.commands.push_back(declaredBelow(*below, std::move(longer)));
+      command.subcommands.push_back(declaredBelow(*below, std::move(longer)));
     }
   }
 }
@@ -77,7 +77,7 @@ void readDeclarations(const CLI::App& app, DeclaredCommand& command) {
 DeclaredCommand declaredBelow(const CLI::App& app, std::vector<std::string> path) {
   DeclaredCommand command;
   command.path = std::move(path);
-  command.sentence = app.get_description();
+  command.description = app.get_description();
   command.footer = app.get_footer();
   readDeclarations(app, command);
   return command;
@@ -89,10 +89,10 @@ DeclaredCommand declaredCommand(const CLI::App& app) {
   return declaredBelow(app, {app.get_name()});
 }
 
-std::vector<const DeclaredCommand*> withSubcommands(const DeclaredCommand& command) {
+std::vector<const DeclaredCommand*> commandAndSubcommands(const DeclaredCommand& command) {
   std::vector<const DeclaredCommand*> all{&command};
-  for (const DeclaredCommand& below : command.commands) {
-    const auto more = withSubcommands(below);
+  for (const DeclaredCommand& below : command.subcommands) {
+    const auto more = commandAndSubcommands(below);
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
@@ -120,7 +120,7 @@ std::vector<std::string> optionNames(const DeclaredCommand& command) {
 
 std::vector<std::string> commandNames(const DeclaredCommand& command) {
   std::vector<std::string> names;
-  for (const DeclaredCommand& below : command.commands) {
+  for (const DeclaredCommand& below : command.subcommands) {
     names.push_back(below.path.back());
   }
   return names;

@@ -13,11 +13,11 @@ namespace dewpoint::app {
 /// Option or positional argument of a command, as declared for the command line.
 struct DeclaredArgument {
   std::vector<std::string> names; ///< "-h", "--help"; a positional argument has only its name
-  std::string value;              ///< kind of value, such as TEXT; empty for a flag
+  std::string valueKind;          ///< kind of value, such as TEXT; empty for a flag
   std::vector<std::string> choices;
   std::string range; ///< range of allowed values if they are not a list, such as "INT in [1 - 256]"
   std::string defaultValue;
-  std::string sentence;
+  std::string description;
   bool isRequired = false;
   bool isRepeatable = false;
 };
@@ -28,18 +28,18 @@ struct DeclaredCommand {
   /// Names from the program to this command, for example {"dewpoint-cli", "calibration",
   /// "convert"}.
   std::vector<std::string> path;
-  std::string sentence;
+  std::string description;
   std::string footer;
   std::vector<DeclaredArgument> options;
   std::vector<DeclaredArgument> positionals;
-  std::vector<DeclaredCommand> commands;
+  std::vector<DeclaredCommand> subcommands;
 };
 
 /// Returns the commands, options and arguments declared in `app`.
 DeclaredCommand declaredCommand(const CLI::App& app);
 
 /// Returns the command and all its subcommands; each command comes before its own subcommands.
-std::vector<const DeclaredCommand*> withSubcommands(const DeclaredCommand& command);
+std::vector<const DeclaredCommand*> commandAndSubcommands(const DeclaredCommand& command);
 
 /// Joins strings with `separator` between them.
 std::string joined(const std::vector<std::string>& texts, const std::string& separator);

@@ -15,10 +15,10 @@ std::string fishOption(const DeclaredArgument& option) {
   for (const std::string& name : option.names) {
     text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   }
-  if (!option.value.empty()) {
+  if (!option.valueKind.empty()) {
     text += option.choices.empty() ? " -rF" : " -xa " + fishQuoted(joined(option.choices, " "));
   }
-  return text + " -d " + fishQuoted(option.sentence);
+  return text + " -d " + fishQuoted(option.description);
 }
 
 } // namespace
@@ -27,7 +27,7 @@ std::string fishCompletion(const DeclaredCommand& program) {
   const std::string& name = program.path.front();
   const std::string function = "__" + shellIdentifier(name) + "_is_at";
   std::string paths;
-  for (const DeclaredCommand* command : withSubcommands(program)) {
+  for (const DeclaredCommand* command : commandAndSubcommands(program)) {
     if (command != &program) {
       paths += " " + fishQuoted(pathWithoutProgram(*command));
     }
@@ -46,13 +46,13 @@ std::string fishCompletion(const DeclaredCommand& program) {
                   "    test (string join -- ' ' '' $path) = (string join -- ' ' '' $argv)\n"
                   "end\n",
                   name, function, paths);
-  for (const DeclaredCommand* command : withSubcommands(program)) {
+  for (const DeclaredCommand* command : commandAndSubcommands(program)) {
     const std::string path = pathWithoutProgram(*command);
     const std::string begin =
         fmt::format("complete -c {} -n '{}{}{}'", name, function, path.empty() ? "" : " ", path);
-    for (const DeclaredCommand& below : command->commands) {
+    for (const DeclaredCommand& below : command->subcommands) {
       script +=
-          fmt::format("{} -fa {} -d {}\n", begin, below.path.back(), fishQuoted(below.sentence));
+          fmt::format("{} -fa {} -d {}\n", begin, below.path.back(), fishQuoted(below.description));
     }
     for (const DeclaredArgument& option : command->options) {
       script += begin + fishOption(option) + "\n";

@@ -46,7 +46,7 @@ std::string usageOf(const DeclaredCommand& command) {
   const auto isRequired = [](const DeclaredArgument& option) { return option.isRequired; };
   for (const DeclaredArgument& option : command.options) {
     if (isRequired(option)) {
-      line += " " + bold(option.names.back()) + " " + italic(option.value);
+      line += " " + bold(option.names.back()) + " " + italic(option.valueKind);
     }
   }
   if (!std::ranges::all_of(command.options, isRequired)) {
@@ -57,7 +57,7 @@ std::string usageOf(const DeclaredCommand& command) {
         italic(positional.names.front()) + (positional.isRepeatable ? " ..." : "");
     line += positional.isRequired ? " " + name : " [" + name + "]";
   }
-  return command.commands.empty() ? line : line + " " + italic("command") + " ...";
+  return command.subcommands.empty() ? line : line + " " + italic("command") + " ...";
 }
 
 /// "INT in [1 - 256]" as " From 1 to 256."
@@ -96,11 +96,11 @@ std::string paragraphOf(const DeclaredArgument& argument, bool isOption) {
     names.push_back(isOption ? bold(name) : italic(name));
   }
   std::string head = joined(names, ", ");
-  if (isOption && !argument.value.empty()) {
-    head += " " + italic(argument.value);
+  if (isOption && !argument.valueKind.empty()) {
+    head += " " + italic(argument.valueKind);
   }
-  const bool ends = argument.sentence.empty() || argument.sentence.ends_with('.');
-  return fmt::format(".TP\n{}\n{}{}{}\n", head, roff(argument.sentence), ends ? "" : ".",
+  const bool ends = argument.description.empty() || argument.description.ends_with('.');
+  return fmt::format(".TP\n{}\n{}{}{}\n", head, roff(argument.description), ends ? "" : ".",
                      roff(detailsOf(argument)));
 }
 
@@ -125,15 +125,15 @@ std::string manPage(const DeclaredCommand& program, const std::string& version,
   std::string page =
       fmt::format(".TH {} 1 \"\" \"Dewpoint {}\" \"User Commands\"\n.ad l\n", roff(upper), version);
   page += fmt::format(".SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}\n", roff(name),
-                      roff(summaryOf(program.sentence)), usageOf(program));
-  page += fmt::format(".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}", roff(program.sentence),
+                      roff(summaryOf(program.description)), usageOf(program));
+  page += fmt::format(".SH DESCRIPTION\n{}\n.SH OPTIONS\n{}", roff(program.description),
                       argumentsOf(program));
-  if (!program.commands.empty()) {
+  if (!program.subcommands.empty()) {
     page += ".SH COMMANDS\n";
-    for (const DeclaredCommand* command : withSubcommands(program)) {
+    for (const DeclaredCommand* command : commandAndSubcommands(program)) {
       if (command != &program) {
         page += fmt::format(".SS {}\n{}\n.PP\n{}\n{}", roff(pathWithoutProgram(*command)),
-                            usageOf(*command), roff(command->sentence), argumentsOf(*command));
+                            usageOf(*command), roff(command->description), argumentsOf(*command));
       }
     }
   }

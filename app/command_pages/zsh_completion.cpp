@@ -31,9 +31,9 @@ std::string zshOptions(const DeclaredCommand& command) {
   for (const DeclaredArgument& option : command.options) {
     for (const std::string& name : option.names) {
       std::string specification = option.isRepeatable ? "*" : "(" + joined(option.names, " ") + ")";
-      specification += name + "[" + zshText(option.sentence) + "]";
-      if (!option.value.empty()) {
-        specification += zshValue(option, option.value);
+      specification += name + "[" + zshText(option.description) + "]";
+      if (!option.valueKind.empty()) {
+        specification += zshValue(option, option.valueKind);
       }
       lines += " \\\n    " + singleQuoted(specification);
     }
@@ -53,15 +53,15 @@ std::string zshPositionals(const DeclaredCommand& command) {
 
 std::string zshFunction(const DeclaredCommand& command) {
   std::string text = fmt::format("{}() {{\n", functionOf(command));
-  if (command.commands.empty()) {
+  if (command.subcommands.empty()) {
     return text +
            fmt::format("  _arguments{}{}\n}}\n", zshOptions(command), zshPositionals(command));
   }
   text += "  local context state state_descr line\n  local -a commands\n  typeset -A opt_args\n"
           "  commands=(\n";
   std::string cases;
-  for (const DeclaredCommand& below : command.commands) {
-    text += "    " + singleQuoted(below.path.back() + ":" + zshText(below.sentence)) + "\n";
+  for (const DeclaredCommand& below : command.subcommands) {
+    text += "    " + singleQuoted(below.path.back() + ":" + zshText(below.description)) + "\n";
     cases += fmt::format("      {}) {} ;;\n", below.path.back(), functionOf(below));
   }
   return text + fmt::format("  )\n  _arguments -C{} \\\n    '1: :->command' '*:: :->rest'\n"
@@ -77,7 +77,7 @@ std::string zshCompletion(const DeclaredCommand& program) {
   const std::string& name = program.path.front();
   std::string script =
       fmt::format("#compdef {}\n# Made from the declarations of {}.\n", name, name);
-  for (const DeclaredCommand* command : withSubcommands(program)) {
+  for (const DeclaredCommand* command : commandAndSubcommands(program)) {
     script += zshFunction(*command);
   }
   // Found by its name the first time, or read into a running shell.

@@ -39,24 +39,25 @@ py::capsule keepAliveCapsule(std::shared_ptr<const void> owner) {
                      [](void* held) { delete static_cast<std::shared_ptr<const void>*>(held); });
 }
 
-py::array_t<double> arrayOf(const Eigen::Vector3d& vector) {
+py::array_t<double> toArray(const Eigen::Vector3d& vector) {
   return py::array_t<double>(3, vector.data());
 }
 
-py::array_t<double> arrayOf(const Eigen::Matrix3d& matrix) {
+py::array_t<double> toArray(const Eigen::Matrix3d& matrix) {
   const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = matrix;
   return py::array_t<double>({3, 3}, rows.data());
 }
 
-py::tuple arraysOf(ParticleSample particles) {
+py::tuple toArrays(ParticleSample particles) {
   const auto kept = std::make_shared<const ParticleSample>(std::move(particles));
   const py::capsule base = keepAliveCapsule(kept);
   return py::make_tuple(
-      viewOf(kept->positions.data(), {static_cast<py::ssize_t>(kept->positions.rows()), 3}, base),
-      viewOf(kept->weights.data(), {static_cast<py::ssize_t>(kept->weights.size())}, base));
+      arrayView(kept->positions.data(), {static_cast<py::ssize_t>(kept->positions.rows()), 3},
+                base),
+      arrayView(kept->weights.data(), {static_cast<py::ssize_t>(kept->weights.size())}, base));
 }
 
-py::object arrayOf(const cv::Mat& image) {
+py::object toArray(const cv::Mat& image) {
   if (image.empty()) {
     return py::none();
   }
@@ -69,7 +70,7 @@ py::object arrayOf(const cv::Mat& image) {
   return array;
 }
 
-cv::Mat imageOf(const py::object& object, const std::string& order, bool copy) {
+cv::Mat toImage(const py::object& object, const std::string& order, bool copy) {
   if (order != "bgr" && order != "rgb") {
     raiseBadValue("order", "one of bgr, rgb; not " + order);
   }

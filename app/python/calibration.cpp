@@ -65,8 +65,8 @@ CalibrationImport importInto(ProjectHandle& handle, const std::filesystem::path&
     request.hints.posesAreWorldFromCamera =
         chosen<bool>({{"camera-from-world", false}, {"world-from-camera", true}}, "poses", *poses);
   }
-  request.adaptation = {names, sizeFitNamed(fit)};
-  CalibrationImport imported = valueOf(importCalibration(handle.project, request));
+  request.adaptation = {names, sizeFitFromName(fit)};
+  CalibrationImport imported = valueOrRaise(importCalibration(handle.project, request));
   handle.project = imported.project;
   return imported;
 }
@@ -75,7 +75,7 @@ std::vector<std::string> exportTo(const ProjectHandle& handle, const std::filesy
                                   const std::string& format, const std::optional<std::string>& unit,
                                   bool replace) {
   const CalibrationOutput target{path, format, metersFrom(unit), replace};
-  return valueOf(exportCalibration(handle.project, target)).decisions;
+  return valueOrRaise(exportCalibration(handle.project, target)).decisions;
 }
 
 struct BoardArguments {
@@ -114,7 +114,7 @@ BoardOutcome calibrateBoard(ProjectHandle& handle, const std::string& board, boo
   }
   BoardArguments arguments;
   arguments.goal = {lenses, poses};
-  arguments.request.board = valueOf(parseBoard(board, "board"));
+  arguments.request.board = valueOrRaise(parseBoard(board, "board"));
   arguments.request.model = chosen<IntrinsicsModel>({{"5", IntrinsicsModel::FiveCoefficients},
                                                      {"8", IntrinsicsModel::EightCoefficients},
                                                      {"fisheye", IntrinsicsModel::Fisheye}},
@@ -151,7 +151,7 @@ void bindResults(py::module_& module) {
       .def_readonly("lens_only", &CalibrationImport::hasOnlyIntrinsics,
                     "Whether the file has no poses, so that those of the project are kept.")
       .def_readonly(
-          "largest_pixels", &CalibrationImport::largestPixels,
+          "largest_pixels", &CalibrationImport::maxDifferencePx,
           "Largest difference between the cameras of the file and of the project, pixels.");
   py::class_<BoardOutcome>(module, "BoardCalibration", "What Project.calibrate_board() found.")
       .def_property_readonly(

@@ -11,7 +11,7 @@ namespace dewpoint::app {
 
 /// Returns the value of the Python argument `fit`, which has the same values as the command-line
 /// option --fit; nothing if the argument is missing. Raises dewpoint.Error for any other text.
-inline std::optional<SizeFit> sizeFitNamed(const std::optional<std::string>& fit) {
+inline std::optional<SizeFit> sizeFitFromName(const std::optional<std::string>& fit) {
   if (!fit) {
     return std::nullopt;
   }

@@ -18,7 +18,7 @@ py::array_t<double> matrixOf(const ProjectCamera& camera) {
   const Intrinsics& in = camera.camera.intrinsics;
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   matrix << in.focalX, 0.0, in.centerX, 0.0, in.focalY, in.centerY, 0.0, 0.0, 1.0;
-  return arrayOf(matrix);
+  return toArray(matrix);
 }
 
 py::array_t<double> distortionOf(const ProjectCamera& camera) {
@@ -78,7 +78,7 @@ void bindCameras(py::module_& module) {
                              "4 x 4: takes points of the world (meters, z up) to the camera's "
                              "axes, x right, y down, z forward.")
       .def_property_readonly(
-          "center", [](const ProjectCamera& camera) { return arrayOf(camera.camera.center()); },
+          "center", [](const ProjectCamera& camera) { return toArray(camera.camera.center()); },
           "Where it stands, meters.")
       .def("project", pixelsOf, py::arg("points"),
            "The pixels (N x 2) at which it shows points (N x 3, meters); NaN where it cannot.")

@@ -146,7 +146,7 @@ ColorLesson learnColorIn(ProjectHandle& handle, const CameraKey& camera, std::in
 
 } // namespace
 
-void bindLearning(py::module_& module, ProjectClass& project) {
+void bindColorLearning(py::module_& module, ProjectClass& project) {
   py::class_<ColorLesson>(module, "ColorLesson", "What Project.learn_color() found.")
       .def_readonly("target", &ColorLesson::target, "The target with its new color.")
       .def_readonly("found", &ColorLesson::found,

@@ -32,7 +32,7 @@ const ParameterDeclaration& neededDeclaration(const ParametersHandle& handle,
   const ParameterDeclaration* const found = declarationOf(handle, key);
   if (found == nullptr) {
     ParameterValues values = handle.project->project.parameters;
-    valueOf(values.set(key, 0.0));
+    valueOrRaise(values.set(key, 0.0));
   }
   return *found;
 }
@@ -75,7 +75,7 @@ void bindParameters(py::module_& module, ProjectClass& project) {
            })
       .def("__setitem__",
            [](const ParametersHandle& handle, const std::string& key, double value) {
-             valueOf(handle.project->project.parameters.set(key, value));
+             valueOrRaise(handle.project->project.parameters.set(key, value));
            })
       .def("__contains__",
            [](const ParametersHandle& handle, const std::string& key) {

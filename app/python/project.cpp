@@ -38,7 +38,7 @@ ProjectHandlePtr handleOf(Project project, std::string origin) {
 
 ProjectHandlePtr openNamed(const std::filesystem::path& nameOrFile) {
   const std::string name = nameOrFile.string();
-  return handleOf(valueOf(resolveProject(name)), name);
+  return handleOf(valueOrRaise(resolveProject(name)), name);
 }
 
 void warn(const char* sentence) {
@@ -75,8 +75,8 @@ ProjectHandlePtr makeNew(const py::object& cameras,
   wanted.calibration = calibration;
   wanted.name = name;
   wanted.framesPerSecond = framesPerSecond;
-  wanted.adaptation = {names, sizeFitNamed(fit)};
-  CreatedProject made = valueOf(createNewProject(wanted));
+  wanted.adaptation = {names, sizeFitFromName(fit)};
+  CreatedProject made = valueOrRaise(createNewProject(wanted));
   if (made.lacksCalibration) {
     warn("without a calibration, the camera positions are guesses");
   }
@@ -139,7 +139,7 @@ void save(ProjectHandle& handle, const std::optional<std::filesystem::path>& wan
     raise(saved.error());
   }
   handle.project.file = std::filesystem::absolute(file).lexically_normal();
-  handle.origin = file.string();
+  handle.openedAs = file.string();
 }
 
 py::object fileOf(const ProjectHandle& handle) {
@@ -190,7 +190,7 @@ void bindFields(ProjectClass& project) {
 
 void raiseProjectError(const ProjectHandle& handle, Error error) {
   if (error.file.empty()) {
-    error.file = handle.origin;
+    error.file = handle.openedAs;
   }
   raise(error);
 }
@@ -213,7 +213,7 @@ void bindProject(py::module_& module) {
                        "needs. Made by open() and make().");
   bindFields(project);
   bindParameters(module, project);
-  bindLearning(module, project);
+  bindColorLearning(module, project);
   bindCalibration(module, project);
   bindTracking(module, project);
   project

@@ -14,14 +14,14 @@ namespace dewpoint::app {
 struct ProjectHandle {
   Project project;
   /// File or name with which the project was opened, for error messages; may be empty.
-  std::string origin;
+  std::string openedAs;
 };
 using ProjectHandlePtr = std::shared_ptr<ProjectHandle>;
 using ProjectClass = pybind11::class_<ProjectHandle, ProjectHandlePtr>;
 
 // Functions that bind the methods of the Python class of a project, grouped by purpose.
 void bindParameters(pybind11::module_& module, ProjectClass& project);
-void bindLearning(pybind11::module_& module, ProjectClass& project);
+void bindColorLearning(pybind11::module_& module, ProjectClass& project);
 void bindCalibration(pybind11::module_& module, ProjectClass& project);
 void bindTracking(pybind11::module_& module, ProjectClass& project);
 

@@ -19,7 +19,7 @@ PyObject* errorType = nullptr;
 } // namespace
 
 py::object pythonError(const Error& error) {
-  py::object exception = py::reinterpret_borrow<py::object>(errorType)(sentence(error) + ".");
+  py::object exception = py::reinterpret_borrow<py::object>(errorType)(errorSentence(error) + ".");
   exception.attr("code") = py::cast(error.code);
   exception.attr("file") = error.file;
   exception.attr("field") = error.field;

@@ -21,7 +21,7 @@ pybind11::object pythonError(const Error& error);
 [[noreturn]] void raiseBadValue(const char* argument, std::string detail);
 
 /// Returns the value of a result, or throws its error as a Python exception.
-template <class T> T valueOf(Result<T> result) {
+template <class T> T valueOrRaise(Result<T> result) {
   if (!result) {
     raise(result.error());
   }

@@ -18,7 +18,7 @@ namespace {
 py::list imagesOf(const FrameSet& set) {
   py::list images;
   for (const FramePtr& frame : set.frames) {
-    images.append(frame ? arrayOf(frame->image) : py::object(py::none()));
+    images.append(frame ? toArray(frame->image) : py::object(py::none()));
   }
   return images;
 }
@@ -62,12 +62,12 @@ Result<FrameSetPtr> RecordingHandle::take() {
   return inputs_.source->next();
 }
 
-FrameSetPtr RecordingHandle::next() {
+FrameSetPtr RecordingHandle::nextFrameSet() {
   while (true) {
     if (PyErr_CheckSignals() != 0) {
       throw py::error_already_set();
     }
-    FrameSetPtr set = valueOf(take());
+    FrameSetPtr set = valueOrRaise(take());
     if (!set || hasImages(*set)) {
       return set;
     }
@@ -80,12 +80,12 @@ void RecordingHandle::seek(std::int64_t frame) {
     const std::lock_guard lock(mutex_);
     return inputs_.source->seek(frame);
   }();
-  valueOf(sought);
+  valueOrRaise(sought);
 }
 
-FrameSetPtr RecordingHandle::at(std::int64_t frame) {
+FrameSetPtr RecordingHandle::frameSetAt(std::int64_t frame) {
   seek(frame);
-  return next();
+  return nextFrameSet();
 }
 
 void bindRecording(py::module_& module) {
@@ -108,7 +108,7 @@ void bindRecording(py::module_& module) {
            })
       .def("__getitem__",
            [](RecordingHandle& recording, std::int64_t frame) {
-             const FrameSetPtr set = recording.at(frameNumber(recording, frame));
+             const FrameSetPtr set = recording.frameSetAt(frameNumber(recording, frame));
              if (!set) {
                throw py::index_error("there is no such frame");
              }
@@ -120,7 +120,7 @@ void bindRecording(py::module_& module) {
              return recording;
            })
       .def("__next__", [](RecordingHandle& recording) {
-        const FrameSetPtr set = recording.next();
+        const FrameSetPtr set = recording.nextFrameSet();
         if (!set) {
           throw py::stop_iteration();
         }

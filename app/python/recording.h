@@ -22,10 +22,10 @@ public:
   double framesPerSecond() const { return inputs_.source->framesPerSecond(); }
   /// Returns the next frame set that has images; null at the end. Releases the GIL while it waits
   /// for live cameras.
-  FrameSetPtr next();
-  /// Makes `frame` the frame that next() returns next.
+  FrameSetPtr nextFrameSet();
+  /// Makes `frame` the frame that nextFrameSet() returns next.
   void seek(std::int64_t frame);
-  FrameSetPtr at(std::int64_t frame);
+  FrameSetPtr frameSetAt(std::int64_t frame);
 
 private:
   Result<FrameSetPtr> take();

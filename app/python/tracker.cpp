@@ -84,7 +84,7 @@ std::vector<Estimate> step(TrackerHandle& handle, const std::vector<py::object>&
   std::vector<cv::Mat> images;
   images.reserve(arrays.size());
   for (const py::object& array : arrays) {
-    images.push_back(imageOf(array, order, copy));
+    images.push_back(toImage(array, order, copy));
   }
   Status tracked;
   std::vector<Estimate> estimates;
@@ -95,7 +95,7 @@ std::vector<Estimate> step(TrackerHandle& handle, const std::vector<py::object>&
     estimates = estimatesOfFeed(*handle.feed);
     images.clear();
   }
-  valueOf(tracked);
+  valueOrRaise(tracked);
   return estimates;
 }
 
@@ -116,7 +116,7 @@ py::tuple particlesOfTracker(TrackerHandle& handle, const py::object& target, in
     const std::lock_guard lock(handle.mutex);
     particles = particlesOf(handle.feed->run(), number, limit);
   }
-  return arraysOf(std::move(particles));
+  return toArrays(std::move(particles));
 }
 
 /// A part of the estimate in the room; None of a box.
@@ -128,9 +128,8 @@ template <class Part> auto ofSample(Part part) {
 }
 
 py::object bestOf(const Estimate& estimate) {
-  return estimate.sample && estimate.sample->bestParticle
-             ? py::object(arrayOf(*estimate.sample->bestParticle))
-             : py::object(py::none());
+  return estimate.sample && estimate.sample->bestParticle ? py::object(toArray(*estimate.sample->bestParticle))
+                                                  : py::object(py::none());
 }
 
 py::object boxOfEstimate(const Estimate& estimate) {
@@ -148,10 +147,10 @@ void bindEstimate(py::module_& module) {
                        "an image; what does not apply is None.")
       .def_readonly("target", &Estimate::target, "The name of the target.")
       .def_property_readonly("position",
-                             ofSample([](const Sample& s) { return arrayOf(s.position); }),
+                             ofSample([](const Sample& s) { return toArray(s.position); }),
                              "x, y, z in the world, meters.")
       .def_property_readonly("covariance",
-                             ofSample([](const Sample& s) { return arrayOf(s.covariance); }),
+                             ofSample([](const Sample& s) { return toArray(s.covariance); }),
                              "3 x 3, of the position, m².")
       .def_property_readonly("best", bestOf, "The particle of highest weight, meters.")
       .def_property_readonly("existence",

@@ -76,7 +76,7 @@ py::tuple particlesOfRun(const RunHandle& handle, const py::object& target, std:
     throw py::key_error(fmt::format(
         "no particles were kept of frame {}; track(particles=500) keeps up to 500", frame));
   }
-  return arraysOf(found->second);
+  return toArrays(found->second);
 }
 
 /// The rows of one target as arrays: frames, times, boxes (x, y, width, height), similarities.

@@ -35,7 +35,7 @@ template <class T>
 py::array_t<T> columnOf(const TrackHandle& track, const std::vector<T>& column,
                         std::vector<py::ssize_t> width = {}) {
   width.insert(width.begin(), static_cast<py::ssize_t>(track.owner->columns.frames.size()));
-  return viewOf(column.data(), std::move(width), keepAliveCapsule(track.owner));
+  return arrayView(column.data(), std::move(width), keepAliveCapsule(track.owner));
 }
 
 /// A column of zeros and ones as truth values, over the same memory.
@@ -117,7 +117,7 @@ void bindEvaluation(py::module_& module) {
       .def_readonly("rmse_all", &Evaluation::rmseOfAllFrames,
                     "Root mean square error of all frames.")
       .def_property_readonly(
-          "bias", [](const Evaluation& evaluation) { return arrayOf(evaluation.bias); },
+          "bias", [](const Evaluation& evaluation) { return toArray(evaluation.bias); },
           "Mean of estimate minus truth.")
       .def_readonly("frames_compared", &Evaluation::comparedFrameCount, "Frames with both.")
       .def_readonly("frames_to_converge", &Evaluation::framesToConverge,
@@ -132,7 +132,7 @@ void bindEvaluation(py::module_& module) {
 
 std::vector<Evaluation> evaluated(const TrajectoryHandle& estimate, const TrajectoryHandle& truth,
                                   double gate) {
-  return valueOf(evaluate(estimate.trajectory, truth.trajectory, gate));
+  return valueOrRaise(evaluate(estimate.trajectory, truth.trajectory, gate));
 }
 
 } // namespace
@@ -164,16 +164,16 @@ void bindTrajectory(py::module_& module) {
           "frames",
           [](const std::shared_ptr<TrajectoryHandle>& handle) {
             const auto& frames = handle->columns.frames;
-            return viewOf(frames.data(), {static_cast<py::ssize_t>(frames.size())},
-                          keepAliveCapsule(handle));
+            return arrayView(frames.data(), {static_cast<py::ssize_t>(frames.size())},
+                             keepAliveCapsule(handle));
           },
           "Numbers of the frames; -1 where a file has only times.")
       .def_property_readonly(
           "times",
           [](const std::shared_ptr<TrajectoryHandle>& handle) {
             const auto& times = handle->columns.times;
-            return viewOf(times.data(), {static_cast<py::ssize_t>(times.size())},
-                          keepAliveCapsule(handle));
+            return arrayView(times.data(), {static_cast<py::ssize_t>(times.size())},
+                             keepAliveCapsule(handle));
           },
           "Seconds, one per frame.")
       .def_property_readonly(
@@ -194,7 +194,7 @@ void bindTrajectory(py::module_& module) {
       .def(
           "save",
           [](const TrajectoryHandle& handle, const std::filesystem::path& file) {
-            valueOf(writeTrajectory(handle.trajectory, file));
+            valueOrRaise(writeTrajectory(handle.trajectory, file));
           },
           py::arg("file"), "Writes it as CSV, as dewpoint-cli track does.")
       .def("__repr__", [](const TrajectoryHandle& handle) {
@@ -204,7 +204,7 @@ void bindTrajectory(py::module_& module) {
   module.def(
       "read_trajectory",
       [](const std::filesystem::path& file) {
-        return std::make_shared<TrajectoryHandle>(valueOf(readTrajectory(file)));
+        return std::make_shared<TrajectoryHandle>(valueOrRaise(readTrajectory(file)));
       },
       py::arg("file"), "Reads a trajectory, or a truth, from CSV.");
 }

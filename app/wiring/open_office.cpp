@@ -17,7 +17,7 @@ constexpr const char* kOfficeMethod = "people";
 
 } // namespace
 
-Project projectOfOffice() {
+Project makeOfficeProject() {
   const OfficeScene scene = builtInOfficeScene();
   Project project;
   project.name = kOfficeSceneName;
@@ -31,7 +31,7 @@ Project projectOfOffice() {
   return project;
 }
 
-Trajectory truthOfOffice(const OfficeRenderer& renderer) {
+Trajectory officeGroundTruth(const OfficeRenderer& renderer) {
   Trajectory truth;
   const OfficeScene& scene = renderer.scene();
   for (const Camera& camera : scene.cameras) {
@@ -51,7 +51,7 @@ Trajectory truthOfOffice(const OfficeRenderer& renderer) {
   return truth;
 }
 
-Result<SessionInputs> openOffice(Project project) {
+Result<SessionInputs> openOfficeInputs(Project project) {
   simulation::ViewCache views;
   const auto renderer = std::make_shared<const OfficeRenderer>(builtInOfficeScene(), views);
   std::vector<RecordedCamera> cameras;
@@ -71,7 +71,7 @@ Result<SessionInputs> openOffice(Project project) {
   SessionInputs inputs;
   inputs.project = std::move(project);
   inputs.source = std::move(*source);
-  inputs.truth = truthOfOffice(*renderer);
+  inputs.truth = officeGroundTruth(*renderer);
   return inputs;
 }
 

@@ -8,12 +8,12 @@
 namespace dewpoint::app {
 
 /// Returns the project of the built-in scene with people (`builtInOfficeScene()`).
-Project projectOfOffice();
+Project makeOfficeProject();
 /// Returns the inputs for a session that tracks the simulated office: a source that renders its
 /// images, and the true positions of its people.
-Result<SessionInputs> openOffice(Project project);
+Result<SessionInputs> openOfficeInputs(Project project);
 /// Returns the true positions of all people in the simulated office: the centers of their bodies
 /// (meters), and whether they are inside the walls.
-Trajectory truthOfOffice(const OfficeRenderer& renderer);
+Trajectory officeGroundTruth(const OfficeRenderer& renderer);
 
 } // namespace dewpoint::app

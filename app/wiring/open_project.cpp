@@ -187,7 +187,7 @@ std::vector<LiveCamera> liveCamerasOf(const Project& project) {
   return cameras;
 }
 
-Project projectOfScene(const Scene& scene, const std::string& sceneName) {
+Project makeSceneProject(const Scene& scene, const std::string& sceneName) {
   Project project;
   project.name = scene.name;
   project.scene = sceneName;
@@ -209,7 +209,7 @@ Project projectOfScene(const Scene& scene, const std::string& sceneName) {
   return project;
 }
 
-Trajectory truthOfScene(const Scene& scene) {
+Trajectory sceneGroundTruth(const Scene& scene) {
   Trajectory truth;
   truth.header.entries = {{"scene", scene.name}, {"seed", std::to_string(scene.seed)}};
   for (const auto& camera : scene.cameras) {
@@ -234,11 +234,11 @@ Result<Project> resolveProject(const std::string& nameOrFile, const MovedFiles& 
   std::error_code problem;
   const bool isFile = std::filesystem::is_regular_file(name, problem); // a folder is no project
   if (name == kOfficeSceneName && !isFile) {
-    return projectOfOffice();
+    return makeOfficeProject();
   }
   const auto& builtIn = sceneNames();
   if (std::find(builtIn.begin(), builtIn.end(), name) != builtIn.end() && !isFile) {
-    return sceneNamed(name).map([&](const Scene& scene) { return projectOfScene(scene, name); });
+    return sceneNamed(name).map([&](const Scene& scene) { return makeSceneProject(scene, name); });
   }
   auto project = loadProject(name, moved);
   if (project && !project->scene.empty()) {
@@ -273,7 +273,7 @@ Result<SessionInputs> openInputs(Project wanted) {
   }
   Project& project = *settled;
   if (project.scene == kOfficeSceneName) {
-    auto office = openOffice(project);
+    auto office = openOfficeInputs(project);
     if (!office) {
       return office;
     }
@@ -283,7 +283,7 @@ Result<SessionInputs> openInputs(Project wanted) {
     if (!scene) {
       return tl::make_unexpected(scene.error());
     }
-    inputs.truth = truthOfScene(*scene);
+    inputs.truth = sceneGroundTruth(*scene);
     auto source = openSimulation(*scene);
     if (!source) {
       return tl::make_unexpected(source.error());

@@ -14,11 +14,11 @@ namespace dewpoint::app {
 
 /// Returns a project that tracks the balls of a simulated scene. All parameters have the method's
 /// defaults. The scenes "converge" and "one-camera" have their own methods.
-Project projectOfScene(const Scene& scene, const std::string& sceneName);
+Project makeSceneProject(const Scene& scene, const std::string& sceneName);
 
 /// Returns the true positions of all balls of a scene in every frame (meters), named like the
 /// targets in the project.
-Trajectory truthOfScene(const Scene& scene);
+Trajectory sceneGroundTruth(const Scene& scene);
 
 /// Loads a project file, or a built-in scene by its name ("demo" if empty). The cameras of a
 /// simulated project are taken from its scene. `moved` has the current locations of files that were

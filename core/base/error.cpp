@@ -5,7 +5,7 @@
 
 namespace dewpoint::base {
 
-const char* phrase(ErrorCode code) {
+const char* errorPhrase(ErrorCode code) {
   switch (code) {
   case ErrorCode::FileMissing:
     return "the file does not exist";
@@ -51,7 +51,7 @@ const char* phrase(ErrorCode code) {
   return "failed";
 }
 
-std::string sentence(const Error& error) {
+std::string errorSentence(const Error& error) {
   std::string text;
   if (!error.file.empty()) {
     text += toSingleLine(error.file) + ": ";
@@ -59,7 +59,7 @@ std::string sentence(const Error& error) {
   if (!error.field.empty()) {
     text += toSingleLine(error.field) + ": ";
   }
-  text += phrase(error.code);
+  text += errorPhrase(error.code);
   if (!error.detail.empty()) {
     text += " (" + toSingleLine(error.detail) + ")";
   }

@@ -10,8 +10,8 @@
 
 namespace dewpoint::base {
 
-/// Kinds of failure that callers need to distinguish. Each code has its own phrase (see phrase()),
-/// which the user interface translates.
+/// Kinds of failure that callers need to distinguish. Each code has its own phrase (see
+/// errorPhrase()), which the user interface translates.
 enum class ErrorCode {
   FileMissing,
   FileUnreadable,
@@ -59,10 +59,10 @@ inline tl::unexpected<Error> failure(ErrorCode code, std::string file, std::stri
 
 /// Returns the plain English phrase for a code, without file, field or detail, for example "the
 /// file does not exist".
-const char* phrase(ErrorCode code);
+const char* errorPhrase(ErrorCode code);
 
 /// Returns the error as one sentence for the user, for example "project.toml: camera 1.video: the
 /// file does not exist (a.mkv)".
-std::string sentence(const Error& error);
+std::string errorSentence(const Error& error);
 
 } // namespace dewpoint::base

@@ -12,7 +12,7 @@ constexpr std::size_t kMostMessageBytes = 4000;
 
 } // namespace
 
-std::size_t utf8Bytes(std::string_view text) {
+std::size_t utf8CharacterSize(std::string_view text) {
   if (text.empty()) {
     return 0;
   }
@@ -41,7 +41,7 @@ std::size_t utf8Bytes(std::string_view text) {
 std::string toSingleLine(std::string_view text) {
   std::string line;
   while (!text.empty()) {
-    const std::size_t length = utf8Bytes(text);
+    const std::size_t length = utf8CharacterSize(text);
     if (line.size() + std::max<std::size_t>(length, 1) > kMostMessageBytes) {
       return line + "...";
     }

@@ -11,7 +11,7 @@ namespace dewpoint::base {
 
 /// Returns the number of bytes in the first UTF-8 character of a nonempty text, or 0 if the bytes
 /// are not valid UTF-8.
-std::size_t utf8Bytes(std::string_view text);
+std::size_t utf8CharacterSize(std::string_view text);
 
 /// Returns the text as a single line, for use in a message. Line breaks, other control characters
 /// and bytes that are not valid UTF-8 become question marks. Text of more than 4000 bytes is

@@ -27,10 +27,10 @@ struct Philox {
       // Multipliers and key increments from table 2 of the paper.
       const std::uint64_t product0 = std::uint64_t{c0} * std::uint64_t{0xD2511F53};
       const std::uint64_t product1 = std::uint64_t{c2} * std::uint64_t{0xCD9E8D57};
-      constexpr std::uint64_t kLower = 0xFFFFFFFF;
-      c0 = static_cast<Word>(((product1 >> 32U) ^ c1 ^ key0) & kLower);
+      constexpr std::uint64_t kLowerHalfMask = 0xFFFFFFFF;
+      c0 = static_cast<Word>(((product1 >> 32U) ^ c1 ^ key0) & kLowerHalfMask);
       c1 = static_cast<Word>(product1);
-      c2 = static_cast<Word>(((product0 >> 32U) ^ c3 ^ key1) & kLower);
+      c2 = static_cast<Word>(((product0 >> 32U) ^ c3 ^ key1) & kLowerHalfMask);
       c3 = static_cast<Word>(product0);
       mix<Word, Round + 1>(c0, c1, c2, c3, key0 + 0x9E3779B9U, key1 + 0xBB67AE85U);
     }

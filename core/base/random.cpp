@@ -27,36 +27,37 @@ RandomStream::RandomStream(std::uint64_t seed, std::uint32_t frame, std::uint32_
     : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}, frame_(frame),
       iteration_(iteration), purpose_(static_cast<std::uint32_t>(purpose)) {}
 
-std::array<std::uint32_t, 4> RandomStream::words(std::uint32_t index, std::uint32_t block) const {
+std::array<std::uint32_t, 4> RandomStream::randomWords(std::uint32_t index,
+                                                       std::uint32_t block) const {
   return philox({index, iteration_, frame_, (purpose_ << 24U) | block}, key_);
 }
 
 double RandomStream::uniform(std::uint32_t index, std::uint32_t block) const {
-  const auto word = words(index, block);
+  const auto word = randomWords(index, block);
   const std::uint64_t bits = (std::uint64_t{word[0]} << 21U) ^ (word[1] >> 11U);
   return static_cast<double>(bits) * 0x1.0p-53;
 }
 
 std::array<double, 3> RandomStream::uniform3(std::uint32_t index, std::uint32_t block) const {
-  const auto word = words(index, block);
+  const auto word = randomWords(index, block);
   return {word[0] * kTwoPowMinus32, word[1] * kTwoPowMinus32, word[2] * kTwoPowMinus32};
 }
 
 std::array<double, 4> RandomStream::normal4(std::uint32_t index, std::uint32_t block) const {
-  const auto word = words(index, block);
+  const auto word = randomWords(index, block);
   const auto [first, second] = boxMuller(word[0], word[1]);
   const auto [third, fourth] = boxMuller(word[2], word[3]);
   return {first, second, third, fourth};
 }
 
 std::array<float, 3> RandomStream::normal3(std::uint32_t index) const {
-  const auto word = words(index);
+  const auto word = randomWords(index);
   const auto [first, second] = boxMullerSingle(word[0], word[1]);
   return {first, second, boxMullerSingle(word[2], word[3]).first};
 }
 
 std::array<float, 4> RandomStream::exponential4(std::uint32_t index) const {
-  const auto word = words(index);
+  const auto word = randomWords(index);
   return {exponentialVariate(word[0]), exponentialVariate(word[1]), exponentialVariate(word[2]),
           exponentialVariate(word[3])};
 }

@@ -34,14 +34,15 @@ public:
 
   /// Returns four uniformly distributed 32-bit words for element `index`. Each value of `block`
   /// yields four different words for the same element.
-  std::array<std::uint32_t, 4> words(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Returns a uniform number in [0, 1) with 53 random bits, computed from words(index, block).
-  double uniform(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Returns three uniform numbers in [0, 1) with 32 random bits each, computed from words(index,
+  std::array<std::uint32_t, 4> randomWords(std::uint32_t index, std::uint32_t block = 0) const;
+  /// Returns a uniform number in [0, 1) with 53 random bits, computed from randomWords(index,
   /// block).
+  double uniform(std::uint32_t index, std::uint32_t block = 0) const;
+  /// Returns three uniform numbers in [0, 1) with 32 random bits each, computed from
+  /// randomWords(index, block).
   std::array<double, 3> uniform3(std::uint32_t index, std::uint32_t block = 0) const;
-  /// Returns four independent standard normal numbers, computed from words(index, block) by the
-  /// Box-Muller method (box_muller.h).
+  /// Returns four independent standard normal numbers, computed from randomWords(index, block) by
+  /// the Box-Muller method (box_muller.h).
   std::array<double, 4> normal4(std::uint32_t index, std::uint32_t block = 0) const;
 
   /// Returns the first three numbers of normal4(), computed in single precision.

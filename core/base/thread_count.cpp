@@ -14,7 +14,7 @@ int processors() {
 
 } // namespace
 
-int filterThreadCount(int wanted) {
+int threadCountForFilter(int wanted) {
   return wanted > 0 ? wanted : std::max(1, processors() - 1);
 }
 

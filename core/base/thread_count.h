@@ -10,7 +10,7 @@ namespace dewpoint::base {
 
 /// Returns the number of threads for the filter: `wanted`, or, if `wanted` is 0, the number of
 /// hardware threads minus one. One hardware thread is left for the cameras and the user interface.
-int filterThreadCount(int wanted);
+int threadCountForFilter(int wanted);
 
 /// Returns the number of threads for `tasks` independent tasks: one per task, but at least 1 and at
 /// most the number of hardware threads.

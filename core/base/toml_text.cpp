@@ -121,7 +121,7 @@ Result<toml::table> readTomlFile(const std::filesystem::path& file) {
 std::string tomlQuoted(const std::string& text) {
   std::string result = "\"";
   for (std::string_view rest = text; !rest.empty();) {
-    const std::size_t bytes = utf8Bytes(rest);
+    const std::size_t bytes = utf8CharacterSize(rest);
     const char letter = rest.front();
     if (bytes == 0) {
       result += '?'; // the name of a file, say; TOML is UTF-8

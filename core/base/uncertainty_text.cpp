@@ -32,7 +32,7 @@ std::string twoDigits(double value) {
 
 } // namespace
 
-std::string twoDigitsText(double value) {
+std::string twoSignificantDigitsText(double value) {
   return std::isfinite(value) ? twoDigits(value) : "unknown";
 }
 

@@ -10,7 +10,7 @@ namespace dewpoint::base {
 
 /// Returns the text of a number, rounded to two significant digits and never with an exponent:
 /// "0.000047", "890". Returns "unknown" if the number is not finite.
-std::string twoDigitsText(double value);
+std::string twoSignificantDigitsText(double value);
 
 /// Returns the text of an uncertainty with its unit, rounded to two significant digits and never
 /// with an exponent, for example "+-0.2 degrees" or "+-890 px". Returns "unknown" if the value is

@@ -60,22 +60,24 @@ Result<std::unique_ptr<Broadcaster>> Broadcaster::open(const BroadcastInputs& in
     }
   };
   if (settings.tcp) {
-    add("output.tcp", jsonLines(), LineServer::open(settings.listen, *settings.tcp, gate));
+    add("output.tcp", jsonLinesFormat(), LineServer::open(settings.listen, *settings.tcp, gate));
   }
   if (settings.websocket) {
     auto server = WebServer::open(settings.listen, *settings.websocket, gate, inputs.texts);
     web = server ? server->get() : nullptr;
-    add("output.websocket", jsonLines(), std::move(server));
+    add("output.websocket", jsonLinesFormat(), std::move(server));
   }
   if (!settings.osc.empty()) {
-    add("output.osc", oscMessages(), DatagramSender::open(settings.osc, OutletKind::OscMessages));
+    add("output.osc", oscMessagesFormat(),
+        DatagramSender::open(settings.osc, OutletKind::OscMessages));
   }
   if (!settings.tuio.empty()) {
-    add("output.tuio", tuioCursors(), DatagramSender::open(settings.tuio, OutletKind::TuioCursors));
+    add("output.tuio", tuioCursorsFormat(),
+        DatagramSender::open(settings.tuio, OutletKind::TuioCursors));
   }
   if (!settings.csv.empty()) {
     const std::filesystem::path file = settings.csv;
-    add("output.csv", csvRows(), LineFile::open(file == "-" ? file : inputs.folder / file));
+    add("output.csv", csvRowsFormat(), LineFile::open(file == "-" ? file : inputs.folder / file));
   }
   if (problem) {
     return tl::make_unexpected(std::move(*problem));

@@ -13,10 +13,10 @@ namespace dewpoint::camera_motion {
 namespace {
 
 // Tuned; where no source is named here or in the docs, the origin is not recorded.
-constexpr int kSide = BackgroundPatch::kSide;
-constexpr int kHalf = kSide / 2;
-constexpr int kCount = kSide * kSide;
-constexpr int kWide = kSide + 2;           // with a rim, for gradients and interpolation
+constexpr int kSidePx = BackgroundPatch::kSidePx;
+constexpr int kHalf = kSidePx / 2;
+constexpr int kCount = kSidePx * kSidePx;
+constexpr int kWide = kSidePx + 2;         // with a rim, for gradients and interpolation
 constexpr double kLeastStructure = 2500.0; // located to 0.1 px in the worst direction
 constexpr double kNoise = 4.2;             // gray levels, of the difference of two images
 /// Gauss-Newton steps.
@@ -82,11 +82,11 @@ bool sample(const cv::Mat& image, const Eigen::Vector2d& center, std::vector<flo
   const float weights[] = {(1 - right) * (1 - down), right * (1 - down), (1 - right) * down,
                            right * down};
   values.resize(kCount);
-  for (int row = 0; row < kSide; ++row) {
+  for (int row = 0; row < kSidePx; ++row) {
     const float* upper = &gray[indexOf(row, 0, kWide)];
     const float* lower = upper + kWide;
-    for (int column = 0; column < kSide; ++column) {
-      values[indexOf(row, column, kSide)] =
+    for (int column = 0; column < kSidePx; ++column) {
+      values[indexOf(row, column, kSidePx)] =
           weights[0] * upper[column] + weights[1] * upper[column + 1] + weights[2] * lower[column] +
           weights[3] * lower[column + 1];
     }
@@ -106,9 +106,9 @@ std::optional<BackgroundPatch> BackgroundPatch::at(const cv::Mat& image, const c
   patch.values_.resize(kCount);
   patch.gradientX_.resize(kCount);
   patch.gradientY_.resize(kCount);
-  for (int row = 0; row < kSide; ++row) {
-    for (int column = 0; column < kSide; ++column) {
-      const auto i = indexOf(row, column, kSide);
+  for (int row = 0; row < kSidePx; ++row) {
+    for (int column = 0; column < kSidePx; ++column) {
+      const auto i = indexOf(row, column, kSidePx);
       const auto wide = indexOf(row + 1, column + 1, kWide);
       patch.values_[i] = gray[wide];
       patch.gradientX_[i] = 0.5F * (gray[wide + 1] - gray[wide - 1]);

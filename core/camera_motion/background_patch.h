@@ -16,7 +16,7 @@ namespace dewpoint::camera_motion {
 /// that changes in lighting have no effect.
 class BackgroundPatch {
 public:
-  static constexpr int kSide = 19; ///< pixels
+  static constexpr int kSidePx = 19; ///< pixels
 
   /// Creates a patch centered on a pixel of an image (CV_8UC3). Returns nothing if the pixel is too
   /// close to the border, or if the image has too little structure in some direction to locate the
@@ -47,7 +47,7 @@ private:
   BackgroundPatch() = default;
 
   cv::Point center_;
-  std::vector<float> values_; ///< kSide x kSide values with mean 0 and sum of squares 1
+  std::vector<float> values_; ///< kSidePx x kSidePx values with mean 0 and sum of squares 1
   std::vector<float> gradientX_, gradientY_;
   Eigen::Matrix2d inverseHessian_;
   Eigen::Matrix2d shiftCovariance_;

@@ -153,8 +153,9 @@ std::optional<CameraRotation> CameraMotionDetector::measure(WatchedCamera& watch
   }
   const auto turn = fitRotation(shifts);
   // Fewer than half of what is known: rather something that covers and moves with its own pattern.
-  if (!turn || turn->used < kFewestPatches || 2 * std::size_t(turn->used) < shifts.size() ||
-      3 * std::size_t(turn->used) < watched.patches.size()) {
+  if (!turn || turn->usedShiftCount < kFewestPatches ||
+      2 * std::size_t(turn->usedShiftCount) < shifts.size() ||
+      3 * std::size_t(turn->usedShiftCount) < watched.patches.size()) {
     return std::nullopt;
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -203,7 +204,7 @@ void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const F
     if (const auto large = estimateLargeRotation(watched, frame.image)) {
       turn = measure(watched, frame.image, time, *large);
       // Something large that moves has a shift of its own: most of the patches must agree.
-      if (turn && 2 * std::size_t(turn->used) < watched.patches.size()) {
+      if (turn && 2 * std::size_t(turn->usedShiftCount) < watched.patches.size()) {
         turn.reset();
       }
     }

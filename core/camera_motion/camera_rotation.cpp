@@ -103,7 +103,7 @@ std::optional<CameraRotation> fitRotation(const std::vector<BackgroundShift>& sh
     scale = std::max(1.0, kToSigma * upperMedian(distances));
     normal.setZero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    result.used = 0;
+    result.usedShiftCount = 0;
     for (std::size_t i = 0; i < shifts.size(); ++i) {
       const double ratio = distances[i] / (kTukey * scale);
       if (ratio >= 1.0) {
@@ -114,9 +114,9 @@ std::optional<CameraRotation> fitRotation(const std::vector<BackgroundShift>& sh
           weight * shifts[i].byTurn.transpose() * weights[i];
       normal += weighted * shifts[i].byTurn;
       right += weighted * shifts[i].shift;
-      ++result.used;
+      ++result.usedShiftCount;
     }
-    if (result.used < int(kFewestShifts)) {
+    if (result.usedShiftCount < int(kFewestShifts)) {
       return std::nullopt;
     }
     result.turn = normal.ldlt().solve(right);

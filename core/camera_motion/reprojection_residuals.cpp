@@ -105,15 +105,16 @@ void ReprojectionResiduals::addTarget(const FrameSet& frames, const Target& targ
     const auto world = count == 2 ? std::optional(estimate.mean) : nearestPoint(others);
     const auto pixel = world ? projectors_[k].projector().project(*world) : std::nullopt;
     if (centers[k] && pixel) {
-      double othersDisagreement = 0.0;
+      double otherCamerasDisagreementPx = 0.0;
       for (std::size_t j = 0; j < count; ++j) {
         const auto seen = projectors_[j].projector().project(*world);
         if (j != k && rays[j] && seen) {
-          othersDisagreement = std::max(othersDisagreement, (*centers[j] - *seen).norm());
+          otherCamerasDisagreementPx =
+              std::max(otherCamerasDisagreementPx, (*centers[j] - *seen).norm());
         }
       }
-      sightings_[k].push_back(
-          {seconds(frames.time), *world, *centers[k], *centers[k] - *pixel, othersDisagreement});
+      sightings_[k].push_back({seconds(frames.time), *world, *centers[k], *centers[k] - *pixel,
+                               otherCamerasDisagreementPx});
       if (sightings_[k].size() > kMaxSightings) {
         sightings_[k].pop_front();
       }
@@ -128,7 +129,7 @@ ReprojectionResiduals::summary(std::size_t camera, double since, std::size_t few
     if (sighting.time >= since) {
       columns.push_back(sighting.residual.x());
       rows.push_back(sighting.residual.y());
-      others.push_back(sighting.othersDisagreement);
+      others.push_back(sighting.otherCamerasDisagreementPx);
     }
   }
   if (columns.empty() || columns.size() < fewest) {

@@ -26,7 +26,7 @@ struct ReprojectionResidual {
       Eigen::Vector2d::Zero(); ///< `pixel` minus the projection of `world`, pixels
   /// Disagreement of the other cameras among themselves, pixels: the largest distance, over the
   /// images of the other cameras, between the center of the target and the projection of `world`.
-  double othersDisagreement = 0.0;
+  double otherCamerasDisagreementPx = 0.0;
 };
 
 /// Returns the centroid (pixels) of the pixels with the target's color in a search region around
@@ -61,7 +61,7 @@ public:
   /// Medians over the sightings of a camera.
   struct Summary {
     Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< median of each component, pixels
-    double othersDisagreement = 0.0;                    ///< pixels
+    double otherCamerasDisagreementPx = 0.0;            ///< pixels
   };
   /// Returns the medians over the sightings of a camera at or after the time `since` (seconds).
   /// Returns nothing if there are fewer than `fewest` such sightings.

@@ -20,7 +20,7 @@ constexpr double kTimeRounding = 1e-5;
 CaptureSchedule::CaptureSchedule(std::vector<CameraImages> cameras, double rate)
     : cameras_(std::move(cameras)), rate_(rate) {
   if (!hasTimes()) {
-    count_ = lengthOf(*std::ranges::min_element(cameras_, {}, lengthOf));
+    count_ = frameSetCountOf(*std::ranges::min_element(cameras_, {}, frameSetCountOf));
     return;
   }
   double end = std::numeric_limits<double>::infinity();
@@ -68,7 +68,7 @@ std::optional<CaptureSchedule::ScheduledImage> CaptureSchedule::byTime(const Cam
   return ScheduledImage{nearest - times.begin(), time};
 }
 
-double CaptureSchedule::rateOf(const std::vector<CameraImages>& cameras) {
+double CaptureSchedule::highestRateOf(const std::vector<CameraImages>& cameras) {
   double rate = 0.0;
   for (const CameraImages& camera : cameras) {
     if (camera.times && camera.times->size() > 1) {

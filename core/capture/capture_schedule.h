@@ -49,12 +49,12 @@ public:
   std::optional<ScheduledImage> imageAt(std::size_t camera, std::int64_t frame) const;
 
   /// Returns the number of frame sets spanned by the images of a camera, including missing images.
-  static std::int64_t lengthOf(const CameraImages& camera) {
+  static std::int64_t frameSetCountOf(const CameraImages& camera) {
     return camera.sequenceNumbers.empty() ? camera.count : camera.sequenceNumbers.back() + 1;
   }
   /// Returns the highest frame rate of any camera in images per second, computed from the capture
   /// times; 0 if it is unknown.
-  static double rateOf(const std::vector<CameraImages>& cameras);
+  static double highestRateOf(const std::vector<CameraImages>& cameras);
 
 private:
   bool hasTimes() const { return cameras_.front().times.has_value(); }

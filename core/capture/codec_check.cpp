@@ -82,7 +82,7 @@ void readBack(const CheckedCodec& codec, const std::string& file, CodecOutcome& 
   const auto reader =
       isFolderOf(codec) ? openImageFolderReader(file, "") : openVideoReader(file, "");
   if (!reader) {
-    outcome.problem = sentence(reader.error());
+    outcome.problem = errorSentence(reader.error());
     return;
   }
   for (int frame = 0; frame < kCheckFrames; ++frame) {
@@ -90,7 +90,7 @@ void readBack(const CheckedCodec& codec, const std::string& file, CodecOutcome& 
     const auto picture = (*reader)->read(frame);
     if (!picture || picture->size() != wanted.size()) {
       outcome.problem =
-          picture ? fmt::format("frame {} is missing", frame) : sentence(picture.error());
+          picture ? fmt::format("frame {} is missing", frame) : errorSentence(picture.error());
       return;
     }
     const double difference =
@@ -116,7 +116,7 @@ std::vector<CodecOutcome> checkCodecs(const std::filesystem::path& folder) {
     const std::string file = (folder / codec.file).string();
     if (codec.isLossless) {
       if (const auto written = writeLossless(codec, file); !written) {
-        outcome.problem = sentence(written.error());
+        outcome.problem = errorSentence(written.error());
         continue;
       }
     } else if (!writeLossy(codec, file)) {

@@ -16,12 +16,12 @@ struct DeviceIdentity {
   /// "pci-0000:00:14.0-usb-0:3:1.0". The suffix "-video-index0" is omitted; any other suffix is
   /// kept.
   std::string bus;
-  std::string serial;        ///< serial number in the USB descriptor
-  std::string name;          ///< product name, for example "HD Pro Webcam C920"
-  std::string vendorProduct; ///< USB vendor and product number, hexadecimal: "046d:082d"
+  std::string serial;             ///< serial number in the USB descriptor
+  std::string name;               ///< product name, for example "HD Pro Webcam C920"
+  std::string vendorAndProductId; ///< USB vendor and product number, hexadecimal: "046d:082d"
 
   bool isEmpty() const {
-    return bus.empty() && serial.empty() && name.empty() && vendorProduct.empty();
+    return bus.empty() && serial.empty() && name.empty() && vendorAndProductId.empty();
   }
   bool operator==(const DeviceIdentity&) const = default;
 };

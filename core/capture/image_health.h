@@ -13,7 +13,8 @@
 
 namespace dewpoint::capture {
 
-/// Fault of a camera's images. phrase(code) describes the fault; `detail` adds numbers or advice.
+/// Fault of a camera's images. errorPhrase(code) describes the fault; `detail` adds numbers or
+/// advice.
 struct ImageFault {
   ErrorCode code = ErrorCode::ImagesBlack;
   std::string detail;

@@ -173,7 +173,7 @@ std::string nameOf(const Camera& camera) {
 /// Says which cameras differ when they do; `what` lists each with its own number.
 void noteDifferences(const std::vector<Camera>& cameras, std::vector<Error>& notices) {
   const auto lengthOf = [](const Camera& camera) {
-    return CaptureSchedule::lengthOf(camera.pictures);
+    return CaptureSchedule::frameSetCountOf(camera.pictures);
   };
   const auto [shortest, longest] = std::ranges::minmax_element(cameras, {}, lengthOf);
   // By their times cameras need not have as many pictures.
@@ -218,7 +218,8 @@ std::string firstFileBeforeGap(const Camera& camera) {
 /// Says of which camera numbered pictures are missing.
 void noteGaps(const std::vector<Camera>& cameras, std::vector<Error>& notices) {
   for (const Camera& camera : cameras) {
-    const std::int64_t gaps = CaptureSchedule::lengthOf(camera.pictures) - camera.pictures.count;
+    const std::int64_t gaps =
+        CaptureSchedule::frameSetCountOf(camera.pictures) - camera.pictures.count;
     if (gaps > 0 && !camera.pictures.times) {
       notices.push_back({ErrorCode::Mismatch, camera.path, cameraField(camera.shape.camera),
                          fmt::format("by the numbers in the file names, {} images are missing, the "
@@ -228,11 +229,11 @@ void noteGaps(const std::vector<Camera>& cameras, std::vector<Error>& notices) {
   }
 }
 
-double rateOf(const std::vector<Camera>& cameras, double requested) {
+double highestRateOf(const std::vector<Camera>& cameras, double requested) {
   if (requested > 0) {
     return requested;
   }
-  if (const double byTimes = CaptureSchedule::rateOf(cameraImages(cameras)); byTimes > 0) {
+  if (const double byTimes = CaptureSchedule::highestRateOf(cameraImages(cameras)); byTimes > 0) {
     return byTimes;
   }
   for (const Camera& camera : cameras) {
@@ -272,7 +273,7 @@ Result<std::unique_ptr<FrameSetSource>> openRecording(const std::vector<Recorded
   std::vector<Error> notices;
   noteDifferences(opened, notices);
   noteGaps(opened, notices);
-  const double rate = rateOf(opened, framesPerSecond);
+  const double rate = highestRateOf(opened, framesPerSecond);
   return std::make_unique<Recording>(std::move(opened), rate, std::move(notices));
 }
 

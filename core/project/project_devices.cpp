@@ -23,7 +23,7 @@ template <class Identity> auto identityKeys(Identity& identity) {
       {{"bus", &identity.bus},
        {"serial", &identity.serial},
        {"name", &identity.name},
-       {"vendor_product", &identity.vendorProduct}}};
+       {"vendor_product", &identity.vendorAndProductId}}};
 }
 
 bool isPixelFormat(std::string_view code) {
@@ -154,8 +154,8 @@ Status checkDeviceSettings(const DeviceSettings& settings) {
                  fmt::format("at most {} characters are expected", kLongestIdentity));
     }
   }
-  const std::string& vendorProduct = settings.identity.vendorProduct;
-  if (!vendorProduct.empty() && !isVendorProduct(vendorProduct)) {
+  const std::string& vendorAndProductId = settings.identity.vendorAndProductId;
+  if (!vendorAndProductId.empty() && !isVendorProduct(vendorAndProductId)) {
     return bad("identity.vendor_product", "four hexadecimal digits each are expected, such as "
                                           "046d:082d");
   }

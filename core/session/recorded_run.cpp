@@ -84,10 +84,10 @@ Result<RecordedRun> recordRun(const Project& project, FrameSetSource& source,
     kept.targets.push_back(target.name);
   }
   for (const Error& notice : source.notices()) {
-    addNotice(sentence(notice), kept.notices);
+    addNotice(errorSentence(notice), kept.notices);
   }
   for (const Error& notice : watches.motion().notices()) {
-    addNotice(sentence(notice), kept.notices);
+    addNotice(errorSentence(notice), kept.notices);
   }
   for (const CameraDisagreement& found :
        watches.agreement().disagreements(run->definition()->family())) {

@@ -17,7 +17,7 @@ namespace dewpoint::session {
 RunDriver::RunDriver(SessionInputs inputs, FrameTapSlot& tap, RunLog& log, const TruthTable& truth)
     : project_(std::move(inputs.project)), input_(std::move(inputs.source)), tap_(tap), log_(log),
       current_(RunDefinition::of(project_, inputs.backgroundImages),
-               filterThreadCount(inputs.threads)),
+               threadCountForFilter(inputs.threads)),
       watches_(*definition().rig), recorder_(log, truth) {
   replaceRun(definition(), 0);
   if (input_.exists()) {
@@ -320,7 +320,7 @@ void RunDriver::setCorrections(const std::vector<PositionCorrection>& correction
 }
 
 void RunDriver::setThreads(int wanted) {
-  const int threads = filterThreadCount(wanted);
+  const int threads = threadCountForFilter(wanted);
   if (threads != current_.threads()) {
     current_.setThreads(threads);
     log_.setThreads(threads);

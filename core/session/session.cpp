@@ -73,7 +73,7 @@ RunRecord Session::record() const {
     add(period.text);
   }
   for (const Error& notice : last->notices) {
-    add(sentence(notice));
+    add(errorSentence(notice));
   }
   return {std::move(project), std::move(figures), peopleRecord(), boxTrack()};
 }

@@ -33,7 +33,7 @@ struct SessionInputs {
   /// copies of the tracker. 0: 1 GB for live cameras, half of that for recordings.
   std::size_t historyBytes = 0;
   /// Initial number of filter threads; it never changes the result. 0: the default,
-  /// base::filterThreadCount().
+  /// base::threadCountForFilter().
   int threads = 0;
   /// Encoded images of each live camera, in project order, which TakeRecorder can record; empty for
   /// recordings.

@@ -69,9 +69,10 @@ std::string deviceText(const ListedDevice& listed) {
   if (device.path != device.address) {
     text += listLine("node", device.path);
   }
-  const std::string usb = device.usb.bus > 0 ? fmt::format(" (USB bus {}, {} Mbit/s)",
-                                                           device.usb.bus, device.usb.deviceMbit)
-                                             : std::string();
+  const std::string usb =
+      device.usb.bus > 0
+          ? fmt::format(" (USB bus {}, {} Mbit/s)", device.usb.bus, device.usb.deviceMbitPerSecond)
+          : std::string();
   text += listLine("connector", device.identity.bus + usb);
   text += listLine("serial", device.identity.serial.empty() ? "none" : device.identity.serial);
   if (!device.problem.empty()) {
@@ -131,10 +132,10 @@ Json deviceJson(const ListedDevice& listed) {
               {"node", device.path},
               {"bus", device.identity.bus},
               {"serial", device.identity.serial},
-              {"vendor_product", device.identity.vendorProduct},
+              {"vendor_product", device.identity.vendorAndProductId},
               {"driver", device.driver},
               {"usb_bus", device.usb.bus},
-              {"usb_mbit", device.usb.deviceMbit},
+              {"usb_mbit", device.usb.deviceMbitPerSecond},
               {"problem", device.problem},
               {"formats", formatsJson(device.formats)}};
   if (listed.controls) {

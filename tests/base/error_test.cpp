@@ -8,10 +8,10 @@ namespace dewpoint::tests {
 namespace {
 
 TEST(Error, SentenceNamesFileFieldAndDetail) {
-  EXPECT_EQ(sentence({ErrorCode::FileMissing, "p.toml", "camera 1.video", "a.mkv"}),
+  EXPECT_EQ(errorSentence({ErrorCode::FileMissing, "p.toml", "camera 1.video", "a.mkv"}),
             "p.toml: camera 1.video: the file does not exist (a.mkv)");
-  EXPECT_EQ(sentence({ErrorCode::UnknownKey, "", "colour", ""}), "colour: unknown key");
-  EXPECT_EQ(sentence({ErrorCode::ConnectionLost, "", "", ""}),
+  EXPECT_EQ(errorSentence({ErrorCode::UnknownKey, "", "colour", ""}), "colour: unknown key");
+  EXPECT_EQ(errorSentence({ErrorCode::ConnectionLost, "", "", ""}),
             "the camera stopped delivering images");
 }
 

@@ -14,11 +14,11 @@ TEST(OneLine, KeepsWhatIsPlain) {
 }
 
 TEST(OneLine, CountsTheBytesOfTheFirstCharacter) {
-  EXPECT_EQ(base::utf8Bytes("a\xE2\x82\xAC"), 1U);
-  EXPECT_EQ(base::utf8Bytes("\xE2\x82\xAC and more"), 3U);
-  EXPECT_EQ(base::utf8Bytes("\x80"), 0U);
-  EXPECT_EQ(base::utf8Bytes(""), 0U);
-  EXPECT_EQ(base::utf8Bytes(std::string_view()), 0U) << "there is no first byte to read";
+  EXPECT_EQ(base::utf8CharacterSize("a\xE2\x82\xAC"), 1U);
+  EXPECT_EQ(base::utf8CharacterSize("\xE2\x82\xAC and more"), 3U);
+  EXPECT_EQ(base::utf8CharacterSize("\x80"), 0U);
+  EXPECT_EQ(base::utf8CharacterSize(""), 0U);
+  EXPECT_EQ(base::utf8CharacterSize(std::string_view()), 0U) << "there is no first byte to read";
 }
 
 TEST(OneLine, HasNoControlCharactersAndIsUtf8) {
@@ -37,7 +37,7 @@ TEST(OneLine, IsCutWhereItIsLong) {
 
 TEST(OneLine, IsEachPartOfASentence) {
   const Error error{ErrorCode::BadValue, "a\nb.toml", "c\x01", "d\r"};
-  EXPECT_EQ(base::sentence(error), "a?b.toml: c?: not a usable value (d?)");
+  EXPECT_EQ(base::errorSentence(error), "a?b.toml: c?: not a usable value (d?)");
 }
 
 } // namespace

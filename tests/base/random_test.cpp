@@ -19,17 +19,17 @@ TEST(Philox, KnownAnswers) {
 }
 
 TEST(RandomStream, EveryPartOfTheKeyMatters) {
-  const Words reference = RandomStream(1, 2, 3, RandomPurpose::Motion).words(4, 5);
-  EXPECT_EQ(reference, RandomStream(1, 2, 3, RandomPurpose::Motion).words(4, 5));
+  const Words reference = RandomStream(1, 2, 3, RandomPurpose::Motion).randomWords(4, 5);
+  EXPECT_EQ(reference, RandomStream(1, 2, 3, RandomPurpose::Motion).randomWords(4, 5));
   const std::set<Words> all{
       reference,
-      RandomStream(0, 2, 3, RandomPurpose::Motion).words(4, 5),
-      RandomStream(1 + (1ULL << 32U), 2, 3, RandomPurpose::Motion).words(4, 5),
-      RandomStream(1, 3, 3, RandomPurpose::Motion).words(4, 5),
-      RandomStream(1, 2, 2, RandomPurpose::Motion).words(4, 5),
-      RandomStream(1, 2, 3, RandomPurpose::Resampling).words(4, 5),
-      RandomStream(1, 2, 3, RandomPurpose::Motion).words(5, 5),
-      RandomStream(1, 2, 3, RandomPurpose::Motion).words(4, 4),
+      RandomStream(0, 2, 3, RandomPurpose::Motion).randomWords(4, 5),
+      RandomStream(1 + (1ULL << 32U), 2, 3, RandomPurpose::Motion).randomWords(4, 5),
+      RandomStream(1, 3, 3, RandomPurpose::Motion).randomWords(4, 5),
+      RandomStream(1, 2, 2, RandomPurpose::Motion).randomWords(4, 5),
+      RandomStream(1, 2, 3, RandomPurpose::Resampling).randomWords(4, 5),
+      RandomStream(1, 2, 3, RandomPurpose::Motion).randomWords(5, 5),
+      RandomStream(1, 2, 3, RandomPurpose::Motion).randomWords(4, 4),
   };
   EXPECT_EQ(all.size(), 8U);
 }

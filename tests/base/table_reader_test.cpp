@@ -14,7 +14,7 @@ protected:
   }
   static std::string problemOf(base::TableReader& reader) {
     const auto error = reader.finish();
-    return error ? base::sentence(*error) : "";
+    return error ? base::errorSentence(*error) : "";
   }
 
   toml::table table_;

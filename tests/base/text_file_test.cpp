@@ -46,7 +46,7 @@ TEST_F(TextFile, ThatIsMissingOrNoFileIsAnError) {
   EXPECT_EQ(base::readTextFile(file_).error().code, ErrorCode::FileMissing);
   EXPECT_EQ(base::readTextFile(fs::path(testing::TempDir())).error().detail, "it is a folder");
   // It never ends.
-  EXPECT_EQ(base::sentence(base::readTextFile("/dev/zero").error()),
+  EXPECT_EQ(base::errorSentence(base::readTextFile("/dev/zero").error()),
             "/dev/zero: the file cannot be read (it is a device)");
 }
 

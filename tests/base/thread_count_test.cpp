@@ -14,12 +14,12 @@ int processors() {
 }
 
 TEST(FilterThreads, AreAsWanted) {
-  EXPECT_EQ(filterThreadCount(1), 1);
-  EXPECT_EQ(filterThreadCount(7), 7);
+  EXPECT_EQ(threadCountForFilter(1), 1);
+  EXPECT_EQ(threadCountForFilter(7), 7);
 }
 
 TEST(FilterThreads, LeaveOneProcessorToCamerasAndWindow) {
-  EXPECT_EQ(filterThreadCount(0), std::max(1, processors() - 1));
+  EXPECT_EQ(threadCountForFilter(0), std::max(1, processors() - 1));
 }
 
 TEST(ThreadsForTasks, AreOneEachAsFarAsTheMachineGoes) {

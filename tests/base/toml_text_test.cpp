@@ -20,7 +20,7 @@ std::string repeated(const std::string& part, std::size_t times) {
 
 std::string problemOf(const std::string& text) {
   const auto table = base::parseToml(text, "a.toml");
-  return table ? "" : base::sentence(table.error());
+  return table ? "" : base::errorSentence(table.error());
 }
 
 TEST(TomlText, NestedDeeperThanTheStackIsOneSentence) {
@@ -64,7 +64,7 @@ TEST(TomlText, QuotesEveryCharacter) {
   }
   text += "\x7F\xC3\xA4";
   const auto table = base::parseToml("a = " + base::tomlQuoted(text), "a.toml");
-  ASSERT_TRUE(table) << base::sentence(table.error());
+  ASSERT_TRUE(table) << base::errorSentence(table.error());
   EXPECT_EQ((*table)["a"].value<std::string>(), text);
   EXPECT_EQ(base::tomlQuoted("b\xFF\xC3\xA4\xC3"), "\"b?\xC3\xA4?\"");
 }

@@ -18,9 +18,9 @@ TEST(UncertaintyText, HasTwoDigitsAndNoExponent) {
 }
 
 TEST(UncertaintyText, TwoDigitsOfANumberAlone) {
-  EXPECT_EQ(twoDigitsText(893.4), "890");
-  EXPECT_EQ(twoDigitsText(0.0000472), "0.000047");
-  EXPECT_EQ(twoDigitsText(std::numeric_limits<double>::infinity()), "unknown");
+  EXPECT_EQ(twoSignificantDigitsText(893.4), "890");
+  EXPECT_EQ(twoSignificantDigitsText(0.0000472), "0.000047");
+  EXPECT_EQ(twoSignificantDigitsText(std::numeric_limits<double>::infinity()), "unknown");
 }
 
 TEST(UncertaintyText, OfALengthChoosesTheUnit) {

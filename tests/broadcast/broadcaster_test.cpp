@@ -101,13 +101,13 @@ TEST(Broadcaster, OpensEverythingOfTheSettings) {
   inputs.settings.osc = "127.0.0.1:" + std::to_string(osc.port());
   inputs.settings.tuio = "127.0.0.1:" + std::to_string(tuio.port());
   auto broadcaster = Broadcaster::open(inputs);
-  ASSERT_TRUE(broadcaster) << sentence(broadcaster.error());
+  ASSERT_TRUE(broadcaster) << errorSentence(broadcaster.error());
   const auto reports = (*broadcaster)->reports();
   ASSERT_EQ(reports.size(), 5U);
   const std::string place = reports[0].address;
   const auto port = static_cast<std::uint16_t>(std::stoi(place.substr(place.rfind(':') + 1)));
   TestSocket client = TestSocket::connectedTo(port);
-  ASSERT_TRUE(becomesTrue([&] { return (*broadcaster)->reports()[0].clients == 1; }));
+  ASSERT_TRUE(becomesTrue([&] { return (*broadcaster)->reports()[0].clientCount == 1; }));
   (*broadcaster)->offer(trackedFrame(3));
   const std::string lines = client.readUntil("\"frame\":3");
   EXPECT_TRUE(lines.starts_with(R"({"type":"rig","axes":"z-up")")) << lines;

@@ -31,13 +31,13 @@ inline broadcast::FrameMessage exampleFrame() {
   seen.covariance << 4e-6, 1e-6, 0.0, 1e-6, 9e-6, 2e-6, 0.0, 2e-6, 1e-6;
   seen.velocity = {1.0, 0.0, -0.5};
   seen.acceleration = {0.5, 0.0, 0.0};
-  seen.existence = 0.75;
+  seen.existenceProbability = 0.75;
   seen.cameras = {0, 1};
   broadcast::TargetMessage& lost = frame.targets.emplace_back();
   lost.id = 2;
   lost.name = "blue";
   lost.state = "lost";
-  lost.existence = 0.125;
+  lost.existenceProbability = 0.125;
   return frame;
 }
 

@@ -90,11 +90,11 @@ double medianReprojection(const CameraRig& rig,
   }
   BundleProblem bundle = *wandBundle(problem);
   for (BundleCamera& camera : bundle.cameras) {
-    camera.poseFixed = true;
+    camera.isPoseFixed = true;
   }
   bundle.loss = RobustLoss::SoftL1;
   bundle.lossWidth = 1.0;
-  bundle.draft = true;
+  bundle.isDraft = true;
   const auto result = adjustBundle(bundle);
   return result ? medianResidual(bundle, *result) : -1.0;
 }
@@ -108,7 +108,7 @@ TEST(Ball9Arena, WavingTheBallIsNoWorseThanTheAuthorsCalibration) {
   problem.views = detections();
   problem.initialRig = movedCameras(truth, 0.1, 3.0 / 180.0 * std::numbers::pi, 1);
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   const double authors = medianReprojection(truth, problem.views);
   const double ours = medianReprojection(result->cameras, problem.views);
   EXPECT_GT(ours, 0.0);

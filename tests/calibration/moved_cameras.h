@@ -23,7 +23,7 @@ inline CameraRig movedCameras(CameraRig cameras, double place, double turn,
         cameras[c].center() + place * Eigen::Vector3d(a[0], a[1], a[2]).normalized();
     auto& pose = cameras[c].cameraFromWorld;
     pose.linear() =
-        rotationFromTurn(turn * Eigen::Vector3d(b[0], b[1], b[2]).normalized()) * pose.linear();
+        rotationExponential(turn * Eigen::Vector3d(b[0], b[1], b[2]).normalized()) * pose.linear();
     pose.translation() = -pose.linear() * center;
   }
   return cameras;

@@ -131,8 +131,8 @@ TEST(CameraMotionDetector, LightAndMovingThingsAreNoBump) {
   }
   for (const CameraMotionEvent& event : detector.events()) {
     ADD_FAILURE() << "frame " << event.frame << ", " << event.turn.turn.transpose() / kDegree
-                  << " degrees, sigma " << event.turn.sigma / kDegree << ", " << event.turn.used
-                  << " pieces";
+                  << " degrees, sigma " << event.turn.sigma / kDegree << ", "
+                  << event.turn.usedShiftCount << " pieces";
   }
   EXPECT_TRUE(detector.camera(0).assessed);
   EXPECT_LT(detector.camera(0).turn.turn.norm(), 0.01 * kDegree);

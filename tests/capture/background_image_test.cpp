@@ -21,7 +21,7 @@ TEST(BackgroundImage, IsAPictureOrTheMedianOfMany) {
   const test::TemporaryFolder folder;
   cv::imwrite(folder / "one.png", plain(40));
   const auto one = readBackgroundImage(folder / "one.png", kCamera);
-  ASSERT_TRUE(one) << sentence(one.error());
+  ASSERT_TRUE(one) << errorSentence(one.error());
   EXPECT_EQ(cv::norm(*one, plain(40), cv::NORM_INF), 0.0);
 
   std::filesystem::create_directory(folder / "many");
@@ -30,7 +30,7 @@ TEST(BackgroundImage, IsAPictureOrTheMedianOfMany) {
     cv::imwrite(folder / ("many/" + std::to_string(k) + ".png"), plain(k < 2 ? 200 : 50));
   }
   const auto many = readBackgroundImage(folder / "many", kCamera);
-  ASSERT_TRUE(many) << sentence(many.error());
+  ASSERT_TRUE(many) << errorSentence(many.error());
   EXPECT_EQ(cv::norm(*many, plain(50), cv::NORM_INF), 0.0);
 
   auto writer = FrameWriter::video(folder / "room.mkv", 30.0);
@@ -40,7 +40,7 @@ TEST(BackgroundImage, IsAPictureOrTheMedianOfMany) {
   }
   ASSERT_TRUE(writer->finish());
   const auto video = readBackgroundImage(folder / "room.mkv", kCamera);
-  ASSERT_TRUE(video) << sentence(video.error());
+  ASSERT_TRUE(video) << errorSentence(video.error());
   EXPECT_LE(cv::norm(*video, plain(60), cv::NORM_INF), 2.0);
 }
 
@@ -48,7 +48,7 @@ TEST(BackgroundImage, IsTurnedAsTheCameraIs) {
   const test::TemporaryFolder folder;
   cv::imwrite(folder / "one.png", plain(40));
   const auto rotated = readBackgroundImage(folder / "one.png", {"left", 90, 8, 12});
-  ASSERT_TRUE(rotated) << sentence(rotated.error());
+  ASSERT_TRUE(rotated) << errorSentence(rotated.error());
   EXPECT_EQ(rotated->size(), cv::Size(8, 12));
 }
 
@@ -61,8 +61,10 @@ TEST(BackgroundImage, WhatIsWrongNamesFileAndCamera) {
         std::pair{"small.png", ImageShape{"left", 0, 640, 480}}}) {
     const auto room = readBackgroundImage(folder / name, camera);
     ASSERT_FALSE(room) << name;
-    EXPECT_NE(sentence(room.error()).find(name), std::string::npos) << sentence(room.error());
-    EXPECT_NE(sentence(room.error()).find("left"), std::string::npos) << sentence(room.error());
+    EXPECT_NE(errorSentence(room.error()).find(name), std::string::npos)
+        << errorSentence(room.error());
+    EXPECT_NE(errorSentence(room.error()).find("left"), std::string::npos)
+        << errorSentence(room.error());
   }
 }
 

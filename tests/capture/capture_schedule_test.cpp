@@ -62,7 +62,7 @@ TEST(CaptureSchedule, CountsADelayBesideTimes) {
 TEST(CaptureSchedule, LetsASlowCameraBeWithoutAPictureInBetween) {
   const std::vector<Pictures> cameras{{.count = 5, .times = {{0.0, 0.1, 0.2, 0.3, 0.4}}},
                                       {.count = 3, .times = {{0.0, 0.2, 0.4}}}};
-  EXPECT_NEAR(CaptureSchedule::rateOf(cameras), 10.0, 1e-9);
+  EXPECT_NEAR(CaptureSchedule::highestRateOf(cameras), 10.0, 1e-9);
   EXPECT_EQ(numbers(CaptureSchedule(cameras, 10.0), 1), (Numbers{0, -1, 1, -1, 2}));
 }
 

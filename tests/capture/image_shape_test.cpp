@@ -21,7 +21,7 @@ TEST(ImageShape, CropsAfterRotationAndMirroring) {
   cv::flip(whole, whole, 1);
   ImageShape shape{"left", 90, 0, 0, true, {3, 2, 5, 7}};
   const auto image = prepareImage(sent, shape, "left.mkv");
-  ASSERT_TRUE(image) << sentence(image.error());
+  ASSERT_TRUE(image) << errorSentence(image.error());
   EXPECT_EQ(image->size(), cv::Size(40 - 8, 60 - 9));
   EXPECT_TRUE(image->isContinuous());
   EXPECT_EQ(cv::norm(*image, whole(cv::Rect(3, 2, 32, 51)), cv::NORM_INF), 0.0);

@@ -120,7 +120,7 @@ TEST(LiveFrameSource, AnImageKnowsWhenItPassedTheStages) {
   late.delay = 0.05;
   const auto before = std::chrono::steady_clock::now();
   const auto source = openLive({late}, makes({device}));
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   const FrameSetPtr set = waitFor(**source, complete);
   ASSERT_TRUE(set);
   const LiveInstants& passed = set->frames[0]->instants;
@@ -217,7 +217,7 @@ TEST(LiveFrameSource, deliversAMovingPictureFromTheNetwork) {
   const MjpegServer left(movingSquare);
   const MjpegServer right(movingSquare);
   const auto source = openLive({camera(left.address()), camera(right.address(), "right")});
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   EXPECT_TRUE((*source)->isLive());
   ASSERT_TRUE(waitFor(**source, complete));
   std::vector<TimeStamp> last(2, TimeStamp{-1});

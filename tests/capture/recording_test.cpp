@@ -39,7 +39,7 @@ void writeAll(Result<FrameWriter> writer, int frames) {
     ASSERT_TRUE(writer->write(noise(k)));
   }
   const auto finished = writer->finish();
-  ASSERT_TRUE(finished) << sentence(finished.error());
+  ASSERT_TRUE(finished) << errorSentence(finished.error());
   EXPECT_EQ(writer->framesWritten(), frames);
 }
 
@@ -72,7 +72,7 @@ Error errorOf(const RecordedCamera& camera) {
 
 void expectFrame(FrameSetSource& source, std::int64_t k) {
   const auto set = source.next();
-  ASSERT_TRUE(set) << sentence(set.error());
+  ASSERT_TRUE(set) << errorSentence(set.error());
   ASSERT_TRUE(*set);
   EXPECT_EQ((*set)->index, k);
   for (const auto& frame : (*set)->frames) {
@@ -88,7 +88,7 @@ TEST_P(VideoRates, comeBackBitExactInSequenceAndAfterEverySeek) {
   const TemporaryFolder home;
   writeAll(FrameWriter::video(home / "a.mkv", GetParam()), 150);
   const auto opened = openRecording({video(home / "a.mkv")}, 0);
-  ASSERT_TRUE(opened) << sentence(opened.error());
+  ASSERT_TRUE(opened) << errorSentence(opened.error());
   FrameSetSource& source = **opened;
   EXPECT_EQ(source.frameCount(), 150);
   EXPECT_FALSE(source.isLive());
@@ -145,7 +145,7 @@ TEST(Recording, aTruncatedVideoEndsEarly) {
   std::filesystem::resize_file(home / "cut.mkv",
                                std::filesystem::file_size(home / "whole.mkv") / 2);
   const auto source = openRecording({video(home / "cut.mkv")}, 0);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   EXPECT_EQ((*source)->frameCount(), 60); // what the header still says
   Result<FrameSetPtr> set;
   int frames = -1;
@@ -177,7 +177,7 @@ TEST(Recording, aContainerWithoutFrameCountIsCounted) {
   }
   stream.close();
   const auto source = openRecording({video(home / "raw.mjpeg")}, 0);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   EXPECT_EQ((*source)->frameCount(), 40);
   for (const int k : {0, 39, 5, 38}) {
     ASSERT_TRUE((*source)->seek(k));
@@ -192,7 +192,7 @@ TEST(Recording, differentLengthsAndRatesAreNoticed) {
   writeAll(FrameWriter::video(home / "a.mkv", 30), 12);
   writeAll(FrameWriter::video(home / "b.mkv", 15), 9);
   const auto source = openRecording({video(home / "a.mkv"), video(home / "b.mkv", "right")}, 0);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   EXPECT_EQ((*source)->frameCount(), 9);
   const auto notices = (*source)->notices();
   ASSERT_EQ(notices.size(), 2U);
@@ -228,7 +228,7 @@ TEST(Recording, rotatesClockwise) {
     camera.width = lying ? kHeight : kWidth; // the size is the one after the rotation
     camera.height = lying ? kWidth : kHeight;
     const auto source = openRecording({camera}, 0);
-    ASSERT_TRUE(source) << sentence(source.error());
+    ASSERT_TRUE(source) << errorSentence(source.error());
     const cv::Mat image = (*source)->next().value()->frames[0]->image;
     // Where the top left pixel goes when the picture turns like the hands of a clock.
     const cv::Point corner(degrees == 90 || degrees == 180 ? image.cols - 1 : 0,
@@ -245,7 +245,7 @@ TEST(Recording, mirrorsAfterTurning) {
   camera.rotateDegrees = 90;
   camera.mirrored = true;
   const auto source = openRecording({camera}, 0);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   const cv::Mat image = (*source)->next().value()->frames[0]->image;
   // Turned clockwise the top left pixel is at the top right, mirrored it is at the left again.
   EXPECT_EQ(image.at<cv::Vec3b>(0, 0), noise(0).at<cv::Vec3b>(0, 0));
@@ -284,7 +284,7 @@ TEST(Recording, foldersOfPicturesComeInNaturalOrder) {
   std::ofstream(home / "pictures/notes.txt") << "not a picture\n";
   std::ofstream(home / "pictures/.f3.png") << "left over by another program\n";
   const auto source = openRecording({folder(home / "pictures"), generated(5)}, 0);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   EXPECT_EQ((*source)->frameCount(), 5);
   for (int k = 0; k < 5; ++k) {
     expectFrame(**source, k);
@@ -353,7 +353,7 @@ TEST(RealRecording, seeksToTheSamePicturesAsReading) {
     GTEST_SKIP() << "the recording hand2_desk is not there";
   }
   const auto source = openRecording({video(path)}, 0);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   std::vector<cv::Mat> row;
   for (auto set = (*source)->next(); set && *set && row.size() < 120; set = (*source)->next()) {
     row.push_back((*set)->frames[0]->image);
@@ -378,7 +378,7 @@ TEST(Recording, PicturesOfALateCameraAreMatchedByTime) {
   early.name = "early";
   early.delay = -0.1;
   const auto source = openRecording({punctual, late, early}, 10.0);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   EXPECT_EQ((*source)->frameCount(), 6);
   const auto first = (*source)->next();
   ASSERT_TRUE(first && *first);

@@ -51,13 +51,15 @@ TEST(ShownLocation, NoNoticeHasThePassword) {
     notices = (*source)->notices();
   }
   ASSERT_EQ(notices.size(), 1U);
-  EXPECT_EQ(sentence(notices[0]).find("s3cret"), std::string::npos) << sentence(notices[0]);
-  EXPECT_NE(sentence(notices[0]).find("anna:***@"), std::string::npos) << sentence(notices[0]);
+  EXPECT_EQ(errorSentence(notices[0]).find("s3cret"), std::string::npos)
+      << errorSentence(notices[0]);
+  EXPECT_NE(errorSentence(notices[0]).find("anna:***@"), std::string::npos)
+      << errorSentence(notices[0]);
 
   camera.location = "ftp://anna:s3cret@host/"; // of no kind that is known
   const auto refused = openLive({camera});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(sentence(refused.error()).find("s3cret"), std::string::npos);
+  EXPECT_EQ(errorSentence(refused.error()).find("s3cret"), std::string::npos);
 }
 
 } // namespace

@@ -53,7 +53,7 @@ using Seen = std::vector<std::vector<int>>;
 TEST_F(TimedRecording, MissingNumbersOfAFolderAreNoImage) {
   const auto source =
       openRecording({folder("left", {0, 1, 2, 3, 4}), folder("right", {7, 8, 11})}, 10);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   EXPECT_EQ(seen(**source), (Seen{{0, 7}, {1, 8}, {2, -1}, {3, -1}, {4, 11}}));
   const auto notices = (*source)->notices();
   ASSERT_EQ(notices.size(), 1U);
@@ -70,7 +70,7 @@ TEST_F(TimedRecording, PicturesArePairedByTheirTimes) {
   left.times = right.times =
       table("camera,time_ms\nleft,100\nleft,200\nleft,300\nleft,400\nright,190\nright,405\n");
   const auto source = openRecording({left, right}, 0);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   EXPECT_NEAR((*source)->framesPerSecond(), 10.0, 1e-9);
   EXPECT_EQ(seen(**source), (Seen{{1, 0}, {2, -1}, {3, 1}}));
   EXPECT_TRUE((*source)->notices().empty());

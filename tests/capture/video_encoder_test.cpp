@@ -100,7 +100,7 @@ TEST(VideoEncoder, SaysWhatIsWrong) {
   const TemporaryFolder folder;
   const auto errorOf = [](const VideoOutput& output) {
     const auto encoder = VideoEncoder::create(output);
-    return encoder ? std::string() : sentence(encoder.error());
+    return encoder ? std::string() : errorSentence(encoder.error());
   };
   VideoOutput output = losslessOutput(folder / "no/such/a.mkv");
   EXPECT_NE(errorOf(output).find("No such file or directory"), std::string::npos);

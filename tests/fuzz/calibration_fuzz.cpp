@@ -17,7 +17,7 @@ void expectWritable(const CameraRig& rig) {
   static const InputFile kWritten("written.toml");
   CalibrationHints hints; // so that nothing is doubted that may not have been before
   hints.format = "dewpoint";
-  hints.unit = 1.0;
+  hints.metersPerUnit = 1.0;
   hints.posesAreWorldFromCamera = false;
   const auto again = readCalibration(kWritten.hold(calibrationText(rig)), hints);
   if (!again) {
@@ -37,7 +37,7 @@ void readAs(const InputFile& file, const char* format, std::string_view bytes) {
   }
   auto read = readCalibration(file.hold(bytes), hints);
   if (!read && read.error().field == "unit") {
-    hints.unit = 0.001;
+    hints.metersPerUnit = 0.001;
     read = readCalibration(file.path(), hints);
   }
   if (!read) {
@@ -152,7 +152,7 @@ void fuzzOpencvExtrinsics(std::string_view bytes) {
   (void)kFile.hold(bytes);
   CalibrationHints hints;
   hints.format = "opencv-stereo";
-  hints.unit = 0.001;
+  hints.metersPerUnit = 0.001;
   hints.size = {640, 480};
   const auto read = readCalibration(kIntrinsicsFile.hold(kIntrinsics), hints);
   if (!read) {

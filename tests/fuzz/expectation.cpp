@@ -24,7 +24,7 @@ void expect(bool condition, const char* what) {
 }
 
 void expectPlain(const Error& error) {
-  const std::string text = base::sentence(error);
+  const std::string text = base::errorSentence(error);
   if (error.file.empty() || text.size() > kMostSentenceBytes ||
       text.find_first_of("\n\r") != text.npos ||
       (text.size() < 4000 && base::toSingleLine(text) != text)) {

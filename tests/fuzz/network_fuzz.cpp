@@ -109,7 +109,7 @@ void fuzzRemoteLines(std::string_view bytes) {
   expect(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0, "no sockets");
   broadcast::FileDescriptor sender(ends[0]);
   broadcast::LineClient client{broadcast::FileDescriptor(ends[1])};
-  while (client.isListenedTo() && client.isOpen()) {
+  while (client.maySendCommands() && client.isOpen()) {
     const std::string_view piece = bytes.substr(0, 4000); // fits into the socket
     bytes.remove_prefix(piece.size());
     if (!piece.empty()) {
@@ -122,7 +122,7 @@ void fuzzRemoteLines(std::string_view bytes) {
     for (const std::string& line : client.receive()) {
       expect(line.size() <= broadcast::kMaxRemoteCommandBytes && line.find('\n') == line.npos,
              "what was received is not one short line");
-      now += broadcast::RemoteGate::kLockTime; // so that wrong tokens do not end the reading
+      now += broadcast::RemoteGate::kLockoutTime; // so that wrong tokens do not end the reading
       expectReply(gate.handle(line, now));
     }
   }

@@ -70,7 +70,7 @@ int DisturbedCameras::freeNode() {
 }
 
 Project DisturbedCameras::project() const {
-  Project project = projectOfScene(desk_->scene, "");
+  Project project = makeSceneProject(desk_->scene, "");
   for (std::size_t k = 0; k < FakeDesk::kCameras; ++k) {
     project.cameras[k].source = SourceKind::Device;
     project.cameras[k].location = fmt::format("/dev/video{}", k);

@@ -109,13 +109,13 @@ TEST_P(DiskTest, RecordedFramesGiveTheSameBitsAsSimulatedOnes) {
   constexpr int kFrames = 75; // the ball has begun to move
   const Scene scene = demoScene();
   const SceneRenderer renderer(scene);
-  Project project = projectOfScene(scene, "");
+  Project project = makeSceneProject(scene, "");
   const bool video = GetParam() == SourceKind::Video;
   for (std::size_t k = 0; k < project.cameras.size(); ++k) {
     const auto path = folder_ / ("camera" + std::to_string(k) + (video ? ".mkv" : ""));
     auto writer = video ? FrameWriter::video(path.string(), scene.framesPerSecond)
                         : FrameWriter::images(path.string());
-    ASSERT_TRUE(writer) << sentence(writer.error());
+    ASSERT_TRUE(writer) << errorSentence(writer.error());
     for (int frame = 0; frame < kFrames; ++frame) {
       ASSERT_TRUE(writer->write(renderer.render(static_cast<int>(k), frame)));
     }
@@ -125,7 +125,7 @@ TEST_P(DiskTest, RecordedFramesGiveTheSameBitsAsSimulatedOnes) {
   }
   ASSERT_TRUE(saveProject(project, folder_ / "project.toml"));
   auto fromDisk = openProject(folder_ / "project.toml");
-  ASSERT_TRUE(fromDisk) << sentence(fromDisk.error());
+  ASSERT_TRUE(fromDisk) << errorSentence(fromDisk.error());
   EXPECT_EQ(fromDisk->source->frameCount(), kFrames);
   expectSameBits(tracked(openProject("demo").value(), kFrames),
                  tracked(std::move(*fromDisk), kFrames));

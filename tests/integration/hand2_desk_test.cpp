@@ -31,9 +31,9 @@ TEST(Hand2Desk, FollowsTheArmInBothViewsAndNeverDivesBelowTheDesk) {
   }
   const std::string project = example(); // named: moving it is a false alarm of g++ 12
   auto inputs = openProject(project);
-  ASSERT_TRUE(inputs) << sentence(inputs.error());
+  ASSERT_TRUE(inputs) << errorSentence(inputs.error());
   auto run = TrackingRun::create(inputs->project, 2);
-  ASSERT_TRUE(run) << sentence(run.error());
+  ASSERT_TRUE(run) << errorSentence(run.error());
   int frames = 0;
   int seenByBoth = 0;
   for (auto set = inputs->source->next(); set && *set; set = inputs->source->next()) {

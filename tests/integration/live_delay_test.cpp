@@ -83,7 +83,7 @@ double medianError(const std::vector<StreamPlan>& plans) {
     }
     films.push_back(film);
   }
-  Project project = projectOfScene(scene, "");
+  Project project = makeSceneProject(scene, "");
   std::vector<LiveCamera> cameras;
   for (std::size_t k = 0; k < 2; ++k) {
     const Intrinsics& intrinsics = project.cameras[k].camera.intrinsics;

@@ -85,7 +85,7 @@ TEST(LiveDisturbance, DevicesKeepTheirIdentityAndTheTarget) {
   inputs.project = cameras.project();
   inputs.historyBytes = kShortHistory;
   auto source = cameras.open();
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   inputs.source = std::make_unique<WatchedSource>(std::move(*source), record);
   auto session = std::make_unique<Session>(std::move(inputs));
   session->play();
@@ -184,7 +184,7 @@ TEST(LiveDisturbance, StreamsKeepTheirIdentityAndTheTarget) {
   constexpr int kStreamEvents = 24;
   const FakeDesk desk;
   std::vector<std::unique_ptr<LoopbackCamera>> cameras;
-  Project project = projectOfScene(desk.scene, "");
+  Project project = makeSceneProject(desk.scene, "");
   project.cameras.resize(kStreams);
   for (int k = 0; k < kStreams; ++k) {
     cameras.push_back(std::make_unique<LoopbackCamera>(desk, k));
@@ -192,7 +192,7 @@ TEST(LiveDisturbance, StreamsKeepTheirIdentityAndTheTarget) {
     project.cameras[static_cast<std::size_t>(k)].location = cameras.back()->address();
   }
   auto inputs = openInputs(project);
-  ASSERT_TRUE(inputs) << sentence(inputs.error());
+  ASSERT_TRUE(inputs) << errorSentence(inputs.error());
   const auto record = std::make_shared<SetRecord>(FakeDesk::kWidth, FakeDesk::kHeight);
   inputs->source = std::make_unique<WatchedSource>(std::move(inputs->source), record);
   inputs->historyBytes = kShortHistory;

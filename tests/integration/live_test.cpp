@@ -20,12 +20,12 @@ TEST(Live, TwoLoopbackStreamsAreTrackedToTheBall) {
   test::MjpegServer left([&](auto&&...) { return pictures[0]; });
   test::MjpegServer right([&](auto&&...) { return pictures[1]; });
 
-  Project project = projectOfScene(scene, "");
+  Project project = makeSceneProject(scene, "");
   project.cameras[0].source = project.cameras[1].source = SourceKind::Stream;
   project.cameras[0].location = left.address();
   project.cameras[1].location = right.address();
   auto inputs = openInputs(project);
-  ASSERT_TRUE(inputs) << sentence(inputs.error());
+  ASSERT_TRUE(inputs) << errorSentence(inputs.error());
   Session session(std::move(*inputs));
   session.play();
 

@@ -28,7 +28,7 @@ protected:
   /// What is wrong, without the file; empty: nothing.
   std::string problemOf(const std::string& text) {
     const auto project = load(text);
-    const std::string sentence = project ? "" : base::sentence(project.error());
+    const std::string sentence = project ? "" : base::errorSentence(project.error());
     EXPECT_EQ(sentence.find('\n'), std::string::npos);
     EXPECT_LT(sentence.size(), 5000U);
     return sentence.starts_with(file_.string()) ? sentence.substr(file_.string().size() + 2)
@@ -47,7 +47,7 @@ protected:
 
 TEST_F(HostileProject, WithoutAnythingHostileIsRead) {
   const auto project = load(whole_);
-  ASSERT_TRUE(project) << base::sentence(project.error());
+  ASSERT_TRUE(project) << base::errorSentence(project.error());
   EXPECT_EQ(project->corrections.size(), 1U);
 }
 
@@ -112,7 +112,7 @@ TEST_F(HostileProject, CamerasAndTargetsAreCounted) {
 TEST_F(HostileProject, UnderWindowsIsTheSame) {
   const auto project = load(whole_);
   const auto same = load(asOfWindows(whole_));
-  ASSERT_TRUE(same) << base::sentence(same.error());
+  ASSERT_TRUE(same) << base::errorSentence(same.error());
   EXPECT_EQ(*same, *project);
 }
 
@@ -139,7 +139,7 @@ TEST_F(HostileProject, NamesOfAnyCharactersComeBack) {
   project->targets.front().name = "a\x7F\"\\\n\t\xC3\xA4";
   ASSERT_TRUE(saveProject(*project, file_));
   const auto again = loadProject(file_);
-  ASSERT_TRUE(again) << base::sentence(again.error());
+  ASSERT_TRUE(again) << base::errorSentence(again.error());
   EXPECT_EQ(again->targets.front().name, project->targets.front().name);
 }
 

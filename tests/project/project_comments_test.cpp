@@ -71,7 +71,7 @@ std::string saved(
   const auto file = place("project.toml");
   EXPECT_TRUE(writeTextFile(file, contents));
   auto project = loadProject(file);
-  EXPECT_TRUE(project) << (project ? "" : sentence(project.error()));
+  EXPECT_TRUE(project) << (project ? "" : errorSentence(project.error()));
   if (project) {
     change(*project);
     EXPECT_TRUE(saveProject(*project, file));

@@ -70,7 +70,7 @@ TEST(ProjectCorrections, ComeBackInTheOrderOfTheirFrames) {
                               std::string(kHere) +
                               "[[correction.click]]\ncamera = 2\npixel = [20.5, 31]\n"
                               "[[correction.click]]\ncamera = 1\npixel = [700, -3.25]\n");
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   ASSERT_EQ(project->corrections.size(), 2U);
   const PositionCorrection& first = project->corrections[0];
   EXPECT_EQ(first.frame, 12);
@@ -85,7 +85,7 @@ TEST(ProjectCorrections, ComeBackInTheOrderOfTheirFrames) {
   const auto file = fileOfTest("again.toml");
   ASSERT_TRUE(saveProject(*project, file));
   const auto again = loadProject(file);
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   EXPECT_EQ(again->corrections, project->corrections);
   Project other = *again;
   other.corrections.pop_back();
@@ -95,7 +95,7 @@ TEST(ProjectCorrections, ComeBackInTheOrderOfTheirFrames) {
 
 TEST(ProjectCorrections, ThoseTrackedBackGoWithWhatTheyCameFrom) {
   const auto project = loaded(std::string(kHere) + "tracked_from = 40\n");
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   EXPECT_EQ(project->corrections[0].trackedFrom, 40);
   const auto file = fileOfTest("again.toml");
   ASSERT_TRUE(saveProject(*project, file));
@@ -162,7 +162,7 @@ TEST(ProjectCorrections, WhatCannotBeIsRefused) {
   earlier.replace(earlier.find("12"), 2, "3");
   EXPECT_EQ(field(kHere + earlier, "frame = 3\ntarget = 2", "frame = 3\ntarget = 9"),
             "correction 2.target");
-  EXPECT_NE(sentence(loaded(std::string(kHere) + "[[correction]]\nframe = 1\n").error())
+  EXPECT_NE(errorSentence(loaded(std::string(kHere) + "[[correction]]\nframe = 1\n").error())
                 .find("project.toml"),
             std::string::npos);
 }

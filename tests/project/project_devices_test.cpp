@@ -40,7 +40,7 @@ device = "1"
 
 TEST(ProjectDevices, AreReadAndSavedUnchanged) {
   const auto project = load(kWithDevice);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   ASSERT_EQ(project->cameras.size(), 2U);
   const DeviceSettings& left = project->cameras[0].device;
   EXPECT_EQ(left.identity,
@@ -57,7 +57,7 @@ TEST(ProjectDevices, AreReadAndSavedUnchanged) {
   }
   ASSERT_TRUE(saveProject(calibrated, file));
   const auto again = loadProject(file);
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   EXPECT_EQ(again->cameras[0].device, left);
   EXPECT_EQ(again->cameras[1].device, DeviceSettings{});
 }
@@ -66,7 +66,7 @@ TEST(ProjectDevices, AreNotWrittenUnlessGiven) {
   EXPECT_EQ(deviceFormatText({}), "");
   EXPECT_EQ(deviceTablesText({}), "");
   const auto project = load(kWithDevice);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   Project other = *project;
   other.cameras[0].source = SourceKind::Stream; // it has no device any more
   other.cameras[0].location = "test:ball";
@@ -110,7 +110,7 @@ TEST(ProjectDevices, OnlyDevicesHaveThem) {
 
 TEST(ProjectDevices, AreChecked) {
   const auto project = load(kWithDevice);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   const auto fieldAfter = [&](const std::function<void(DeviceSettings&)>& change) {
     Project changed = *project;
     change(changed.cameras[1].device);
@@ -126,7 +126,7 @@ TEST(ProjectDevices, AreChecked) {
 
 TEST(ProjectDevices, ChangesOfControlsDoNotOpenTheDeviceAgain) {
   const auto before = load(kWithDevice);
-  ASSERT_TRUE(before) << sentence(before.error());
+  ASSERT_TRUE(before) << errorSentence(before.error());
   Project after = *before;
   after.cameras[0].device.controls["gain"] = 3;
   const ProjectChanges controls = changesBetween(*before, after);

@@ -79,7 +79,7 @@ TEST(ProjectFile, WhatWasSaidOfPeopleComesBackInTheOrderOfTheirFrames) {
                                            "[[person]]\nframe = 12\nplace = [0.5, 2]\n"
                                            "[[person]]\nframe = 12\ncamera = 1\n"
                                            "pixel = [20.5, 31]\n");
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   std::vector<PersonCorrection> expected(3);
   expected[0] = {12, Eigen::Vector2d(0.5, 2.0), std::nullopt, true};
   expected[1] = {12, std::nullopt, PersonCorrection::Click{0, {20.5, 31.0}}, true};
@@ -88,7 +88,7 @@ TEST(ProjectFile, WhatWasSaidOfPeopleComesBackInTheOrderOfTheirFrames) {
   const auto file = fileNamed("again.toml");
   ASSERT_TRUE(saveProject(*project, file));
   const auto again = loadProject(file);
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   EXPECT_EQ(again->people, expected);
   addPersonCorrection(*project, {12, Eigen::Vector2d(3.0, 3.0), std::nullopt, true});
   EXPECT_EQ(project->people.at(2).position, Eigen::Vector2d(3.0, 3.0));
@@ -114,20 +114,20 @@ TEST(ProjectFile, PersonsThatCannotBeAreRefused) {
 TEST(ProjectFile, MarkersComeBackInTheOrderOfTheirFrames) {
   auto project = load(std::string(kGood) + "[[mark]]\nframe = 90\nname = \"lost\"\n"
                                            "[[mark]]\nframe = 12\n");
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   const std::vector<ProjectMarker> expected{{12, ""}, {90, "lost"}};
   EXPECT_EQ(project->markers, expected);
   const auto file = fileNamed("again.toml");
   ASSERT_TRUE(saveProject(*project, file));
   const auto again = loadProject(file);
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   EXPECT_EQ(again->markers, expected);
   EXPECT_EQ(load(std::string(kGood) + "[[mark]]\nframe = -1\n").error().field, "mark 1.frame");
 }
 
 TEST(ProjectFile, ReadsEveryKey) {
   const auto project = load(kGood);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   EXPECT_EQ(project->name, "two cameras");
   EXPECT_EQ(project->seed, 7U);
   EXPECT_EQ(project->parameters.at("particles"), 500);
@@ -147,7 +147,7 @@ TEST(ProjectFile, SavedTwiceItIsTheSameBytes) {
   ASSERT_TRUE(saveProject(*first, file));
   const auto text = readTextFile(file);
   const auto second = loadProject(file);
-  ASSERT_TRUE(second) << sentence(second.error());
+  ASSERT_TRUE(second) << errorSentence(second.error());
   ASSERT_TRUE(saveProject(*second, file));
   EXPECT_EQ(*readTextFile(file), *text);
   EXPECT_EQ(second->parameters, first->parameters);
@@ -166,25 +166,25 @@ TEST(ProjectFile, WhatComesFromTheCamerasIsNotWrittenUnlessItWasGiven) {
   EXPECT_NE(text.find("motion_sigma"), std::string::npos);
 
   const auto given = load(kGood, "particles = 500\n", "particles = 500\nstart_x = 0.4\n");
-  ASSERT_TRUE(given) << sentence(given.error());
+  ASSERT_TRUE(given) << errorSentence(given.error());
   EXPECT_EQ(effectiveParameters(*given), given->parameters);
   EXPECT_EQ(effectiveParameters(*given).at("start_half_x"), 0.0);
   const auto again = load(projectText(*given, given->file.parent_path()));
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   EXPECT_EQ(again->parameters, given->parameters);
 }
 
 TEST(ProjectFile, KeepsTheBackgroundImageOfACamera) {
   const auto project = load(kGood, "video = \"left.mkv\"\n",
                             "video = \"left.mkv\"\nempty_room = \"empty/left.png\"\n");
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   const std::filesystem::path room = project->cameras.front().backgroundImage;
   EXPECT_EQ(room, project->file.parent_path() / "empty/left.png");
   const auto file = fileNamed("saved.toml");
   ASSERT_TRUE(saveProject(*project, file));
   EXPECT_NE(readTextFile(file)->find("empty_room = \"empty/left.png\""), std::string::npos);
   const auto again = loadProject(file);
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   EXPECT_EQ(again->cameras, project->cameras);
   Project without = *project;
   without.cameras.front().backgroundImage.clear();
@@ -211,7 +211,7 @@ excluded = true
 TEST(ProjectFile, KeepsWhatAColorWasLearnedFrom) {
   const std::string samples = std::string("intensity = [0.1, 0.9]\n") + kSamples;
   const auto project = load(kGood, "intensity = [0.1, 0.9]\n", samples);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   const Target& target = project->targets.front();
   ASSERT_EQ(target.samples.size(), 2U);
   ColorSample click{.found = true, .camera = 1, .frame = 17, .x = 120.5, .y = 88, .area = 700};
@@ -233,7 +233,7 @@ TEST(ProjectFile, KeepsTheColorsOfATarget) {
                              "[[target.other_color]]\nhue = [50, 70]\nsaturation = [0.3, 0.8]\n"
                              "[[target.other_color]]\nhue = [200, 250]\n";
   const auto project = load(kGood, "intensity = [0.1, 0.9]\n", others);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   const Target& target = project->targets.front();
   EXPECT_EQ(target.otherColors, (std::vector<ColorRange>{{50.0, 70.0, 0.3, 0.8}, {200.0, 250.0}}));
   EXPECT_EQ(target.colors().size(), 3U);
@@ -264,7 +264,7 @@ constexpr const char* kBox =
 
 TEST(ProjectFile, KeepsTheBoxOfATarget) {
   const auto project = load(kGood, "intensity = [0.1, 0.9]\n", kBox);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   const TargetBox expected{0, 12, {10.5, -3.0, 40.0, 50.0}};
   EXPECT_EQ(project->targets.front().box, expected);
   const auto file = fileNamed("saved.toml");
@@ -303,7 +303,7 @@ TEST(ProjectFile, MethodsForBoxesNeedNoCalibration) {
   };
   for (const char* method : {"histogram", "sugandi"}) {
     const auto project = load(textFor(method));
-    ASSERT_TRUE(project) << sentence(project.error());
+    ASSERT_TRUE(project) << errorSentence(project.error());
     EXPECT_EQ(project->cameras.front().camera.intrinsics.width, 0); // its images will say
     EXPECT_TRUE(checkProject(*project));
     Project late = *project;
@@ -331,11 +331,11 @@ TEST(ProjectFile, NamesTheSampleThatIsWrong) {
 // kGood is of format 1, as the first versions wrote it.
 TEST(ProjectFile, AnOlderFormatIsReadAndWrittenAsThePresentOne) {
   const auto old = load(kGood);
-  ASSERT_TRUE(old) << sentence(old.error());
+  ASSERT_TRUE(old) << errorSentence(old.error());
   const std::string text = projectText(*old, fileNamed("").parent_path());
   EXPECT_NE(text.find("format = 2"), std::string::npos);
   const auto again = load(text);
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   EXPECT_EQ(projectText(*again, fileNamed("").parent_path()), text);
 }
 
@@ -360,7 +360,7 @@ TEST(ProjectFile, NeedsACameraButNotYetATarget) {
   const auto target = text.find("[[target]]");
   EXPECT_EQ(load(text.substr(0, camera)).error().field, "camera");
   const auto untaught = load(text.substr(0, target) + text.substr(camera));
-  ASSERT_TRUE(untaught) << sentence(untaught.error());
+  ASSERT_TRUE(untaught) << errorSentence(untaught.error());
   EXPECT_TRUE(untaught->targets.empty());
   EXPECT_EQ(load(text + text.substr(camera)).error().field, "camera") << "the same name twice";
 }
@@ -368,7 +368,7 @@ TEST(ProjectFile, NeedsACameraButNotYetATarget) {
 TEST(ProjectFile, PathsMayNameAnEnvironmentVariable) {
   setenv("DEWPOINT_TEST_FOLDER", "/some/${DEWPOINT_TEST_FOLDER}", 1); // must not go on for ever
   const auto project = load(kGood, "left.mkv", "${DEWPOINT_TEST_FOLDER}/left.mkv");
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   EXPECT_EQ(project->cameras.front().location, "/some/${DEWPOINT_TEST_FOLDER}/left.mkv");
   EXPECT_EQ(errorOf("left.mkv", "${DEWPOINT_NOT_SET}/left.mkv").field, "camera 1.video");
 }

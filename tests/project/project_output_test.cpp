@@ -37,7 +37,7 @@ std::string outputFieldOf(const std::string& from, const std::string& to) {
 
 TEST(ProjectOutput, IsReadAndSavedUnchanged) {
   const auto project = load(kOutput);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   const OutputSettings& output = project->output;
   EXPECT_EQ(output.axes, OutputAxes::YUp);
   EXPECT_EQ(output.unit, OutputUnit::Millimeter);
@@ -52,13 +52,13 @@ TEST(ProjectOutput, IsReadAndSavedUnchanged) {
   const auto file = fileNamed("saved.toml");
   ASSERT_TRUE(saveProject(*project, file));
   const auto again = loadProject(file);
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   EXPECT_EQ(again->output, output);
 }
 
 TEST(ProjectOutput, IsOffUnlessGiven) {
   const auto project = load("format = 2\nscene = \"demo\"\n");
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   EXPECT_FALSE(project->output.any());
   EXPECT_EQ(project->output.listen, "127.0.0.1");
   EXPECT_EQ(outputText(project->output), "");

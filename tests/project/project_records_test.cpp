@@ -58,7 +58,7 @@ Camera turnedCamera() {
 
 TEST(ProjectRecords, SayWhereACalibrationComesFrom) {
   const auto project = load(kCalibrated);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   const CameraRecord& camera = project->cameras.at(0).calibrated;
   ASSERT_TRUE(camera.lens && camera.pose);
   EXPECT_EQ(camera.lens->origin, CalibrationOrigin::Board);
@@ -85,7 +85,7 @@ TEST(ProjectRecords, ComeBackFromAFile) {
       recordOfLens(camera, CalibrationOrigin::Points),
       recordOfPose(camera, CalibrationOrigin::Board, std::numeric_limits<double>::quiet_NaN())};
   const auto again = load(projectText(*project, project->file.parent_path()));
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   const CameraRecord& record = again->cameras[0].calibrated;
   ASSERT_TRUE(record.lens && record.pose);
   EXPECT_EQ(record.lens->origin, CalibrationOrigin::Points);

@@ -56,7 +56,7 @@ std::string fieldOf(const std::string& from, const std::string& to) {
 
 TEST(ProjectRoom, ReadsGridPointsAndMirror) {
   const auto project = load(kRoom);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   ASSERT_TRUE(project->grid);
   EXPECT_EQ(*project->grid,
             (ReferenceGrid{GridKind::Box, {3.5, 2.0, 2.4}, 0.25, {0.1, -0.2, 0.3}, 0.5}));
@@ -80,14 +80,14 @@ TEST(ProjectRoom, KeepsTheVolumeOfInterest) {
   EXPECT_FALSE(load(kRoom)->volumeOfInterest); // as in every file before there was this
   const WorldBox expected{{-1.0, 0.5, 0.0}, {2.0, 3.0, 2.25}};
   const auto project = load(std::string(kRoom) + kVolume);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   EXPECT_EQ(project->volumeOfInterest, expected);
   const auto again = load(projectText(*project, project->file.parent_path()));
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   EXPECT_EQ(again->volumeOfInterest, expected);
   const auto inOneLine = load(kRoom, "name = \"room\"",
                               "volume_of_interest = { min = [-1, 0.5, 0], max = [2, 3, 2.25] }");
-  ASSERT_TRUE(inOneLine) << sentence(inOneLine.error());
+  ASSERT_TRUE(inOneLine) << errorSentence(inOneLine.error());
   EXPECT_EQ(inOneLine->volumeOfInterest, expected);
   Project without = *project;
   without.volumeOfInterest.reset();
@@ -117,7 +117,7 @@ TEST(ProjectRoom, SavesWhatItRead) {
   const auto project = load(kRoom);
   ASSERT_TRUE(project);
   const auto again = load(projectText(*project, project->file.parent_path()));
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   Project same = *again;
   same.file = project->file;
   EXPECT_EQ(same, *project);
@@ -186,12 +186,12 @@ TEST(ProjectRoom, ASceneCanHaveAnotherCalibration) {
                            "matrix = [[400, 0, 159.5], [0, 400, 119.5], [0, 0, 1]]\n"
                            "rotation = [0, 0, 0]\ntranslation = [0, 0, 1]\n";
   const auto project = load(text);
-  ASSERT_TRUE(project) << sentence(project.error());
+  ASSERT_TRUE(project) << errorSentence(project.error());
   ASSERT_EQ(project->cameras.size(), 1U);
   EXPECT_TRUE(project->cameras[0].adjusted);
   EXPECT_EQ(project->cameras[0].source, SourceKind::Simulation);
   const auto again = load(projectText(*project, {}));
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   EXPECT_EQ(again->cameras, project->cameras);
 }
 

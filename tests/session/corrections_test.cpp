@@ -208,7 +208,7 @@ TEST_P(CorrectionsOfARun, AreInWhatItLeaves) {
   EXPECT_EQ(second["clicks"][0]["camera"], "second");
   EXPECT_EQ(second["clicks"][0]["pixel"][1], 80.5);
   const auto trajectory = readTrajectory(folder / "trajectory.csv");
-  ASSERT_TRUE(trajectory) << sentence(trajectory.error());
+  ASSERT_TRUE(trajectory) << errorSentence(trajectory.error());
   EXPECT_EQ(correctedFrames(*trajectory), (std::vector<std::int64_t>{15, 22}));
 }
 

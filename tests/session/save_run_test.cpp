@@ -73,7 +73,7 @@ TEST_F(SavedRun, AFolderThatIsAFileIsSaid) {
   const auto saved = session.saveRun(folder);
   ASSERT_FALSE(saved);
   EXPECT_EQ(saved.error().code, ErrorCode::FileUnwritable);
-  EXPECT_NE(sentence(saved.error()).find(folder.filename().string()), std::string::npos);
+  EXPECT_NE(errorSentence(saved.error()).find(folder.filename().string()), std::string::npos);
 }
 
 } // namespace

@@ -92,7 +92,7 @@ TEST_F(MissingFilesTest, OneThatIsFoundLeadsToTheOthers) {
   EXPECT_EQ(still->front().path, folder_ / "room.png");
 
   const auto loaded = loadProject(project, moved);
-  ASSERT_TRUE(loaded.has_value()) << sentence(loaded.error());
+  ASSERT_TRUE(loaded.has_value()) << errorSentence(loaded.error());
   EXPECT_EQ(loaded->cameras[0].location, left.string());
   EXPECT_EQ(loaded->cameras[1].location, right.string());
 }
@@ -130,7 +130,7 @@ video = "left.mp4"
   const auto calibration = std::ranges::find(*missing, Kind::Calibration, &MissingFile::kind);
   ASSERT_NE(calibration, missing->end());
   const auto loaded = loadProject(project, locateRemainingFiles(*missing, *calibration, rig));
-  ASSERT_TRUE(loaded.has_value()) << sentence(loaded.error());
+  ASSERT_TRUE(loaded.has_value()) << errorSentence(loaded.error());
   EXPECT_EQ(loaded->cameras[0].camera.intrinsics.width, 640);
 }
 

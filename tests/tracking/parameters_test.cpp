@@ -137,9 +137,9 @@ TEST(Parameters, BadValuesAreRefusedWithTheirRangeAndChangeNothing) {
     EXPECT_EQ(status.error().field, "particles");
   }
   EXPECT_EQ(values, barreraValues());
-  EXPECT_EQ(sentence(values.set("particles", 9).error()),
+  EXPECT_EQ(errorSentence(values.set("particles", 9).error()),
             "particles: not a usable value (9 is not a whole number from 10 to 1000000)");
-  EXPECT_EQ(sentence(values.set("motion_sigma", 0.7).error()),
+  EXPECT_EQ(errorSentence(values.set("motion_sigma", 0.7).error()),
             "motion_sigma: not a usable value (0.7 is not a number from 0.001 to 0.5 m)");
 }
 

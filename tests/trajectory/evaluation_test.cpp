@@ -119,7 +119,7 @@ TEST(Evaluation, MatchesByTimeWithinHalfAFrame) {
     sample.time += 0.04; // frames are 0.1 s apart
   }
   auto result = evaluate(estimate, truth);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_EQ(result->front().comparedFrameCount, 6);
   estimate.samples[3].time += 0.03; // 0.37: nearer to frame 4 (0.4) than to frame 3 (0.3)
   result = evaluate(estimate, truth);

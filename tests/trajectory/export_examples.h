@@ -75,7 +75,7 @@ inline std::string exported(const Trajectory& trajectory, const ExportOptions& o
                             const std::string& name) {
   const ExportFolder folder;
   const auto summary = exportTrajectory(trajectory, options, folder / name);
-  EXPECT_TRUE(summary) << (summary ? std::string() : sentence(summary.error()));
+  EXPECT_TRUE(summary) << (summary ? std::string() : errorSentence(summary.error()));
   return bytesOf(folder / name);
 }
 

@@ -28,7 +28,7 @@ protected:
   }
   std::string problemOf(const std::string& text) {
     const auto trajectory = read(text);
-    const std::string sentence = trajectory ? "" : base::sentence(trajectory.error());
+    const std::string sentence = trajectory ? "" : base::errorSentence(trajectory.error());
     return sentence.substr(std::min(sentence.size(), file_.string().size() + 2));
   }
 

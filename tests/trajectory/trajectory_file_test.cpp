@@ -57,7 +57,7 @@ TEST(TrajectoryFile, ReadsBackExactlyWhatWasWritten) {
   EXPECT_FALSE(writer->write(sample()));
 
   const auto read = readTrajectory(path);
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   ASSERT_EQ(read->samples.size(), 1u);
   const TrajectorySample& s = read->samples.front();
   EXPECT_EQ(s.time, sample().time);
@@ -137,7 +137,7 @@ TEST(TrajectoryFile, HoldsTheParticleOfHighestWeight) {
   EXPECT_NE(contents(path).find(",ess,cameras,valid,best_x_m,best_y_m,best_z_m\n"),
             std::string::npos);
   const auto read = readTrajectory(path);
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   EXPECT_TRUE(read->header.hasBestParticles);
   ASSERT_EQ(read->samples.size(), 2U);
   EXPECT_EQ(read->samples[0].bestParticle, written.samples[0].bestParticle); // to the last bit
@@ -160,7 +160,7 @@ TEST(TrajectoryFile, MarksWhatWasCorrected) {
   ASSERT_TRUE(writeTrajectory(written, path));
   EXPECT_NE(contents(path).find(",ess,cameras,valid,corrected\n"), std::string::npos);
   const auto read = readTrajectory(path);
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   EXPECT_TRUE(read->header.hasCorrected);
   ASSERT_EQ(read->samples.size(), 2U);
   EXPECT_FALSE(read->samples[0].corrected);
@@ -177,7 +177,7 @@ TEST(TrajectoryFile, MarksWhatIsAmbiguous) {
   ASSERT_TRUE(writeTrajectory(written, path));
   EXPECT_NE(contents(path).find(",ess,cameras,valid,ambiguous\n"), std::string::npos);
   const auto read = readTrajectory(path);
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   EXPECT_TRUE(read->header.hasAmbiguous);
   ASSERT_EQ(read->samples.size(), 2U);
   EXPECT_FALSE(read->samples[0].ambiguous);
@@ -195,7 +195,7 @@ TEST(TrajectoryFile, KeepsTheExtentOfWhatIsNoBall) {
   written.samples[1].extent = extent;
   ASSERT_TRUE(writeTrajectory(written, path));
   const auto read = readTrajectory(path);
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   std::filesystem::remove(path);
   EXPECT_TRUE(read->header.hasExtent);
   ASSERT_EQ(read->samples.size(), 2U);
@@ -207,7 +207,7 @@ TEST(TrajectoryFile, KeepsTheExtentOfWhatIsNoBall) {
 
 TEST(TrajectoryFile, ReadsTruthByColumnNames) {
   const auto truth = readText("z_m,frame,x_m,remark,y_m\r\n3,7,1,hello,2\r\n");
-  ASSERT_TRUE(truth) << sentence(truth.error());
+  ASSERT_TRUE(truth) << errorSentence(truth.error());
   ASSERT_EQ(truth->samples.size(), 1u);
   EXPECT_EQ(truth->samples[0].position, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(truth->samples[0].frame, 7);

@@ -32,7 +32,7 @@ QString outletAddress(const broadcast::OutletReport& report) {
 }
 
 QString outletProblem(const broadcast::OutletReport& report) {
-  if (report.lacksReader) {
+  if (report.hasNoReader) {
     return OutletText::tr("No program is reading this pipe.");
   }
   return report.problem.empty() ? QString()

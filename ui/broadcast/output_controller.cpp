@@ -197,13 +197,13 @@ void OutputController::showStatus() {
   int clients = 0;
   bool troubled = false;
   for (const broadcast::OutletReport& report : reports()) {
-    clients += report.clients;
+    clients += report.clientCount;
     const QString problem = outletProblem(report);
     troubled = troubled || !problem.isEmpty();
     lines += tr("%1: %2 sent, %3 dropped")
                  .arg(outletAddress(report))
-                 .arg(report.sent)
-                 .arg(report.dropped);
+                 .arg(report.sentPieces)
+                 .arg(report.droppedPieces);
     if (!problem.isEmpty()) {
       lines += QStringLiteral("  ") + problem;
     }

@@ -26,7 +26,7 @@ broadcast::PageTexts pageTexts() {
   broadcast::PageTexts texts;
   texts.language = languageTag().toStdString();
   texts.title = PageText::tr("Dewpoint live").toStdString();
-  texts.view = PageText::tr("Cameras, targets and their tracks in 3D").toStdString();
+  texts.viewDescription = PageText::tr("Cameras, targets and their tracks in 3D").toStdString();
   texts.help =
       PageText::tr("Drag: rotate · Wheel or two fingers: zoom · Double click: reset").toStdString();
   texts.connecting = PageText::tr("Connecting…").toStdString();
@@ -41,9 +41,10 @@ broadcast::PageTexts pageTexts() {
                   {"searching", PageText::tr("searching").toStdString()},
                   {"lost", PageText::tr("lost").toStdString()},
                   {"gone", PageText::tr("not present").toStdString()}};
-  texts.otherSite = PageText::tr("Only pages from this server can read the results.").toStdString();
-  texts.onlyGet = PageText::tr("Only GET requests are supported.").toStdString();
-  texts.onlyOnePage = PageText::tr("This server has only one page: /.").toStdString();
+  texts.otherSiteRefused =
+      PageText::tr("Only pages from this server can read the results.").toStdString();
+  texts.onlyGetSupported = PageText::tr("Only GET requests are supported.").toStdString();
+  texts.pageNotFound = PageText::tr("This server has only one page: /.").toStdString();
   return texts;
 }
 

@@ -59,7 +59,7 @@ void ManualCalibration::setActive(bool active) {
   }
   active_ = active;
   if (active_) {
-    defaultGrid_ = gridFor(currentCameras());
+    defaultGrid_ = referenceGridFor(currentCameras());
   } else {
     cancelDrag();
   }
@@ -161,7 +161,7 @@ const CameraRig& ManualCalibration::camerasOf(EarlierCameras earlier) const {
 void ManualCalibration::storeEarlierCameras(EarlierCameras earlier) {
   CameraRig& stored = earlier == EarlierCameras::WandRefinement ? beforeRefinement_ : whenOpened_;
   stored = currentCameras();
-  defaultGrid_ = gridFor(stored);
+  defaultGrid_ = referenceGridFor(stored);
 }
 
 void ManualCalibration::resetEarlier() {
@@ -171,7 +171,7 @@ void ManualCalibration::resetEarlier() {
   lastSeen_ = whenOpened_;
   historyIndex_ = document_.undoStack()->index();
   earlier_.reset();
-  defaultGrid_ = gridFor(whenOpened_);
+  defaultGrid_ = referenceGridFor(whenOpened_);
 }
 
 void ManualCalibration::followHistory(int index) {
@@ -250,14 +250,14 @@ void ManualCalibration::dragTo(const Eigen::Vector2d& pixel) {
   if (!drag_) {
     return;
   }
-  const Drag result = dragPoint(drag_->cameraAtStart, drag_->fixedAnchors,
-                                {drag_->point, pixel + drag_->mouseOffset}, settings_);
+  const DragResult result =
+      dragPoint(drag_->cameraAtStart, drag_->fixedAnchors, {drag_->point, pixel + drag_->mouseOffset}, settings_);
   reportLimit(result);
   changeCamera(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), result.camera,
                "drag grid");
 }
 
-void ManualCalibration::reportLimit(const Drag& result) {
+void ManualCalibration::reportLimit(const DragResult& result) {
   QString sentence;
   switch (result.limit) {
   case DragLimit::None:

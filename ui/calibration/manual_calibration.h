@@ -145,7 +145,7 @@ private:
     double sum = 0.0;
   };
   double runningSum(const std::string& key, double amount, bool repeated);
-  void reportLimit(const Drag& result);
+  void reportLimit(const DragResult& result);
   CameraRig currentCameras() const;
   const CameraRig& camerasOf(EarlierCameras earlier) const;
   /// Forgets the earlier cameras, because the project is another one.

@@ -9,8 +9,8 @@
 
 namespace dewpoint::ui {
 
-/// Placement of an image in its widget: upper left corner in widget coordinates, and widget units
-/// per image pixel. Pixel centers lie at integer coordinates.
+/// Placement of an image in its widget: upper left corner in widget coordinates, and widget
+/// units per image pixel. Pixel centers lie at integer coordinates.
 struct ImagePlacement {
   QPointF corner;
   double scale = 1.0;

@@ -50,7 +50,7 @@ void BackwardTracker::start(const PositionCorrection& correction,
   std::erase_if(believed, [&](const TrajectorySample& one) { return one.frame > frame_; });
   job_.start([this, open = bench_.session.opener(), project = bench_.document.project(), correction,
               mergeKey, believed = std::move(believed),
-              threads = filterThreadCount(Preferences().filterThreadCount())](
+              threads = threadCountForFilter(Preferences().threadCountForFilter())](
                  const BackgroundJob::Progress& progress) -> std::function<void()> {
     auto found = open(project).and_then([&](const SessionInputs& inputs) {
       return trackBackwards(

@@ -131,10 +131,10 @@ void RunAlerts::applyNewPose(int camera) {
   manual_.changeCamera(camera, tr("Recompute pose of %1").arg(name), now);
   QString sentence =
       tr("The pose of %1 was recomputed. Undo restores the previous pose.").arg(name);
-  if (solved.used > 0) {
-    sentence +=
-        QLatin1Char(' ') + tr("Disagreement with the other cameras: %1 before, %2 now.")
-                               .arg(pixelText(solved.pixelsBefore), pixelText(solved.pixelsAfter));
+  if (solved.usedSightingCount > 0) {
+    sentence += QLatin1Char(' ') +
+                tr("Disagreement with the other cameras: %1 before, %2 now.")
+                    .arg(pixelText(solved.medianPxBefore), pixelText(solved.medianPxAfter));
   }
   bench_.messages.showNotice(sentence);
 }

@@ -90,7 +90,7 @@ void Preferences::setLastFolder(const QString& folder) {
   write(kLastFolder, folder);
 }
 
-int Preferences::filterThreadCount() const {
+int Preferences::threadCountForFilter() const {
   return std::max(0, read(kFilterThreads, 0).toInt());
 }
 

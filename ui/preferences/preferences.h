@@ -52,8 +52,8 @@ public:
   void setLastFolder(const QString& folder);
 
   /// Returns the number of filter threads, used from the next run on; 0: a number that suits the
-  /// computer (base::filterThreadCount). The results do not depend on this number.
-  int filterThreadCount() const;
+  /// computer (base::threadCountForFilter). The results do not depend on this number.
+  int threadCountForFilter() const;
   void setFilterThreadCount(int threads);
 
   /// Returns whether a run is played iteration by iteration until the cameras confirm every target

@@ -50,7 +50,7 @@ void TakeComparison::offer() {
 
 void TakeComparison::compare(const std::filesystem::path& take) {
   using Compared = Result<ReplayComparison>;
-  const int threads = filterThreadCount(Preferences().filterThreadCount());
+  const int threads = threadCountForFilter(Preferences().threadCountForFilter());
   const bool starts = job_->start(
       [this, take, threads](const BackgroundJob::Progress& progress) -> std::function<void()> {
         const auto compared = std::make_shared<const Compared>(

@@ -76,7 +76,7 @@ Eigen::AlignedBox3d MapActor::volume() const {
 }
 
 double MapActor::valueAt(std::size_t cell) const {
-  return options_.quantity == MapQuantity::CameraCount ? double(map_->counts[cell])
+  return options_.quantity == MapQuantity::CameraCount ? double(map_->cameraCounts[cell])
                                                        : double(map_->sigmas[cell]);
 }
 

@@ -162,7 +162,7 @@ void SessionController::start(const OpenRequest& request, SessionInputs inputs) 
   const bool wantsTarget =
       targets.empty() && methodFamily(inputs.project.method).lacksTargets(targets);
   const bool waits = !inputs.source->isLive() && (request.isUnsaved || wantsTarget);
-  inputs.threads = Preferences().filterThreadCount();
+  inputs.threads = Preferences().threadCountForFilter();
   feeds_ = std::exchange(inputs.feeds, {});
   cameraCount_ = inputs.project.cameras.size();
   // Of the window, not of this: it goes after the views, which look at the session to the end.
@@ -344,7 +344,7 @@ void SessionController::restart(bool newSeed) {
 
 void SessionController::applyFilterThreadCount() {
   if (bridge_ != nullptr) {
-    bridge_->session().setFilterThreads(Preferences().filterThreadCount());
+    bridge_->session().setFilterThreads(Preferences().threadCountForFilter());
   }
 }
 

@@ -81,14 +81,14 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
       CalibrationText::tr("In the calibrated volume: position %1, scale %2, upward direction %3 "
                           "(each with a probability of 95 %).")
           .arg(position, scale, up);
-  if (!isKnown(accuracy.outside95)) {
+  if (!isKnown(accuracy.outsidePosition95)) {
     return inside;
   }
   return inside + QLatin1Char(' ') +
          CalibrationText::tr(
              "Outside the calibrated volume, up to %1 away: position ±%2 (extrapolated).")
              .arg(lengthText(accuracy.outsideDistance, LengthForm::TwoDigits),
-                  lengthText(*accuracy.outside95, LengthForm::TwoDigits));
+                  lengthText(*accuracy.outsidePosition95, LengthForm::TwoDigits));
 }
 
 QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {

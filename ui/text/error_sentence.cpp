@@ -16,7 +16,7 @@ QString errorText(const Error& error) {
   if (!error.field.empty()) {
     text += QString::fromStdString(toSingleLine(error.field)) + QStringLiteral(": ");
   }
-  text += QCoreApplication::translate("Error", phrase(error.code));
+  text += QCoreApplication::translate("Error", errorPhrase(error.code));
   if (!error.detail.empty()) {
     text += QStringLiteral(" (%1)").arg(QString::fromStdString(toSingleLine(error.detail)));
   }

@@ -39,7 +39,7 @@ QString MapOverlay::textAt(const ViewProjection& projection, QPointF position) c
     return {};
   }
   const double sigma = double(map_->sigmas[*cell]);
-  const int count = map_->counts[*cell];
+  const int count = map_->cameraCounts[*cell];
   return std::isnan(sigma) ? tr("Cameras that see this point: %1").arg(count)
                            : tr("Expected error: ±%1 (1 σ); cameras that see this point: %2")
                                  .arg(lengthText(sigma, LengthForm::Short))

@@ -152,7 +152,7 @@ int calibrate(const BoardOptions& options, const BoardGoal& goal, const Project&
     printPositions(seen, *outcome);
   }
   const auto written = writeCalibrated(options.output, outcome->project, outcome->report);
-  return written ? static_cast<int>(kExitDone) : report(written.error());
+  return written ? static_cast<int>(kExitDone) : reportError(written.error());
 }
 
 int intrinsicsOfPictures(const BoardOptions& options) {
@@ -187,7 +187,7 @@ Result<FoundBoards> readBoards(const BoardOptions& options, const CalibrationPro
   if (!project) {
     return tl::make_unexpected(project.error());
   }
-  if (options.output.apply && project->file.empty()) {
+  if (options.output.writesProject && project->file.empty()) {
     return failure(ErrorCode::BadValue, "", "--apply", "a built-in scene has no project file");
   }
   auto inputs = openInputs(std::move(*project));
@@ -242,25 +242,25 @@ int calibrateProject(const BoardOptions& options, const BoardGoal& goal) {
 
 int intrinsics(BoardOptions& options) {
   if (const auto taken = takeRequest(options); !taken) {
-    report(taken.error());
+    reportError(taken.error());
     return kExitUsage;
   }
-  if (isProject(options.inputs)) {
+  if (isSingleProject(options.inputs)) {
     return calibrateProject(options, {true, false});
   }
-  if (options.output.apply) {
-    report({ErrorCode::BadValue, "", "--apply",
-            "image files have no project file to write to; use --out"});
+  if (options.output.writesProject) {
+    reportError({ErrorCode::BadValue, "", "--apply",
+                 "image files have no project file to write to; use --out"});
     return kExitUsage;
   }
   if (!options.frames.empty()) {
-    report({ErrorCode::BadValue, "", "--frames",
-            "this option is only for recordings; omit it for image files"});
+    reportError({ErrorCode::BadValue, "", "--frames",
+                 "this option is only for recordings; omit it for image files"});
     return kExitUsage;
   }
   if (options.mendMirrored) {
-    report({ErrorCode::BadValue, "", "--mend-mirrored",
-            "image files have no project; mirror the files"});
+    reportError({ErrorCode::BadValue, "", "--mend-mirrored",
+                 "image files have no project; mirror the files"});
     return kExitUsage;
   }
   return intrinsicsOfPictures(options);
@@ -268,7 +268,7 @@ int intrinsics(BoardOptions& options) {
 
 int extrinsics(BoardOptions& options) {
   if (const auto taken = takeRequest(options); !taken) {
-    report(taken.error());
+    reportError(taken.error());
     return kExitUsage;
   }
   return calibrateProject(options, {false, true});

@@ -41,18 +41,18 @@ const char* nameOf(CalibrationStage stage) {
 
 } // namespace
 
-bool isProject(const std::vector<std::string>& inputs) {
+bool isSingleProject(const std::vector<std::string>& inputs) {
   const std::filesystem::path first(inputs.front());
   return inputs.size() == 1 && (first.extension() == ".toml" || first.extension() == ".dewpoint" ||
                                 !first.has_extension());
 }
 
 void addOutputOptions(CLI::App& command, CalibrateOutput& output, bool ofProject) {
-  command.add_option("--out", output.out, "Calibration file (TOML) to write");
-  command.add_option("--report", output.report,
+  command.add_option("--out", output.calibrationFile, "Calibration file (TOML) to write");
+  command.add_option("--report", output.reportFile,
                      "HTML report to write: residuals, coverage, errors of each image");
   if (ofProject) {
-    command.add_flag("--apply", output.apply, "Write the result into the project file");
+    command.add_flag("--apply", output.writesProject, "Write the result into the project file");
   }
 }
 
@@ -62,17 +62,17 @@ Status writeCalibrated(const CalibrateOutput& output, const Project& calibrated,
   for (const ProjectCamera& camera : calibrated.cameras) {
     rig.push_back(camera.camera);
   }
-  if (!output.report.empty()) {
-    if (const auto written = writeTextFile(output.report, reportHtml); !written) {
+  if (!output.reportFile.empty()) {
+    if (const auto written = writeTextFile(output.reportFile, reportHtml); !written) {
       return written;
     }
   }
-  if (!output.out.empty()) {
-    if (const auto written = saveCalibration(rig, output.out); !written) {
+  if (!output.calibrationFile.empty()) {
+    if (const auto written = saveCalibration(rig, output.calibrationFile); !written) {
       return written;
     }
   }
-  return output.apply ? saveProject(calibrated, calibrated.file) : Status();
+  return output.writesProject ? saveProject(calibrated, calibrated.file) : Status();
 }
 
 CalibrationProgress interruptibleProgress() {
@@ -117,7 +117,7 @@ int reportCalibrationError(const Error& error) {
     fmt::print(stderr, "dewpoint-cli: stopped; the previous calibration is kept.\n");
     return kExitInterrupted;
   }
-  return report(error);
+  return reportError(error);
 }
 
 } // namespace dewpoint::app

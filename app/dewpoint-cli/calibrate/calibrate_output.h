@@ -16,13 +16,13 @@ namespace dewpoint::app {
 
 /// Output options shared by the commands below `calibrate`.
 struct CalibrateOutput {
-  std::string out;    ///< calibration file to write; empty: none
-  std::string report; ///< HTML page to write; empty: none
-  bool apply = false; ///< also write the calibration into the project file
+  std::string calibrationFile; ///< calibration file to write; empty: none
+  std::string reportFile;      ///< HTML page to write; empty: none
+  bool writesProject = false;  ///< also write the calibration into the project file
 };
 
 /// Returns whether the inputs of a command are a single project rather than image files.
-bool isProject(const std::vector<std::string>& inputs);
+bool isSingleProject(const std::vector<std::string>& inputs);
 
 /// Adds the options that fill `output` to a command. `ofProject` is true if the command calibrates
 /// a project; only then can the calibration be written into the project file.

@@ -61,7 +61,7 @@ void printProposal(const Project& project, const CameraFromPoints& found) {
 }
 
 void printCamera(const Project& project, const CameraFromPoints& found) {
-  fmt::print("{:<16} {:>6} {:>8.3f}  {}\n", cameraOf(project, found).camera.name, found.clicks,
+  fmt::print("{:<16} {:>6} {:>8.3f}  {}\n", cameraOf(project, found).camera.name, found.clickCount,
              found.rmsPx, statusText(found.status));
   if (found.proposal) {
     printProposal(project, found);
@@ -90,30 +90,30 @@ void printPoints(const Project& project, const PointSolution& solution) {
                solution.rig[static_cast<std::size_t>(residual.camera)].name, residual.pixels,
                inMillimeters(residual.meters));
   }
-  if (solution.worst) {
-    const std::string& name = project.points[static_cast<std::size_t>(*solution.worst)].name;
-    fmt::print("{}: {}.\n", solution.isWorstWrong ? "Does not fit the other points" : "Worst",
+  if (solution.worstPoint) {
+    const std::string& name = project.points[static_cast<std::size_t>(*solution.worstPoint)].name;
+    fmt::print("{}: {}.\n", solution.isWorstPointWrong ? "Does not fit the other points" : "Worst",
                name);
   }
 }
 
 int calibrate(const PointsCommandOptions& options) {
   if (options.apply && options.project.find(".toml") == std::string::npos) {
-    report({ErrorCode::BadValue, "", "--apply", "only a project file can be changed"});
+    reportError({ErrorCode::BadValue, "", "--apply", "only a project file can be changed"});
     return kExitUsage;
   }
   if (options.acceptOrientation && !options.apply) {
-    report({ErrorCode::BadValue, "", "--accept-orientation",
-            "this is set in the project file, so --apply is needed as well"});
+    reportError({ErrorCode::BadValue, "", "--accept-orientation",
+                 "this is set in the project file, so --apply is needed as well"});
     return kExitUsage;
   }
   auto project = resolveProject(options.project);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   if (project->points.empty()) {
-    return report({ErrorCode::MissingKey, options.project, "point",
-                   "there is no measured point to calibrate with"});
+    return reportError({ErrorCode::MissingKey, options.project, "point",
+                        "there is no measured point to calibrate with"});
   }
   PointSolution solution = solveFromPoints(rigOf(*project), project->points, options.points);
   if (options.acceptOrientation) {
@@ -130,7 +130,7 @@ int calibrate(const PointsCommandOptions& options) {
     written = saveProject(withPointSolution(*project, solution, options.points.estimateFocal),
                           options.project);
   }
-  return written ? static_cast<int>(kExitDone) : report(written.error());
+  return written ? static_cast<int>(kExitDone) : reportError(written.error());
 }
 
 } // namespace

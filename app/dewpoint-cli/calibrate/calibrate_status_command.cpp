@@ -51,7 +51,7 @@ void printWorld(const CalibrationStatus& status) {
 int printStatus(const std::string& name) {
   const auto project = resolveProject(name);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   const CalibrationStatus status = calibrationStatus(*project);
   std::size_t width = 6;

@@ -95,8 +95,8 @@ void printCameras(const WandRefinement& refinement) {
   const WandResult& result = refinement.result;
   fmt::print("{:<16} {:>6} {:>8} {:>7} {:>9} {:>9}", "camera", "views", "dropped", "px", "moved cm",
              "rotated deg");
-  fmt::print("{}{}\n", options.findOffsets ? "  delay ms" : "",
-             options.findFocal ? "   focal" : "");
+  fmt::print("{}{}\n", options.estimateTimeOffsets ? "  delay ms" : "",
+             options.estimateFocalLengths ? "   focal" : "");
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
     const PoseShift shift = poseShift(refinement.camerasBefore[c], camera);
@@ -104,10 +104,10 @@ void printCameras(const WandRefinement& refinement) {
                result.dropped[c],
                result.views[c] > 0 ? fmt::format("{:.3f}", result.cameraMedianResidualPx[c]) : "-",
                inCentimeters(shift.meters), inDegrees(shift.radians));
-    if (options.findOffsets) {
-      fmt::print(" {:>9.2f}", -inMilliseconds(result.offsets[c]) + 0.0); // no -0.00
+    if (options.estimateTimeOffsets) {
+      fmt::print(" {:>9.2f}", -inMilliseconds(result.timeOffsets[c]) + 0.0); // no -0.00
     }
-    if (options.findFocal) {
+    if (options.estimateFocalLengths) {
       fmt::print(" {:>7.1f}", camera.intrinsics.focalX);
     }
     fmt::print("\n");
@@ -150,20 +150,20 @@ void printDecisions(const WandOptions& options, const WandResult& result) {
 void printAccuracyOf(const WandRefinement& refinement) {
   const auto& accuracy = refinement.accuracy;
   printAccuracy(accuracy ? std::optional(*accuracy) : std::nullopt,
-                accuracy ? accuracySummary(*accuracy) : "none; " + sentence(accuracy.error()),
+                accuracy ? accuracySummary(*accuracy) : "none; " + errorSentence(accuracy.error()),
                 refinement.result.faults);
 }
 
 int calibrate(WandCommandOptions options) {
   if (const auto settled = settle(options); !settled) {
-    report(settled.error());
+    reportError(settled.error());
     return kExitUsage;
   }
   auto inputs = resolveProject(options.project).and_then([](Project project) {
     return openInputs(std::move(project));
   });
   if (!inputs) {
-    return report(inputs.error());
+    return reportError(inputs.error());
   }
   catchInterruption();
   WandBars bars;
@@ -172,7 +172,7 @@ int calibrate(WandCommandOptions options) {
                           [&](const WandCalibrationProgress& work) { return bars.show(work); });
   bars.finish();
   if (!result) {
-    return report(result.error());
+    return reportError(result.error());
   }
   printCameras(*result);
   printDecisions(options.wand, result->result);
@@ -190,12 +190,12 @@ int calibrate(WandCommandOptions options) {
                                : std::nullopt;
   const bool better = !isInaccurate(*result) && !kept;
   if (kept && options.apply) {
-    report({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
-            *kept + "; the project was not changed"});
+    reportError({ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
+                 *kept + "; the project was not changed"});
   } else if (kept) {
     fmt::print("note: {}\n", *kept);
   } else if (!better) {
-    report(
+    reportError(
         {ErrorCode::Undetermined, inputs->project.file.string(), "cameras",
          fmt::format(
              "less accurate than before (error up to {:.2f} m): wave through more of the volume{}",
@@ -210,7 +210,7 @@ int calibrate(WandCommandOptions options) {
     written = writeTextFile(options.report, htmlText(*result));
   }
   if (!written) {
-    return report(written.error());
+    return reportError(written.error());
   }
   return better || !options.apply ? kExitDone : kExitBadInput;
 }
@@ -236,10 +236,10 @@ void addCalibrateWandCommand(CLI::App& group, int& exitCode) {
                      ->check(positive);
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
-  command->add_flag("--offsets", wand.findOffsets,
+  command->add_flag("--offsets", wand.estimateTimeOffsets,
                     "Find the delay of each camera relative to the first; --apply saves it");
-  command->add_flag("--focal", wand.findFocal, "Find the focal lengths");
-  command->add_flag("--k1", wand.findDistortion, "Find the first distortion coefficient");
+  command->add_flag("--focal", wand.estimateFocalLengths, "Find the focal lengths");
+  command->add_flag("--k1", wand.estimateDistortion, "Find the first distortion coefficient");
   auto* distance = command
                        ->add_option("--distance", options->distance,
                                     "T1 T2 METERS: at the times T1 and T2, in seconds, the ball "

@@ -136,19 +136,19 @@ Result<Project> inNewWorld(Project project, const WorldCommandOptions& options) 
 }
 
 int moveWorld(const WorldCommandOptions& options) {
-  if (options.output.apply && options.project.find(".toml") == std::string::npos) {
-    report({ErrorCode::BadValue, "", "--apply", "only a project file can be changed"});
+  if (options.output.writesProject && options.project.find(".toml") == std::string::npos) {
+    reportError({ErrorCode::BadValue, "", "--apply", "only a project file can be changed"});
     return kExitUsage;
   }
   auto project = resolveProject(options.project);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   const auto moved = onBoardFloor(std::move(*project), options).and_then([&](Project onFloor) {
     return inNewWorld(std::move(onFloor), options);
   });
   if (!moved) {
-    return report(moved.error());
+    return reportError(moved.error());
   }
   fmt::print("{:<16} {:>9} {:>9} {:>9}\n", "camera", "x m", "y m", "z m");
   for (const ProjectCamera& camera : moved->cameras) {
@@ -160,7 +160,7 @@ int moveWorld(const WorldCommandOptions& options) {
     fmt::print("The images would be upright if the world were rotated: see --upright.\n");
   }
   const auto written = writeCalibrated(options.output, *moved, {});
-  return written ? static_cast<int>(kExitDone) : report(written.error());
+  return written ? static_cast<int>(kExitDone) : reportError(written.error());
 }
 
 } // namespace
@@ -223,8 +223,9 @@ void addCalibrateWorldCommand(CLI::App& group, int& exitCode) {
   command->add_option(
       "--rotate", options->turnDegrees,
       "Angle by which to rotate all cameras about the vertical, before --move, degrees");
-  command->add_option("--out", options->output.out, "Calibration file to write");
-  command->add_flag("--apply", options->output.apply, "Write the cameras into the project file");
+  command->add_option("--out", options->output.calibrationFile, "Calibration file to write");
+  command->add_flag("--apply", options->output.writesProject,
+                    "Write the cameras into the project file");
   command->callback([options, &exitCode] { exitCode = moveWorld(*options); });
 }
 

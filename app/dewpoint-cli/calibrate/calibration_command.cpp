@@ -70,8 +70,8 @@ Status takeChanges(ConvertOptions& options) {
 }
 
 void takeHints(ConvertOptions& options) {
-  options.hints.unit = meters(options.unit);
-  options.target.unit = meters(options.outUnit);
+  options.hints.metersPerUnit = meters(options.unit);
+  options.target.metersPerUnit = meters(options.outUnit);
   if (!options.size.empty()) {
     options.hints.size = sizeFrom(options.size);
   }
@@ -84,11 +84,12 @@ void takeHints(ConvertOptions& options) {
 }
 
 std::string cameraSentence(const CameraDifference& camera) {
-  std::string text =
-      fmt::format("{}: largest difference over the image {} px{}", camera.camera,
-                  twoDigitsText(camera.largestPixels), camera.refitted ? " (refitted)" : "");
-  if (camera.lostDirections > 0) {
-    text += fmt::format("; {} of 81 directions no longer map to a pixel", camera.lostDirections);
+  std::string text = fmt::format("{}: largest difference over the image {} px{}", camera.camera,
+                                 twoSignificantDigitsText(camera.maxDifferencePx),
+                                 camera.isRefitted ? " (refitted)" : "");
+  if (camera.lostDirectionCount > 0) {
+    text +=
+        fmt::format("; {} of 81 directions no longer map to a pixel", camera.lostDirectionCount);
   }
   return text;
 }
@@ -96,13 +97,13 @@ std::string cameraSentence(const CameraDifference& camera) {
 int convert(ConvertOptions& options) {
   takeHints(options);
   if (const auto taken = takeChanges(options); !taken) {
-    report(taken.error());
+    reportError(taken.error());
     return kExitUsage;
   }
   const auto conversion =
       convertCalibration(options.in, options.hints, options.target, options.changes);
   if (!conversion) {
-    return report(conversion.error());
+    return reportError(conversion.error());
   }
   for (const std::string& decision : conversion->decisions) {
     fmt::print("{}\n", decision);
@@ -113,8 +114,9 @@ int convert(ConvertOptions& options) {
   for (const CameraDifference& camera : conversion->cameras) {
     fmt::print("{}\n", cameraSentence(camera));
   }
-  fmt::print("largest reprojection difference: {} px\n", twoDigitsText(conversion->largestPixels));
-  for (const auto& file : conversion->written) {
+  fmt::print("largest reprojection difference: {} px\n",
+             twoSignificantDigitsText(conversion->maxDifferencePx));
+  for (const auto& file : conversion->writtenFiles) {
     fmt::print("{}\n", file.string());
   }
   return kExitDone;
@@ -170,7 +172,7 @@ void addCalibrationCommand(CLI::App& app, int& exitCode) {
   add->add_option("--to-size", options->toSize, "With --fit: new size of the images, WIDTHxHEIGHT")
       ->check(wrongSize)
       ->needs(fit);
-  add->add_flag("--force", options->target.replace, "Replace existing files");
+  add->add_flag("--force", options->target.replacesExisting, "Replace existing files");
   convertCommand->footer(formatNames());
   convertCommand->callback([options, &exitCode] { exitCode = convert(*options); });
 }

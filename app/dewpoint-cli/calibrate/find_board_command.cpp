@@ -47,7 +47,7 @@ Result<FoundGuesses> proposedBoards(const FindBoardOptions& options) {
   BoardDescription lengths;
   lengths.squareSize = options.square > 0.0 ? options.square : lengths.squareSize;
   const auto progress = interruptibleProgress();
-  if (!isProject(options.inputs)) {
+  if (!isSingleProject(options.inputs)) {
     return proposeBoards({options.inputs.begin(), options.inputs.end()}, lengths, options.looks,
                          progress)
         .map([](std::vector<BoardGuess> guesses) {
@@ -68,8 +68,8 @@ int findBoard(const FindBoardOptions& options) {
   }
   for (const BoardGuess& guess : found->guesses) {
     fmt::print("{}\n  {}: {} corners in {} of {} images\n", boardText(guess.board),
-               guessText(guess), guess.corners, guess.images, guess.searched);
-    if (guess.mirrored) {
+               guessText(guess), guess.cornerCount, guess.imageCount, guess.searchedImageCount);
+    if (guess.isMirrored) {
       fmt::print("  The images are mirrored left to right: set mirror = true in the project file, "
                  "or false if it is set.\n");
     }

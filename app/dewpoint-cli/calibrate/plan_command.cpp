@@ -49,7 +49,7 @@ Camera newCamera(const PlanOptions& options, const CameraRig& rig) {
 
 Result<Eigen::AlignedBox3d> volumeOf(const PlanOptions& options, const Project& project) {
   const CameraRig rig = rigOf(project);
-  Eigen::AlignedBox3d volume = roomVolume(rig, project.grid.value_or(gridFor(rig)));
+  Eigen::AlignedBox3d volume = roomVolume(rig, project.grid.value_or(referenceGridFor(rig)));
   if (const auto& v = options.volume; !v.empty()) {
     volume = {Eigen::Vector3d(v[0], v[1], v[2]), Eigen::Vector3d(v[3], v[4], v[5])};
   }
@@ -70,22 +70,22 @@ void printRig(const CameraRig& rig, const PlacementSettings& settings) {
              low.y(), low.z(), high.x(), high.y(), high.z());
   fmt::print("cameras                 {}\n", rig.size());
   fmt::print("within {:.4g} mm         {:.1f} % of the volume\n", inMillimeters(settings.goodSigma),
-             inPercent(summary.within));
-  fmt::print("fewer than two cameras  {:.1f} %\n", inPercent(summary.tooFew));
+             inPercent(summary.fractionWithinLimit));
+  fmt::print("fewer than two cameras  {:.1f} %\n", inPercent(summary.fractionSeenByTooFew));
 }
 
 int plan(PlanOptions& options) {
   const auto project = resolveProject(options.project);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   const auto volume = volumeOf(options, *project);
   if (!volume) {
-    report(volume.error());
+    reportError(volume.error());
     return kExitUsage;
   }
   options.placement.volume = *volume;
-  options.placement.reportedCells = kMapCells;
+  options.placement.reportedCellCount = kMapCells;
   CameraRig rig = rigOf(*project);
   printRig(rig, options.placement);
   catchInterruption();
@@ -93,7 +93,7 @@ int plan(PlanOptions& options) {
                                  [](CalibrationStage, double) { return !interruptionRequested(); });
   if (!found) {
     return found.error().code == ErrorCode::Canceled ? static_cast<int>(kExitInterrupted)
-                                                     : report(found.error());
+                                                     : reportError(found.error());
   }
   const Eigen::Vector3d center = found->camera.center();
   const Heading heading = headingOf(found->camera);
@@ -101,12 +101,12 @@ int plan(PlanOptions& options) {
       "best new position       {:.2f} {:.2f} {:.2f} m, yaw {:.1f} degrees, pitch {:.1f} degrees\n",
       center.x(), center.y(), center.z(), inDegrees(heading.yaw), inDegrees(heading.pitch));
   fmt::print("within {:.4g} mm then    {:.1f} % of the volume, {:.1f} % before\n",
-             inMillimeters(options.placement.goodSigma), inPercent(found->fractionAfter),
-             inPercent(found->fractionBefore));
+             inMillimeters(options.placement.goodSigma), inPercent(found->goodFractionAfter),
+             inPercent(found->goodFractionBefore));
   if (!options.out.empty()) {
     rig.push_back(found->camera);
     if (const auto written = saveCalibration(rig, options.out); !written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   return kExitDone;

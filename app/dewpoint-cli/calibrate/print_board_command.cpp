@@ -21,17 +21,17 @@ int print(const PrintOptions& options) {
   const auto board = parseBoard(options.board, "BOARD");
   const auto paper = paperNamed(options.paper);
   if (!board || !paper) {
-    report(board ? paper.error() : board.error());
+    reportError(board ? paper.error() : board.error());
     return kExitUsage;
   }
   const auto printed = printBoard(*board, *paper, options.out);
   if (!printed) {
     Error error = printed.error();
     error.field = error.field == "paper" ? "--paper" : error.field;
-    return report(error);
+    return reportError(error);
   }
   fmt::print("{}\n", options.out);
-  if (const auto sheets = sheetsToPrint(*board, *paper); sheets && *sheets > 1) {
+  if (const auto sheets = countSheetsToPrint(*board, *paper); sheets && *sheets > 1) {
     fmt::print("The board is larger than {}: page 1 shows how to put its {} sheets together.\n",
                paper->name, *sheets);
   }

@@ -5,8 +5,8 @@
 
 namespace dewpoint::app {
 
-int report(const Error& error) {
-  fmt::print(stderr, "dewpoint-cli: {}.\n", sentence(error));
+int reportError(const Error& error) {
+  fmt::print(stderr, "dewpoint-cli: {}.\n", errorSentence(error));
   switch (error.code) {
   case ErrorCode::FileUnwritable:
     return kExitOutput;

@@ -17,6 +17,6 @@ enum ExitCode {
 };
 
 /// Prints an error as a sentence to stderr and returns its exit code.
-int report(const Error& error);
+int reportError(const Error& error);
 
 } // namespace dewpoint::app

@@ -51,7 +51,7 @@ Result<std::vector<DriftResult>> driftsOf(const ConvergenceOptions& options) {
 int studyBarrera(const ConvergenceOptions& options) {
   if (!options.folder.empty()) {
     if (const auto folder = prepareReportFolder(options.folder, "convergence.csv"); !folder) {
-      return report(folder.error());
+      return reportError(folder.error());
     }
   }
   std::vector<ConvergenceResult> results;
@@ -60,7 +60,7 @@ int studyBarrera(const ConvergenceOptions& options) {
   for (const auto& setup : barreraConvergenceCases(options.runs, options.first)) {
     const auto result = studyConvergence(setup);
     if (!result) {
-      return report(result.error());
+      return reportError(result.error());
     }
     fmt::print("{:<50} {:>4} / {:<4} {:>11} {:>11.1f} {:>9.1f} {:>8.1f} mm\n", setup.name,
                result->convergedRunCount, setup.runs, result->accurateRunCount,
@@ -71,7 +71,7 @@ int studyBarrera(const ConvergenceOptions& options) {
   }
   const auto drifts = driftsOf(options);
   if (!drifts) {
-    return report(drifts.error());
+    return reportError(drifts.error());
   }
   for (const DriftResult& drift : *drifts) {
     fmt::print("drift away from a single camera: {:.1f} mm per iteration over the first {}\n",
@@ -80,7 +80,7 @@ int studyBarrera(const ConvergenceOptions& options) {
   fmt::print("Seeds {}.\n", describeSeeds(options.first, options.runs));
   if (!options.folder.empty()) {
     if (const auto written = writeConvergence(options.folder, results, *drifts); !written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   return kExitDone;

@@ -28,7 +28,7 @@ int makeFigure(const FigureExperiment& experiment, ExperimentOptions options) {
   bar.finish();
   if (!made) {
     return made.error().code == ErrorCode::Canceled ? static_cast<int>(kExitInterrupted)
-                                                    : report(made.error());
+                                                    : reportError(made.error());
   }
   fmt::print("{}\n", (options.folder / "report.html").string());
   return kExitDone;

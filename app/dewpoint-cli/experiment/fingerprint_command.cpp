@@ -59,7 +59,7 @@ int showFingerprints(const std::vector<std::string>& wanted) {
   for (const MethodGroup& group : methodGroups()) {
     const auto printed = printFingerprints(chosenOf(group.methods, wanted), group.compute);
     if (!printed) {
-      return report(printed.error());
+      return reportError(printed.error());
     }
   }
   return kExitDone;

@@ -65,18 +65,18 @@ int recordScenario(const StudyOptions& options) {
   const auto scenario =
       makePeopleScenario(options.scenario, clothes, options.seed.value_or(kFirstTuningSeed));
   return scenario ? recordOffice(scenario->scene, options.record, "--record")
-                  : report(scenario.error());
+                  : reportError(scenario.error());
 }
 
 int studyScenario(const StudyOptions& options) {
   auto setup = setupOf(options);
   if (!setup) {
-    report(setup.error());
+    reportError(setup.error());
     return kExitUsage;
   }
   if (!options.folder.empty()) {
     if (const auto folder = prepareReportFolder(options.folder); !folder) {
-      return report(folder.error());
+      return reportError(folder.error());
     }
   }
   catchInterruption();
@@ -96,7 +96,7 @@ int studyScenario(const StudyOptions& options) {
       });
   progress.finish();
   if (!trials) {
-    return report(trials.error());
+    return reportError(trials.error());
   }
   fmt::print("{}\n", peopleTableHeader());
   for (const PeopleSummary& summary : summarize(*trials)) {
@@ -106,7 +106,7 @@ int studyScenario(const StudyOptions& options) {
   if (!options.folder.empty()) {
     if (const auto written = writePeopleStudy(options.scenario, *trials, options.folder);
         !written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   return interruptionRequested() ? kExitInterrupted : kExitDone;

@@ -28,17 +28,17 @@ struct SugandiOptions {
 
 int studySugandi(const SugandiOptions& options) {
   if (const auto folder = prepareReportFolder(options.folder, kBoxReport); !folder) {
-    return report(folder.error());
+    return reportError(folder.error());
   }
   std::vector<BoxClip> clips{simulatedBoxClip(options.scene)};
   if (!options.data.empty()) {
     auto recorded = recordedBoxClips(options.data);
     if (!recorded) {
-      return report(recorded.error());
+      return reportError(recorded.error());
     }
     if (recorded->empty()) {
-      return report({ErrorCode::NotFound, options.data.string(), "--data",
-                     "the folder contains neither juggle1 nor otb"});
+      return reportError({ErrorCode::NotFound, options.data.string(), "--data",
+                          "the folder contains neither juggle1 nor otb"});
     }
     std::ranges::move(*recorded, std::back_inserter(clips));
   }
@@ -49,7 +49,7 @@ int studySugandi(const SugandiOptions& options) {
   };
   auto study = studyBoxes(clips, options.seeds, measured, options.first);
   if (!study) {
-    return report(study.error());
+    return reportError(study.error());
   }
   if (options.perturbed) {
     const auto followed = [](const BoxPerturbationRow& row) {
@@ -60,13 +60,13 @@ int studySugandi(const SugandiOptions& options) {
     auto rows =
         studyPerturbedBoxes(clips, options.seeds, followed, perturbationMethods(), options.first);
     if (!rows) {
-      return report(rows.error());
+      return reportError(rows.error());
     }
     study->perturbedRows = std::move(*rows);
   }
   fmt::print("{}", boxStudyText(*study));
   const auto written = writeBoxStudy(*study, options.folder);
-  return written ? static_cast<int>(kExitDone) : report(written.error());
+  return written ? static_cast<int>(kExitDone) : reportError(written.error());
 }
 
 } // namespace

@@ -220,25 +220,25 @@ int mergeSuites(const SuiteOptions& options) {
   for (const std::string& folder : options.merged) {
     const auto results = SuiteStore::read(folder);
     if (!results) {
-      return report(results.error());
+      return reportError(results.error());
     }
     all.insert(results->begin(), results->end());
     const auto skippedThere = SuiteStore::readSkipped(folder);
     if (!skippedThere) {
-      return report(skippedThere.error());
+      return reportError(skippedThere.error());
     }
     skipped.insert(skippedThere->begin(), skippedThere->end());
   }
   auto store = SuiteStore::open(options.folder);
   if (!store) {
-    return report(store.error());
+    return reportError(store.error());
   }
   store->merge(all);
   store->merge(skipped);
   const SuiteCatalog catalog = catalogOf(options);
   const auto notes = skippedOf(store->results(), catalog);
   if (const auto written = writeReport(*store, options.folder, catalog, notes); !written) {
-    return report(written.error());
+    return reportError(written.error());
   }
   return conclude(*store, options.folder, options.part);
 }
@@ -251,22 +251,22 @@ int runSuiteCommand(const SuiteOptions& options) {
   }
   const auto request = requestOf(options, catalog);
   if (!request) {
-    report(request.error());
+    reportError(request.error());
     return kExitUsage;
   }
   auto store = SuiteStore::open(options.folder);
   if (!store) {
-    return report(store.error());
+    return reportError(store.error());
   }
   catchInterruption();
   const auto jobs = planSuite(*request, store->results(), store->skipped());
   const auto run = runJobs(jobs, options.threads, *store);
   const auto written = writeReport(*store, options.folder, catalog, skipped);
   if (!run) {
-    return report(run.error());
+    return reportError(run.error());
   }
   if (!written) {
-    return report(written.error());
+    return reportError(written.error());
   }
   const std::int64_t left = runCount(planSuite(*request, store->results(), store->skipped()));
   if (left > 0) {

@@ -48,7 +48,7 @@ int printDevices(const ListOptions& options) {
     if (options.controls && device.problem.empty()) {
       auto controls = access->controls(device.path);
       if (!controls) {
-        return report(controls.error());
+        return reportError(controls.error());
       }
       listed.controls = std::move(*controls);
     }
@@ -176,24 +176,24 @@ bool printLock(const std::string& camera, const ColorLock& lock) {
 int lockCameras(const LockOptions& options) {
   auto project = loadProject(options.project);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   const auto cameras = camerasToLock(options, *project);
   if (!cameras) {
-    return report(cameras.error());
+    return reportError(cameras.error());
   }
   const DeviceAccessPtr access = systemDevices();
   const auto paths = devicePaths(*project, options.project, *cameras, access->list());
   if (!paths) {
-    return report(paths.error());
+    return reportError(paths.error());
   }
   if (const auto guessed = guessMissingCameras(*project); !guessed) {
-    return report(guessed.error());
+    return reportError(guessed.error());
   }
   catchInterruption();
   const auto running = runningCameras(*project, *cameras, options.seconds);
   if (!running) {
-    return report(running.error());
+    return reportError(running.error());
   }
   if (interruptionRequested()) {
     return kExitInterrupted;
@@ -203,7 +203,7 @@ int lockCameras(const LockOptions& options) {
     ProjectCamera& camera = project->cameras[(*cameras)[i]];
     const auto locked = lockColors(*access, (*paths)[i]);
     if (!locked) {
-      return report(locked.error());
+      return reportError(locked.error());
     }
     for (const auto& [name, value] : locked->values) {
       camera.device.controls[name] = value;
@@ -212,7 +212,7 @@ int lockCameras(const LockOptions& options) {
   }
   const std::string& file = options.out.empty() ? options.project : options.out;
   if (const auto saved = saveProject(*project, file); !saved) {
-    return report(saved.error());
+    return reportError(saved.error());
   }
   return isComplete ? kExitDone : kExitProblems;
 }

@@ -62,7 +62,7 @@ public:
   void show(const std::vector<Error>& notices) {
     std::vector<std::string> now;
     for (const Error& notice : notices) {
-      now.push_back(sentence(notice));
+      now.push_back(errorSentence(notice));
       if (std::ranges::find(shown_, now.back()) == shown_.end()) {
         fmt::print(stderr, "dewpoint-cli: {}.\n", now.back());
       }
@@ -235,10 +235,10 @@ void printPorts(const broadcast::Broadcaster& remote) {
 
 /// Reports why a take can start no more.
 int reportNotStarted(const std::string& project, bool isInputOver) {
-  return report(isInputOver ? Error{ErrorCode::EndedEarly, "standard input", "",
-                                    "no line came to start the take"}
-                            : Error{ErrorCode::EndedEarly, project, "camera",
-                                    "all streams ended before the take was started"});
+  return reportError(isInputOver ? Error{ErrorCode::EndedEarly, "standard input", "",
+                                         "no line came to start the take"}
+                                 : Error{ErrorCode::EndedEarly, project, "camera",
+                                         "all streams ended before the take was started"});
 }
 
 int recordTake(const RecordOptions& options, Project project, FrameSetSource& source,
@@ -247,19 +247,19 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
   TakeTrigger trigger;
   const auto remote = openRemote(options, project, trigger);
   if (!remote) {
-    return report(remote.error());
+    return reportError(remote.error());
   }
   const bool isRemote = *remote != nullptr;
   if (isRemote) {
     printPorts(**remote);
   }
   if (auto waited = awaitCameras(project, source, notices); !waited) {
-    return report(waited.error());
+    return reportError(waited.error());
   }
   if (options.wait) {
     const auto started = awaitTrigger(trigger, isRemote, source, feeds, notices);
     if (!started) {
-      return report(started.error());
+      return reportError(started.error());
     }
     if (!*started) {
       const bool isInputOver = trigger.hasInputEnded() && !isRemote;
@@ -272,7 +272,7 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
                           {options.lossless ? RawStorage::Lossless : RawStorage::Jpeg,
                            options.notes.empty() ? trigger.name() : options.notes, options.number});
   if (!take) {
-    return report(take.error());
+    return reportError(take.error());
   }
   const auto begin = RecordClock::now();
   Progress progress("recording (s)", static_cast<std::int64_t>(options.seconds.value_or(0.0)));
@@ -295,10 +295,10 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
   const bool complete = printTake((*take)->status());
   printPreRoll((*take)->status(), options.preRoll);
   if (!stopped) {
-    return report(stopped.error());
+    return reportError(stopped.error());
   }
   if (!watched) {
-    return report(watched.error());
+    return reportError(watched.error());
   }
   return complete ? kExitDone : kExitEndedEarly;
 }
@@ -306,21 +306,21 @@ int recordTake(const RecordOptions& options, Project project, FrameSetSource& so
 int record(const RecordOptions& options) {
   auto project = resolveProject(options.project);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   if (project->cameras.empty() || !std::ranges::all_of(project->cameras, &ProjectCamera::isLive)) {
-    return report({ErrorCode::Mismatch, options.project, "camera",
-                   "only live cameras can be recorded (device or stream)"});
+    return reportError({ErrorCode::Mismatch, options.project, "camera",
+                        "only live cameras can be recorded (device or stream)"});
   }
   if (auto guessed = guessMissingCameras(*project); !guessed) {
-    return report(guessed.error());
+    return reportError(guessed.error());
   }
   catchInterruption();
   Feeds feeds(project->cameras.size());
   std::ranges::generate(feeds, [] { return std::make_shared<EncodedFeed>(); });
   auto source = openLive(camerasToRecord(*project), feeds);
   if (!source) {
-    return report(source.error());
+    return reportError(source.error());
   }
   TakeRecorder::setPreRoll(feeds, options.preRoll);
   return recordTake(options, std::move(*project), **source, feeds);

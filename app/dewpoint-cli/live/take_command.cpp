@@ -26,7 +26,7 @@ struct TakeCheckOptions {
 int checkTake(const TakeCheckOptions& options) {
   catchInterruption();
   std::optional<Progress> progress;
-  const auto comparison = compareReplay(options.folder, filterThreadCount(options.threads),
+  const auto comparison = compareReplay(options.folder, threadCountForFilter(options.threads),
                                         [&](std::int64_t done, std::int64_t total) {
                                           if (!progress) {
                                             progress.emplace("frames", total);
@@ -38,7 +38,7 @@ int checkTake(const TakeCheckOptions& options) {
     progress->finish();
   }
   if (!comparison) {
-    return report(comparison.error());
+    return reportError(comparison.error());
   }
   for (const std::string& line : describeReplay(*comparison)) {
     fmt::print("{}\n", line);

@@ -159,21 +159,21 @@ Error asTyped(Error error, const LearnColorOptions& options) {
 
 int learn(const LearnColorOptions& options) {
   if (const auto writable = checkMask(options.mask); !writable) {
-    report(writable.error());
+    reportError(writable.error());
     return kExitUsage;
   }
   auto project = resolveProject(options.project);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   auto samples = markedSamplesOf(options, *project);
   if (!samples) {
-    report(samples.error());
+    reportError(samples.error());
     return kExitUsage;
   }
   auto inputs = openInputs(std::move(*project));
   if (!inputs) {
-    return report(inputs.error());
+    return reportError(inputs.error());
   }
   setup::FootageClicks clicks{std::move(*samples), options.target, options.radius, std::nullopt};
   if (options.shape) {
@@ -182,10 +182,10 @@ int learn(const LearnColorOptions& options) {
   auto taught = setup::learnFromFootage(std::move(inputs->project), *inputs->source,
                                         inputs->backgroundImages, std::move(clicks));
   if (!taught) {
-    return report(asTyped(taught.error(), options));
+    return reportError(asTyped(taught.error(), options));
   }
   const auto kept = keep(options, *taught);
-  return kept ? static_cast<int>(kExitDone) : report(asTyped(kept.error(), options));
+  return kept ? static_cast<int>(kExitDone) : reportError(asTyped(kept.error(), options));
 }
 
 } // namespace

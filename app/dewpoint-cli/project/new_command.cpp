@@ -101,21 +101,21 @@ Result<std::vector<NewCamera>> camerasOf(const NewOptions& options) {
 
 int makeNew(NewOptions& options) {
   if (std::filesystem::exists(options.file) && !options.force) {
-    return report({ErrorCode::FileUnwritable, options.file, "",
-                   "it already exists; use --force to replace it"});
+    return reportError({ErrorCode::FileUnwritable, options.file, "",
+                        "it already exists; use --force to replace it"});
   }
   auto cameras = camerasOf(options);
   if (!cameras) {
     const bool missing = cameras.error().code == ErrorCode::MissingKey;
-    const int code = report(cameras.error());
+    const int code = reportError(cameras.error());
     return missing ? static_cast<int>(kExitUsage) : code;
   }
   for (NewCamera& camera : *cameras) {
     const auto& others = options.project.cameras;
     if (!camera.name.empty() &&
         std::ranges::find(others, camera.name, &NewCamera::name) != others.end()) {
-      report({ErrorCode::BadValue, "", "--camera",
-              fmt::format("two cameras are called '{}'", camera.name)});
+      reportError({ErrorCode::BadValue, "", "--camera",
+                   fmt::format("two cameras are called '{}'", camera.name)});
       return kExitUsage;
     }
     options.project.cameras.push_back(std::move(camera));
@@ -125,24 +125,24 @@ int makeNew(NewOptions& options) {
   }
   auto names = parseCameraRenaming(options.names);
   if (!names) {
-    report(names.error());
+    reportError(names.error());
     return kExitUsage;
   }
   options.project.adaptation = {std::move(*names), parseSizeFit(options.fit)};
   auto made = createNewProject(options.project);
   if (!made) {
-    return report(made.error());
+    return reportError(made.error());
   }
   identifyDevices(made->project, systemDevices()->list());
   if (const auto added = addBackgroundImages(options.backgroundImages, made->project); !added) {
-    return report(added.error());
+    return reportError(added.error());
   }
   if (!options.times.empty()) {
     for (ProjectCamera& camera : made->project.cameras) {
       camera.times = std::filesystem::absolute(options.times).lexically_normal().string();
     }
     if (const auto opened = openInputs(made->project); !opened) { // what is wrong is said now
-      return report(opened.error());
+      return reportError(opened.error());
     }
   }
   // A folder that is missing is made; if it cannot be, writing says why.
@@ -150,7 +150,7 @@ int makeNew(NewOptions& options) {
   std::filesystem::create_directories(std::filesystem::absolute(options.file).parent_path(),
                                       problem);
   if (const auto saved = saveProject(made->project, options.file); !saved) {
-    return report(saved.error());
+    return reportError(saved.error());
   }
   if (made->lacksCalibration) {
     fmt::print(stderr,

@@ -28,7 +28,7 @@ constexpr int kBoardSamples = 3; ///< rays per pixel and direction
 constexpr double kMarginPx = 12.0;
 
 /// How the board is tilted at one position after the other, about its x and y, radians.
-constexpr std::array<std::array<double, 2>, 5> kTilts{
+constexpr std::array<std::array<double, 2>, 5> kTiltCount{
     {{0.0, 0.0}, {0.5, 0.0}, {-0.5, 0.0}, {0.0, 0.5}, {0.0, -0.5}}};
 
 /// The world is that of the board on the floor: X along its columns, Z up, meters.
@@ -92,7 +92,7 @@ std::vector<Isometry3d> shownPositions(const BoardDescription& board, const Came
       const Vector3d aside(0.35 * column, 0.28 * row, 0.0);
       for (double share = 1.0; share > 0.1; share *= 0.85) { // as far out as it is seen whole
         const Vector3d middle = depth * (Vector3d::UnitZ() + share * aside);
-        const Isometry3d pose = facing(board, middle, kTilts.at(number % kTilts.size()));
+        const Isometry3d pose = facing(board, middle, kTiltCount.at(number % kTiltCount.size()));
         if (seesWhole(camera, board, pose)) {
           positions.push_back(camera.cameraFromWorld.inverse() * pose);
           break;
@@ -132,7 +132,7 @@ int recordBoard(const std::filesystem::path& folder, std::optional<std::int64_t>
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
-    return report({ErrorCode::FileUnwritable, folder.string(), option, problem.message()});
+    return reportError({ErrorCode::FileUnwritable, folder.string(), option, problem.message()});
   }
   const BoardDescription board; // chessboard:9x6:0.025
   const CameraRig cameras = camerasAroundTheBoard();
@@ -146,13 +146,13 @@ int recordBoard(const std::filesystem::path& folder, std::optional<std::int64_t>
                                          (folder / (camera.name + ".mkv")).string());
     if (!written) {
       progress.finish();
-      return report(written.error());
+      return reportError(written.error());
     }
     progress.show(++done);
   }
   progress.finish();
   if (const auto written = saveCalibration(cameras, folder / "truth.toml"); !written) {
-    return report(written.error());
+    return reportError(written.error());
   }
   fmt::print("{}: {} frames of {} cameras, truth.toml; the board is {}, on the floor in frame 0\n",
              folder.string(), count, cameras.size(), calibration::boardText(board));

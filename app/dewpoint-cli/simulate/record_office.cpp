@@ -50,12 +50,12 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
-    return report({ErrorCode::FileUnwritable, folder.string(), option, problem.message()});
+    return reportError({ErrorCode::FileUnwritable, folder.string(), option, problem.message()});
   }
   simulation::ViewCache views;
   const OfficeRenderer renderer(scene, views);
   const auto whole = std::filesystem::absolute(folder);
-  Project project = projectOfOffice();
+  Project project = makeOfficeProject();
   project.name = "people in the office";
   project.scene.clear(); // its cameras are recordings from here on
   project.cameras.clear();
@@ -72,17 +72,17 @@ int recordOffice(const OfficeScene& scene, const std::filesystem::path& folder,
                                 writeRoom(renderer, k, camera.backgroundImage)}) {
       if (!written) {
         progress.finish();
-        return report(written.error());
+        return reportError(written.error());
       }
     }
     project.cameras.push_back(std::move(camera));
   }
   progress.finish();
-  for (const auto& written : {writeTrajectory(truthOfOffice(renderer), folder / "truth.csv"),
+  for (const auto& written : {writeTrajectory(officeGroundTruth(renderer), folder / "truth.csv"),
                               saveCalibration(rigOf(project), folder / "calibration.toml"),
                               saveProject(project, folder / "project.toml")}) {
     if (!written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   fmt::print("{}: {} frames of {} cameras, project.toml, calibration.toml, truth.csv\n",

@@ -86,8 +86,8 @@ Status writeCamera(const SceneRenderer& renderer, int index, const SimulateOptio
 /// The scene of people has a story of its own: of the options only those that are not about balls.
 int simulateOffice(const SimulateOptions& options) {
   if (options.motion || options.distractors || options.occluder || options.images) {
-    report({ErrorCode::BadValue, "", "--motion, --look-alikes, --occluder, --images",
-            "only for scenes with balls, not for the office"});
+    reportError({ErrorCode::BadValue, "", "--motion, --look-alikes, --occluder, --images",
+                 "only for scenes with balls, not for the office"});
     return kExitUsage;
   }
   OfficeScene scene = builtInOfficeScene();
@@ -99,8 +99,8 @@ int simulateOffice(const SimulateOptions& options) {
 /// The scene to calibrate from has no ball and no noise: of the options only how long it is.
 int simulateBoard(const SimulateOptions& options) {
   if (options.motion || options.distractors || options.occluder || options.images || options.seed) {
-    report({ErrorCode::BadValue, "", "--seed, --motion, --look-alikes, --occluder, --images",
-            "only for scenes with balls, not for the board"});
+    reportError({ErrorCode::BadValue, "", "--seed, --motion, --look-alikes, --occluder, --images",
+                 "only for scenes with balls, not for the board"});
     return kExitUsage;
   }
   return recordBoard(options.out, options.frames, "--out");
@@ -115,15 +115,15 @@ int simulate(const SimulateOptions& options) {
   }
   auto scene = chosenScene(options);
   if (!scene) {
-    return report(scene.error());
+    return reportError(scene.error());
   }
   const std::filesystem::path folder(options.out);
   std::error_code problem;
   std::filesystem::create_directories(folder, problem);
   if (problem) {
-    return report({ErrorCode::FileUnwritable, folder.string(), "--out", problem.message()});
+    return reportError({ErrorCode::FileUnwritable, folder.string(), "--out", problem.message()});
   }
-  Project project = projectOfScene(*scene, "");
+  Project project = makeSceneProject(*scene, "");
   project.truth = std::filesystem::absolute(folder / "truth.csv");
   const SceneRenderer renderer(*scene);
   Progress progress("rendering",
@@ -132,15 +132,15 @@ int simulate(const SimulateOptions& options) {
     const auto written =
         writeCamera(renderer, static_cast<int>(k), options, folder, project.cameras[k], progress);
     if (!written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   progress.finish();
-  for (const auto& written : {writeTrajectory(truthOfScene(*scene), folder / "truth.csv"),
+  for (const auto& written : {writeTrajectory(sceneGroundTruth(*scene), folder / "truth.csv"),
                               saveCalibration(rigOf(project), folder / "calibration.toml"),
                               saveProject(project, folder / "project.toml")}) {
     if (!written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   fmt::print("{}: {} frames of {} cameras, project.toml, calibration.toml, truth.csv\n",

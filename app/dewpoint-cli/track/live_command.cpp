@@ -39,7 +39,7 @@ template <class Value>
 void replace(LiveJob& job, const char* key, const std::optional<Value>& given, auto& value) {
   if (given) {
     value = *given;
-    job.options.insert(key);
+    job.keysFromCommandLine.insert(key);
   }
 }
 
@@ -70,36 +70,38 @@ Status setOutput(LiveOptions& options, const Project& project) {
       return tl::make_unexpected(token.error());
     }
     output.token = *token;
-    job.options.insert("token");
+    job.keysFromCommandLine.insert("token");
   }
-  return checkOutput(output).map_error([&](Error error) { return job.located(std::move(error)); });
+  return checkOutput(output).map_error(
+      [&](Error error) { return job.withLocation(std::move(error)); });
 }
 
 int live(LiveOptions options) {
   auto project = resolveProject(options.project);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   if (const auto good = checkMethodTargets(*project); !good) {
     Error error = good.error();
     error.file = options.project;
-    return report(error);
+    return reportError(error);
   }
   if (!methodFamily(project->method).writesPositions()) {
-    return report({ErrorCode::BadValue, options.project, "method",
-                   project->method + " tracks boxes in images, which have no position to send"});
+    return reportError(
+        {ErrorCode::BadValue, options.project, "method",
+         project->method + " tracks boxes in images, which have no position to send"});
   }
   if (const auto set = setOutput(options, *project); !set) {
-    return report(set.error());
+    return reportError(set.error());
   }
   if (!options.job.output.any() && !options.job.folder) {
-    report({ErrorCode::MissingKey, options.project, "output",
-            "name at least one of --osc, --tuio, --tcp, --websocket, --csv and --out"});
+    reportError({ErrorCode::MissingKey, options.project, "output",
+                 "name at least one of --osc, --tuio, --tcp, --websocket, --csv and --out"});
     return kExitUsage;
   }
   auto inputs = openInputs(std::move(*project));
   if (!inputs) {
-    return report(inputs.error());
+    return reportError(inputs.error());
   }
   inputs->threads = options.threads;
   return options.job.run(std::move(*inputs));
@@ -145,7 +147,7 @@ void addLiveCommand(CLI::App& app, int& exitCode) {
       ->required();
   command->add_option("--out", options->job.folder,
                       "Folder for the files that the command track also writes");
-  command->add_option("--seconds", options->job.seconds, "End after this time")
+  command->add_option("--seconds", options->job.maxSeconds, "End after this time")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--threads", options->threads,

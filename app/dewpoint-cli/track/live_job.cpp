@@ -72,7 +72,7 @@ public:
   /// Prints each notice once.
   void showNotices(const TrackSnapshot& snapshot) {
     for (const Error& notice : snapshot.notices) {
-      if (std::string text = sentence(notice); printed_.insert(text).second) {
+      if (std::string text = errorSentence(notice); printed_.insert(text).second) {
         clear();
         fmt::print(stderr, "dewpoint-cli: note: {}.\n", text);
       }
@@ -92,8 +92,8 @@ public:
     int clients = 0;
     std::int64_t dropped = broadcaster.droppedFrames();
     for (const broadcast::OutletReport& report : broadcaster.reports()) {
-      clients += report.clients;
-      dropped += report.dropped;
+      clients += report.clientCount;
+      dropped += report.droppedPieces;
     }
     const char* state = snapshot.state == PlayState::Playing ? "" : "stopped, ";
     fmt::print(stderr, "\r\x1b[K{}frame {}, {:.1f} images/s, {}; {} clients, {} sent, {} dropped{}",
@@ -132,11 +132,11 @@ private:
 
 } // namespace
 
-Error LiveJob::located(Error error) const {
+Error LiveJob::withLocation(Error error) const {
   constexpr std::string_view kPrefix = "output.";
   const std::string key =
       error.field.starts_with(kPrefix) ? error.field.substr(kPrefix.size()) : error.field;
-  if (!options.contains(key)) {
+  if (!keysFromCommandLine.contains(key)) {
     error.file = projectFile.string();
   } else {
     error.field = key == "token" ? "--token-file" : "--" + key;
@@ -149,7 +149,7 @@ int LiveJob::run(SessionInputs inputs) const {
     std::error_code problem;
     std::filesystem::create_directories(*folder, problem);
     if (const auto written = writeTrajectory(inputs.truth, *folder / "truth.csv"); !written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   const std::optional<WorldBox> volume = inputs.project.volumeOfInterest;
@@ -159,7 +159,7 @@ int LiveJob::run(SessionInputs inputs) const {
   if (folder) {
     recorder.emplace(session, *folder);
     if (const Status begun = recorder->begin(); !begun) {
-      return report(begun.error());
+      return reportError(begun.error());
     }
   }
   LiveRecorder* const used = recorder ? &*recorder : nullptr;
@@ -168,7 +168,7 @@ int LiveJob::run(SessionInputs inputs) const {
   };
   auto opened = broadcast::Broadcaster::open({output, projectFile.parent_path(), volume, receiver});
   if (!opened) {
-    return report(located(opened.error()));
+    return reportError(withLocation(opened.error()));
   }
   const std::unique_ptr<broadcast::Broadcaster> broadcaster = std::move(*opened);
   LiveConsole console(output.csv == "-");
@@ -190,12 +190,12 @@ int LiveJob::run(SessionInputs inputs) const {
     const auto elapsed = LiveClock::now() - begin;
     const bool hasFailed = !hasPlayed && elapsed > kPatience && !now->notices.empty();
     if (now->state == PlayState::Ended || hasFailed ||
-        (seconds && elapsed >= std::chrono::duration<double>(*seconds))) {
+        (maxSeconds && elapsed >= std::chrono::duration<double>(*maxSeconds))) {
       break;
     }
     if (LiveClock::now() >= nextStatus) {
       nextStatus += kStatusPeriod;
-      console.showStatus(*now, *broadcaster, used != nullptr ? used->take() : "");
+      console.showStatus(*now, *broadcaster, used != nullptr ? used->takeName() : "");
     }
   }
   session.pause();
@@ -208,7 +208,7 @@ int LiveJob::run(SessionInputs inputs) const {
   console.showNotices(*last);
   console.showSummary(*last, *broadcaster);
   if (!done) {
-    return report(done.error());
+    return reportError(done.error());
   }
   return last->iterations > 0 ? kExitDone : kExitBadInput;
 }

@@ -17,14 +17,14 @@ namespace dewpoint::app {
 struct LiveJob {
   std::optional<std::filesystem::path> folder; ///< output folder; not set: nothing is written
   /// Duration of the run; not set: until the input ends or the user interrupts it.
-  std::optional<double> seconds;
+  std::optional<double> maxSeconds;
   OutputSettings output;
   std::filesystem::path projectFile; ///< paths in `output` are relative to the folder of this file
-  std::set<std::string> options;     ///< keys of `output` that the command line has set
+  std::set<std::string> keysFromCommandLine; ///< keys of `output` that the command line has set
 
   /// Returns an error about `output`, completed with the command-line option or the project file
   /// that contains the wrong value.
-  Error located(Error error) const;
+  Error withLocation(Error error) const;
 
   /// Runs the job and returns the exit code of the process.
   int run(SessionInputs inputs) const;

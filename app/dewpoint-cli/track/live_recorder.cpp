@@ -112,7 +112,7 @@ Status LiveRecorder::stopTake() {
   return done ? closed : done;
 }
 
-std::string LiveRecorder::take() const {
+std::string LiveRecorder::takeName() const {
   const std::lock_guard lock(mutex_);
   return take_;
 }

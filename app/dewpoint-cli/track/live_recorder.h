@@ -38,7 +38,7 @@ public:
   /// Ends the take in progress. Returns BadValue if there is none.
   Status stopTake();
   /// Returns the name of the take in progress; empty if there is none.
-  std::string take() const;
+  std::string takeName() const;
 
 private:
   Status writeNew();

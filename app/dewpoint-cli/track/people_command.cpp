@@ -177,12 +177,12 @@ int runPeople(const PeopleOptions& options) {
   }
   auto project = resolveProject(options.project);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   const auto frames = parseFrames(options.frames);
   const auto applied = applyOptions(options, *project);
   if (!frames || !applied) {
-    report(frames ? applied.error() : frames.error());
+    reportError(frames ? applied.error() : frames.error());
     return kExitUsage;
   }
   auto job = makeJobRecord(
@@ -193,24 +193,24 @@ int runPeople(const PeopleOptions& options) {
   }
   auto inputs = openInputs(std::move(*project));
   if (!inputs) {
-    return report(inputs.error());
+    return reportError(inputs.error());
   }
   auto run = TrackingRun::create(inputs->project, options.threads, inputs->backgroundImages);
   if (!run) {
-    return report(run.error());
+    return reportError(run.error());
   }
   const PeopleArea area = peopleSettings(inputs->project.parameters).area;
   if (const auto added = addPersons(options.persons, area, *run); !added) {
-    report(added.error());
+    reportError(added.error());
     return kExitUsage;
   }
   const auto begun = JobFolder::begin(options.folder, kPeopleFiles);
   if (!begun) {
-    return report(begun.error());
+    return reportError(begun.error());
   }
   auto writer = PeopleWriter::create(options.folder, trajectoryHeader(inputs->project));
   if (!writer) {
-    return report(writer.error());
+    return reportError(writer.error());
   }
   catchInterruption();
   FrameSetSource& source = *inputs->source;
@@ -231,7 +231,7 @@ int runPeople(const PeopleOptions& options) {
     const auto sheet = std::filesystem::path(options.folder) / "overlay.png";
     const auto written = writeContactSheet(observer.rows(), sheet);
     if (tracked && !written) { // else what failed before is what is to be said
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   fmt::print("frames                  {:>10}\n", observer.frames());
@@ -240,7 +240,7 @@ int runPeople(const PeopleOptions& options) {
              inMilliseconds(clock.seconds()) /
                  static_cast<double>(std::max<std::int64_t>(1, observer.frames())));
   if (!tracked) {
-    const int code = report(tracked.error());
+    const int code = reportError(tracked.error());
     return code == kExitBadInput && observer.frames() > 0 ? kExitEndedEarly : code;
   }
   if (interruptionRequested()) {
@@ -251,7 +251,7 @@ int runPeople(const PeopleOptions& options) {
   job.threadCount = options.threads;
   job.targets = observer.targets();
   const auto finished = begun->finish(std::move(job), kPeopleFiles);
-  return finished ? kExitDone : report(finished.error());
+  return finished ? kExitDone : reportError(finished.error());
 }
 
 } // namespace

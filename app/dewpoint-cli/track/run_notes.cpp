@@ -19,7 +19,7 @@ void RunNotes::print(std::string text) {
 
 void RunNotes::printNotices() {
   for (const Error& notice : source_.notices()) {
-    std::string text = sentence(notice);
+    std::string text = errorSentence(notice);
     if (std::ranges::find(printed_, text) == printed_.end()) {
       print(std::move(text));
     }
@@ -35,7 +35,7 @@ Status RunNotes::tracked(const TrackingRun& run) {
   if (printedMotions_ != motionWatch_.reports().size()) {
     const auto notices = motionWatch_.notices();
     for (; printedMotions_ < notices.size(); ++printedMotions_) {
-      print(sentence(notices[printedMotions_]));
+      print(errorSentence(notices[printedMotions_]));
     }
   }
   for (CameraDisagreement& found : agreementWatch_.disagreements(run.definition()->family())) {

@@ -44,11 +44,11 @@ void printFound(const Project& before, const Project& after) {
 int trackBackwardsIn(const TrackBackwardsOptions& options) {
   auto project = resolveProject(options.project);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   const auto fail = [&](Error error) {
     error.file = error.file.empty() ? options.project : error.file;
-    return report(error);
+    return reportError(error);
   };
   if (std::ranges::none_of(project->corrections,
                            [](const PositionCorrection& one) { return !one.trackedFrom; })) {
@@ -78,7 +78,7 @@ int trackBackwardsIn(const TrackBackwardsOptions& options) {
   }
   printFound(inputs->project, *found);
   const auto saved = saveProject(*found, options.out);
-  return saved ? static_cast<int>(kExitDone) : report(saved.error());
+  return saved ? static_cast<int>(kExitDone) : reportError(saved.error());
 }
 
 } // namespace

@@ -266,17 +266,18 @@ Status followBoxes(const TrackBoxOptions& options, const BoxRequest& request,
 int trackBoxes(const TrackBoxOptions& options) {
   const auto request = requestOf(options);
   if (!request) {
-    report(request.error());
+    reportError(request.error());
     return kExitUsage;
   }
   auto source = openImages(options);
   if (!source) {
-    return report(source.error());
+    return reportError(source.error());
   }
   std::error_code problem;
   std::filesystem::create_directories(options.folder, problem);
   if (problem) {
-    return report({ErrorCode::FileUnwritable, options.folder.string(), "--out", problem.message()});
+    return reportError(
+        {ErrorCode::FileUnwritable, options.folder.string(), "--out", problem.message()});
   }
   catchInterruption();
   BoxObserver observer(options, (*source)->framesPerSecond(),
@@ -284,13 +285,13 @@ int trackBoxes(const TrackBoxOptions& options) {
   const auto tracked = followBoxes(options, *request, **source, observer);
   if (observer.frames() > 0) {
     if (const auto written = writeBoxTrack(observer.track(), options.folder); !written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   if (!tracked) {
     Error error = tracked.error();
     error.file = error.file.empty() ? options.source : error.file;
-    const int code = report(error);
+    const int code = reportError(error);
     return code == kExitBadInput && observer.frames() > 0 ? kExitEndedEarly : code;
   }
   fmt::print("frames                  {:>10}\nms per frame            {:>10.2f}\n",

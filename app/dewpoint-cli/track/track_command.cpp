@@ -95,32 +95,32 @@ Status applyOptions(const TrackOptions& options, Project& project) {
 int track(TrackOptions options) {
   auto project = resolveProject(options.project);
   if (!project) {
-    return report(project.error());
+    return reportError(project.error());
   }
   const auto frames = parseFrames(options.frames);
   if (!frames) {
-    report(frames.error());
+    reportError(frames.error());
     return kExitUsage;
   }
   options.job.frames = *frames;
   if (const auto applied = applyOptions(options, *project); !applied) {
-    report(applied.error());
+    reportError(applied.error());
     return kExitUsage;
   }
   if (const auto good = checkTargets(*project, options.project); !good) {
-    return report(good.error());
+    return reportError(good.error());
   }
   const std::string& label =
       options.repeated.label.empty() ? options.project : options.repeated.label;
   auto planned = makeJobRecord("track", *project, label, options.frames,
-                               options.job.reasons ? "with reasons" : "");
+                               options.job.writesReasons ? "with reasons" : "");
   if (isAlreadyDone(options.job.folder, planned, options.repeated)) {
     return kExitDone;
   }
   options.job.record = std::move(planned);
   auto inputs = openInputs(std::move(*project));
   if (!inputs) {
-    return report(inputs.error());
+    return reportError(inputs.error());
   }
   return options.job.run(std::move(*inputs));
 }
@@ -138,14 +138,14 @@ void addTrackCommand(CLI::App& app, int& exitCode) {
       ->check(CLI::IsMember(trackableMethods()));
   command->add_option("--seed", options->seed, "Seed of the run (default: the project's)");
   command
-      ->add_option("--threads", options->job.threads,
+      ->add_option("--threads", options->job.threadCount,
                    "Number of threads of the filter; does not change the result")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--frames", options->frames,
                       "Only frames A to B-1, as A:B (either may be empty)");
   command->add_option("--particles", options->particles, "Number of particles");
-  command->add_flag("--reasons", options->job.reasons,
+  command->add_flag("--reasons", options->job.writesReasons,
                     "Also write reasons.csv: when and why targets were tracked or not");
   command->add_option(
       "--volume", options->volume,

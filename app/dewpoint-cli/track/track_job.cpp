@@ -102,7 +102,7 @@ std::vector<std::string> resultFiles(const TrackJob& job, const TrackingRun& run
   if (!project.scene.empty()) {
     names.emplace_back("truth.csv");
   }
-  if (job.reasons) {
+  if (job.writesReasons) {
     names.emplace_back("reasons.csv");
   }
   return names;
@@ -223,27 +223,27 @@ void printSummary(const Trajectory& estimate, const Trajectory& truth, const Cam
 } // namespace
 
 int TrackJob::run(SessionInputs inputs) const {
-  auto run = TrackingRun::create(inputs.project, threads, inputs.backgroundImages);
+  auto run = TrackingRun::create(inputs.project, threadCount, inputs.backgroundImages);
   if (!run) {
-    return report(run.error());
+    return reportError(run.error());
   }
   // The parameters in use stand in all that is written.
   inputs.project = run->definition()->appliedTo(std::move(inputs.project));
   const std::vector<std::string> results = resultFiles(*this, *run, inputs.project);
   const auto begun = JobFolder::begin(folder, results);
   if (!begun) {
-    return report(begun.error());
+    return reportError(begun.error());
   }
   const TrajectoryHeader header = trajectoryHeader(inputs.project);
   TrackOutput output{std::nullopt, {header, {}}, {boxTrackHeader(inputs.project), {}}};
   if (run->definition()->family().writesPositions()) {
     auto writer = TrajectoryWriter::create(folder / "trajectory.csv", header);
     if (!writer) {
-      return report(writer.error());
+      return reportError(writer.error());
     }
     output.writer.emplace(std::move(*writer));
   }
-  if (reasons) {
+  if (writesReasons) {
     output.reasons.emplace(rigOf(inputs.project));
   }
   catchInterruption();
@@ -251,15 +251,15 @@ int TrackJob::run(SessionInputs inputs) const {
   // Before the run, so that one that is killed can be compared too.
   if (!inputs.project.scene.empty()) {
     if (const auto written = writeTrajectory(inputs.truth, folder / "truth.csv"); !written) {
-      return report(written.error());
+      return reportError(written.error());
     }
   }
   RunStatistics figures;
   // Written now too: after a kill it says that the run did not finish.
-  figures.threads = threads;
+  figures.threads = threadCount;
   const auto reported = writeTextFile(folder / "run.json", runReport(inputs.project, figures));
   if (!reported) {
-    return report(reported.error());
+    return reportError(reported.error());
   }
   const auto begin = std::chrono::steady_clock::now();
   auto tracked = trackJob(*this, *inputs.source, *run, output, figures);
@@ -269,7 +269,7 @@ int TrackJob::run(SessionInputs inputs) const {
   figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   figures.finished = tracked.has_value() && !interruptionRequested();
   if (!tracked) {
-    figures.notices.push_back(sentence(tracked.error()));
+    figures.notices.push_back(errorSentence(tracked.error()));
   }
   figures.droppedFrames = inputs.source->droppedFrames();
   figures.clocks = run->clockEstimates();
@@ -278,11 +278,11 @@ int TrackJob::run(SessionInputs inputs) const {
                run->iterationsPerFrame(), figures);
   if (!tracked) {
     // Frames were tracked before the input broke: that is "ended early", whatever broke it.
-    const int code = report(tracked.error());
+    const int code = reportError(tracked.error());
     return code == kExitBadInput && figures.frames > 0 ? kExitEndedEarly : code;
   }
   if (!ended) {
-    return report(ended.error());
+    return reportError(ended.error());
   }
   if (!figures.finished) {
     return kExitInterrupted;
@@ -290,10 +290,10 @@ int TrackJob::run(SessionInputs inputs) const {
   JobRecord done = record;
   done.frameCount = figures.frames;
   done.trackingSeconds = figures.seconds;
-  done.threadCount = threads;
+  done.threadCount = threadCount;
   done.targets = output.targets();
   const auto finished = begun->finish(std::move(done), results);
-  return finished ? kExitDone : report(finished.error());
+  return finished ? kExitDone : reportError(finished.error());
 }
 
 } // namespace dewpoint::app

@@ -14,8 +14,8 @@ namespace dewpoint::app {
 /// Implements `dewpoint-cli track`: tracks a project over a range of frames and writes the results.
 struct TrackJob {
   std::filesystem::path folder;
-  int threads = 1;
-  bool reasons = false; ///< also writes reasons.csv
+  int threadCount = 1;
+  bool writesReasons = false; ///< true to also write reasons.csv
   FrameRange frames;
   JobRecord record; ///< identity of the job, which does not depend on its results
 

@@ -43,22 +43,22 @@ int trackPositionsIn(const TrackPositionsOptions& options) {
     const auto equals = setting.find('=');
     const std::string value = equals == std::string::npos ? "" : setting.substr(equals + 1);
     if (isStartPositionParameter(setting.substr(0, equals))) {
-      report({ErrorCode::BadValue, "", "--set " + setting.substr(0, equals),
-              "the filter of each target starts at its first position"});
+      reportError({ErrorCode::BadValue, "", "--set " + setting.substr(0, equals),
+                   "the filter of each target starts at its first position"});
       return kExitUsage;
     }
     if (const auto set = parameters.setFromText(setting.substr(0, equals), value); !set) {
-      report(set.error());
+      reportError(set.error());
       return kExitUsage;
     }
   }
   auto measured = readTrajectory(options.measured);
   if (!measured) {
-    return report(measured.error());
+    return reportError(measured.error());
   }
   const auto reportInput = [&](Error error) {
     error.file = options.measured;
-    return report(error);
+    return reportError(error);
   };
   const auto timed = addMissingTimes(*measured, options.rate);
   if (!timed) {
@@ -76,7 +76,7 @@ int trackPositionsIn(const TrackPositionsOptions& options) {
                                          fmt::format("frames at {:g} per second", options.rate));
   }
   if (const auto written = writeTrajectory(*tracked, options.out); !written) {
-    return report(written.error());
+    return reportError(written.error());
   }
   fmt::print("{} rows in {}{}.\n", tracked->samples.size(), options.out,
              *timed ? fmt::format(", times from the frames at {:g} per second", options.rate)

@@ -70,7 +70,7 @@ int evaluateIdentity(const EvaluateOptions& options, const Trajectory& estimate,
                      const Trajectory& truth) {
   const auto evaluation = evaluateIdentities(estimate, truth, {options.gate, options.ground});
   if (!evaluation) {
-    return report(evaluation.error());
+    return reportError(evaluation.error());
   }
   if (options.json) {
     fmt::print("{}\n", jsonOutput(identityJson(*evaluation)));
@@ -82,27 +82,28 @@ int evaluateIdentity(const EvaluateOptions& options, const Trajectory& estimate,
 
 int evaluateFiles(const EvaluateOptions& options) {
   if (options.save && !std::filesystem::is_directory(options.trajectory)) {
-    report({ErrorCode::BadValue, options.trajectory, "--save", "it is not the folder of a run"});
+    reportError(
+        {ErrorCode::BadValue, options.trajectory, "--save", "it is not the folder of a run"});
     return kExitUsage;
   }
   const auto estimate = readExportSource(options.trajectory);
   if (!estimate) {
-    return report(estimate.error());
+    return reportError(estimate.error());
   }
   const auto truth = readTruth(options, *estimate);
   if (!truth) {
-    return report(truth.error());
+    return reportError(truth.error());
   }
   if (options.identities) {
     return evaluateIdentity(options, *estimate, *truth);
   }
   const auto evaluations = evaluate(*estimate, *truth, options.gate);
   if (!evaluations) {
-    return report(evaluations.error());
+    return reportError(evaluations.error());
   }
   if (options.save) {
     if (const auto saved = saveEvaluation(options.trajectory, *evaluations); !saved) {
-      return report(saved.error());
+      return reportError(saved.error());
     }
   }
   if (options.json) {

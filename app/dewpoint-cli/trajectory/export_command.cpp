@@ -118,7 +118,7 @@ int reportAbout(Error error, const std::string& file) {
   if (error.file.empty()) {
     error.file = file;
   }
-  return report(error);
+  return reportError(error);
 }
 
 int showPreview(const ExportCommand& command, const Trajectory& trajectory) {
@@ -165,20 +165,20 @@ int writeExport(const ExportCommand& command, const Trajectory& trajectory) {
 
 int exportCommand(ExportCommand& command) {
   if (const auto complete = completeOptions(command); !complete) {
-    report(complete.error());
+    reportError(complete.error());
     return kExitUsage;
   }
   std::error_code ignored;
   const std::filesystem::path source = command.source;
   for (const auto& read : {source, source / "trajectory.csv"}) {
     if (!command.file.empty() && std::filesystem::equivalent(read, command.file, ignored)) {
-      report({ErrorCode::BadValue, command.file, "--out", "this is the input trajectory"});
+      reportError({ErrorCode::BadValue, command.file, "--out", "this is the input trajectory"});
       return kExitUsage;
     }
   }
   const auto trajectory = readExportSource(command.source);
   if (!trajectory) {
-    return report(trajectory.error());
+    return reportError(trajectory.error());
   }
   if (command.preview) {
     return showPreview(command, *trajectory);

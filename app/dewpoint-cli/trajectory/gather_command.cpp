@@ -53,14 +53,14 @@ Status writeGathered(const GatheredJobs& gathered, const std::filesystem::path& 
 int gather(const GatherOptions& options) {
   const auto folders = foldersOf(options);
   if (!folders) {
-    return report(folders.error());
+    return reportError(folders.error());
   }
   const auto gathered = gatherJobs(*folders);
   if (!gathered) {
-    return report(gathered.error());
+    return reportError(gathered.error());
   }
   if (const auto written = writeGathered(*gathered, options.out); !written) {
-    return report(written.error());
+    return reportError(written.error());
   }
   for (const auto& [kept, other] : gathered->repeatedFolders) {
     fmt::print(stderr, "dewpoint-cli: note: {} has the same result as {}; it is counted once.\n",

@@ -29,7 +29,7 @@ std::string csvTargetRow(const FrameMessage& frame, const TargetMessage& target)
                       : std::string(5, ',');
   return fmt::format("{:.9g},{},{},{},{},{},{},{},{:.6g},{}\n", frame.time, frame.frame, target.id,
                      trajectory::csvCell(target.name), target.state, csvVector(target.position),
-                     csvVector(target.velocity), covariance, target.existence,
+                     csvVector(target.velocity), covariance, target.existenceProbability,
                      trajectory::csvCell(cameras));
 }
 

@@ -48,7 +48,7 @@ std::string jsonTarget(const TargetMessage& target, const RigMessage& rig) {
                      target.id, quotedJson(target.name), target.state, jsonVector(target.position),
                      jsonVector(target.velocity),
                      target.position ? jsonSymmetric(target.covariance) : std::string("null"),
-                     jsonNumber(target.existence, 6), cameras);
+                     jsonNumber(target.existenceProbability, 6), cameras);
 }
 
 } // namespace
@@ -67,7 +67,7 @@ std::string jsonRigLine(const RigMessage& rig) {
                      jsonVector(rig.volume.min), jsonVector(rig.volume.max), cameras);
 }
 
-std::vector<std::string> jsonFrameLine(const FrameMessage& frame) {
+std::vector<std::string> jsonFrameLines(const FrameMessage& frame) {
   std::string targets;
   for (const TargetMessage& target : frame.targets) {
     targets += (targets.empty() ? "" : ",") + jsonTarget(target, *frame.rig);

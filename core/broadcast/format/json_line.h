@@ -13,6 +13,6 @@ std::string jsonRigLine(const RigMessage& rig);
 /// Returns a frame as one line of JSON: `{"type":"frame",...}`. The vector has exactly one element
 /// (see StreamFormat::encode). Unknown values are null. Positions have nine significant digits,
 /// covariances six. A covariance is written as xx, xy, xz, yy, yz, zz.
-std::vector<std::string> jsonFrameLine(const FrameMessage& frame);
+std::vector<std::string> jsonFrameLines(const FrameMessage& frame);
 
 } // namespace dewpoint::broadcast

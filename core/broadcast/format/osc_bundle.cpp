@@ -60,23 +60,23 @@ void OscBundle::add(const std::vector<OscMessage>& messages) {
   }
 }
 
-std::size_t OscBundle::size() const {
+std::size_t OscBundle::byteCount() const {
   return lo_bundle_length(static_cast<lo_bundle>(bundle_.get()));
 }
 
 std::string OscBundle::bytes() const {
-  std::string bytes(size(), '\0');
+  std::string bytes(byteCount(), '\0');
   std::size_t written = bytes.size();
   lo_bundle_serialise(static_cast<lo_bundle>(bundle_.get()), bytes.data(), &written);
   bytes.resize(written);
   return bytes;
 }
 
-std::size_t OscBundle::sizeOf(const std::vector<OscMessage>& messages) {
+std::size_t OscBundle::byteCountOf(const std::vector<OscMessage>& messages) {
   OscBundle alone;
-  const std::size_t empty = alone.size();
+  const std::size_t empty = alone.byteCount();
   alone.add(messages);
-  return alone.size() - empty;
+  return alone.byteCount() - empty;
 }
 
 } // namespace dewpoint::broadcast

@@ -41,9 +41,9 @@ public:
   /// Returns the encoded bundle.
   std::string bytes() const;
   /// Returns the size of the encoded bundle, bytes.
-  std::size_t size() const;
+  std::size_t byteCount() const;
   /// Returns the number of bytes that these messages add to a bundle.
-  static std::size_t sizeOf(const std::vector<OscMessage>& messages);
+  static std::size_t byteCountOf(const std::vector<OscMessage>& messages);
 
 private:
   struct Deleter {

@@ -10,13 +10,14 @@ namespace {
 
 std::vector<OscMessage> oscTarget(const TargetMessage& target, const RigMessage& rig) {
   if (!target.position) {
-    return {{"/dewpoint/absent",
-             {target.id, target.name, target.state, static_cast<float>(target.existence)}}};
+    return {
+        {"/dewpoint/absent",
+         {target.id, target.name, target.state, static_cast<float>(target.existenceProbability)}}};
   }
   OscMessage main{"/dewpoint/target", {target.id, target.name, target.state}};
   main.addVector(*target.position);
   main.addVector(target.velocity.value_or(Eigen::Vector3d(Eigen::Vector3d::Zero())));
-  main.arguments.emplace_back(static_cast<float>(target.existence));
+  main.arguments.emplace_back(static_cast<float>(target.existenceProbability));
   OscMessage covariance{"/dewpoint/covariance", {target.id}};
   const Eigen::Matrix3d& c = target.covariance;
   covariance.addVector(Eigen::Vector3d(c(0, 0), c(0, 1), c(0, 2)));
@@ -38,10 +39,11 @@ std::vector<std::string> oscFrameBundles(const FrameMessage& frame) {
   std::vector<std::string> bundles;
   OscBundle bundle;
   bundle.add(head);
-  const std::size_t empty = bundle.size();
+  const std::size_t empty = bundle.byteCount();
   for (const TargetMessage& target : frame.targets) {
     const std::vector<OscMessage> messages = oscTarget(target, *frame.rig);
-    if (bundle.size() > empty && bundle.size() + OscBundle::sizeOf(messages) > kMaxDatagram) {
+    if (bundle.byteCount() > empty &&
+        bundle.byteCount() + OscBundle::byteCountOf(messages) > kMaxDatagram) {
       bundles.push_back(std::exchange(bundle, OscBundle()).bytes());
       bundle.add(head);
     }

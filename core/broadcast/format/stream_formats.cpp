@@ -19,7 +19,7 @@ constexpr std::array kStreamFormats{
     StreamFormat{"json", "JSON lines",
                  "one object per frame: frame, time, targets with position, velocity, covariance, "
                  "existence probability, state and cameras",
-                 jsonRigLine, jsonFrameLine},
+                 jsonRigLine, jsonFrameLines},
     StreamFormat{"csv", "CSV lines",
                  "one row per target and frame: time, frame, target, state, position, velocity, "
                  "covariance, existence probability, cameras",
@@ -39,19 +39,19 @@ std::span<const StreamFormat> streamFormats() {
   return kStreamFormats;
 }
 
-const StreamFormat& jsonLines() {
+const StreamFormat& jsonLinesFormat() {
   return kStreamFormats[0];
 }
 
-const StreamFormat& csvRows() {
+const StreamFormat& csvRowsFormat() {
   return kStreamFormats[1];
 }
 
-const StreamFormat& oscMessages() {
+const StreamFormat& oscMessagesFormat() {
   return kStreamFormats[2];
 }
 
-const StreamFormat& tuioCursors() {
+const StreamFormat& tuioCursorsFormat() {
   return kStreamFormats[3];
 }
 

@@ -28,12 +28,12 @@ struct StreamFormat {
 std::span<const StreamFormat> streamFormats();
 
 /// Returns the format of JSON lines.
-const StreamFormat& jsonLines();
+const StreamFormat& jsonLinesFormat();
 /// Returns the format of CSV rows.
-const StreamFormat& csvRows();
+const StreamFormat& csvRowsFormat();
 /// Returns the format of OSC messages.
-const StreamFormat& oscMessages();
+const StreamFormat& oscMessagesFormat();
 /// Returns the format of TUIO 3D cursors.
-const StreamFormat& tuioCursors();
+const StreamFormat& tuioCursorsFormat();
 
 } // namespace dewpoint::broadcast

@@ -38,11 +38,11 @@ std::vector<std::string> tuioFrameBundles(const FrameMessage& frame) {
   const std::vector<OscMessage> head{std::move(alive)};
   const std::vector<OscMessage> tail{
       {kCursorAddress, {std::string("fseq"), static_cast<std::int32_t>(frame.sequence)}}};
-  const std::size_t tailBytes = OscBundle::sizeOf(tail);
+  const std::size_t tailBytes = OscBundle::byteCountOf(tail);
   std::vector<std::string> bundles;
   OscBundle bundle;
   bundle.add(head);
-  const std::size_t empty = bundle.size();
+  const std::size_t empty = bundle.byteCount();
   const auto finish = [&] {
     bundle.add(tail);
     bundles.push_back(std::exchange(bundle, OscBundle()).bytes());
@@ -52,8 +52,8 @@ std::vector<std::string> tuioFrameBundles(const FrameMessage& frame) {
       continue;
     }
     const std::vector<OscMessage> set{tuioSet(target, frame.rig->volume)};
-    if (bundle.size() > empty &&
-        bundle.size() + OscBundle::sizeOf(set) + tailBytes > kMaxDatagram) {
+    if (bundle.byteCount() > empty &&
+        bundle.byteCount() + OscBundle::byteCountOf(set) + tailBytes > kMaxDatagram) {
       finish();
       bundle.add(head);
     }

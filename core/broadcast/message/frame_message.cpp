@@ -111,13 +111,14 @@ void RecentPositions::add(const TrackSnapshot& snapshot) {
   for (const TargetSnapshot& target : snapshot.targets) {
     Trail& trail = trails_[target.target.name];
     trail.samples.push_back(sampleOfTarget(snapshot, target));
-    if (trail.samples.size() > kPositions) {
+    if (trail.samples.size() > kPositionsPerVelocity) {
       trail.samples.erase(trail.samples.begin());
     }
     const auto before = std::exchange(trail.velocity, velocityOf(target.estimate));
     if (!trail.velocity) {
       const std::size_t last = trail.samples.size() - 1;
-      trail.velocity = trajectory::velocityAt(renumbered(trail.samples), last, kPositions - 1);
+      trail.velocity =
+          trajectory::velocityAt(renumbered(trail.samples), last, kPositionsPerVelocity - 1);
     }
     const std::size_t count = trail.samples.size();
     const double step =
@@ -154,7 +155,7 @@ FrameMessage frameMessageOf(const TrackSnapshot& snapshot, const RecentPositions
     sent.id = identityOf(target.estimate, k);
     sent.name = target.target.name;
     sent.state = stateWord(session::trackingState(target));
-    sent.existence = existenceProbabilityOf(target.estimate);
+    sent.existenceProbability = existenceProbabilityOf(target.estimate);
     const auto position = positionOf(target.estimate);
     if (!position || !position->mean.allFinite() || !isHeld(target.estimate)) {
       continue;

@@ -63,7 +63,7 @@ struct TargetMessage {
   /// Acceleration: change of the velocity since the previous frame, length per second squared; zero
   /// if unknown.
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
-  double existence = 0.0;   ///< existence probability, 0 to 1
+  double existenceProbability = 0.0; ///< existence probability, 0 to 1
   std::vector<int> cameras; ///< cameras that see the target, as indices in RigMessage::cameras
 };
 
@@ -100,7 +100,7 @@ public:
 
   /// Number of positions from which a velocity is computed. The velocity of an accelerating target
   /// lags by one and a half frames.
-  static constexpr std::size_t kPositions = 4;
+  static constexpr std::size_t kPositionsPerVelocity = 4;
 
 private:
   struct Trail {

@@ -41,7 +41,7 @@ std::optional<std::string> jsonText(const json& object, const char* key) {
 std::string replyText(const Status& done) {
   json answer{{"type", "reply"}, {"ok", done.has_value()}};
   if (!done) {
-    answer["error"] = sentence(done.error());
+    answer["error"] = errorSentence(done.error());
   }
   return answer.dump(-1, ' ', false, json::error_handler_t::replace);
 }
@@ -106,13 +106,13 @@ std::string RemoteGate::handle(std::string_view line, Clock::time_point now) {
 
 Status RemoteGate::execute(const RemoteCommand& command, Clock::time_point now) {
   const std::lock_guard lock(mutex_);
-  while (!wrong_.empty() && now - wrong_.front() > kLockTime) {
+  while (!wrong_.empty() && now - wrong_.front() > kLockoutTime) {
     wrong_.pop_front();
   }
   // A right token is refused too: else guessing could go on while it is locked.
   if (wrong_.size() >= kMaxWrongTokens) {
     return failure(ErrorCode::BadValue, "", "token",
-                   fmt::format("too many wrong tokens; try again in {} s", kLockTime.count()));
+                   fmt::format("too many wrong tokens; try again in {} s", kLockoutTime.count()));
   }
   if (!areEqualInConstantTime(command.token, token_)) {
     wrong_.push_back(now);

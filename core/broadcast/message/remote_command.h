@@ -49,15 +49,15 @@ public:
   /// Executes the command in a line that was received, if its token is correct. Returns the reply:
   /// one JSON object without a line end. The reply is empty if remote commands are off.
   ///
-  /// After kMaxWrongTokens wrong tokens within kLockTime, from any senders, all commands are
-  /// refused until the first of these tokens is older than kLockTime.
+  /// After kMaxWrongTokens wrong tokens within kLockoutTime, from any senders, all commands are
+  /// refused until the first of these tokens is older than kLockoutTime.
   std::string handle(std::string_view line, Clock::time_point now = Clock::now());
 
   /// Returns whether remote commands are on.
   bool isOn() const { return !token_.empty() && receiver_ != nullptr; }
 
   static constexpr std::size_t kMaxWrongTokens = 5;
-  static constexpr std::chrono::seconds kLockTime{60};
+  static constexpr std::chrono::seconds kLockoutTime{60};
 
 private:
   Status execute(const RemoteCommand& command, Clock::time_point now);

@@ -57,7 +57,7 @@ std::vector<std::string> LineClient::receive() {
   if (count > 0) {
     addInput(bytes.data(), static_cast<std::size_t>(count), lines);
   } else if (count == 0) {
-    isListenedTo_ = false;
+    maySendCommands_ = false;
   } else if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) {
     socket_.close();
   }

@@ -21,8 +21,8 @@ public:
   bool isOpen() const { return socket_.isOpen(); }
   /// Returns whether the client may still send commands. This is false after the client has closed
   /// its sending side.
-  bool isListenedTo() const { return isListenedTo_; }
-  bool hasSomethingToSend() const { return !queue_.empty(); }
+  bool maySendCommands() const { return maySendCommands_; }
+  bool hasWaitingBytes() const { return !queue_.empty(); }
 
   /// Appends bytes to send. Returns the number of pieces that were dropped because the queue is
   /// full.
@@ -43,7 +43,7 @@ private:
   std::size_t sent_ = 0; ///< number of bytes of the first piece that were sent
   std::string input_;    ///< the beginning of a line
   bool isTooLong_ = false;
-  bool isListenedTo_ = true;
+  bool maySendCommands_ = true;
 };
 
 } // namespace dewpoint::broadcast

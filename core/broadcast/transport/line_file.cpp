@@ -59,8 +59,8 @@ bool LineFile::isReady() {
     number_ = own_.number();
     isOpened_ = false;
     const std::lock_guard lock(mutex_);
-    report_.clients = number_ >= 0 ? 1 : 0;
-    report_.lacksReader = number_ < 0;
+    report_.clientCount = number_ >= 0 ? 1 : 0;
+    report_.hasNoReader = number_ < 0;
     report_.problem.clear();
   }
   return number_ >= 0 && !isBroken_;
@@ -68,9 +68,9 @@ bool LineFile::isReady() {
 
 void LineFile::fail(int reason) {
   const std::lock_guard lock(mutex_);
-  report_.clients = 0;
-  report_.lacksReader = isNamed_ && reason == EPIPE;
-  report_.problem = report_.lacksReader ? "" : std::strerror(reason);
+  report_.clientCount = 0;
+  report_.hasNoReader = isNamed_ && reason == EPIPE;
+  report_.problem = report_.hasNoReader ? "" : std::strerror(reason);
   own_.close();
   number_ = -1;
   isBroken_ = !isNamed_;
@@ -102,7 +102,7 @@ void LineFile::write(const std::string& piece) {
     done += static_cast<std::size_t>(written);
   }
   const std::lock_guard lock(mutex_);
-  ++(done == piece.size() ? report_.sent : report_.dropped);
+  ++(done == piece.size() ? report_.sentPieces : report_.droppedPieces);
 }
 
 void LineFile::send(const std::vector<std::string>& pieces) {

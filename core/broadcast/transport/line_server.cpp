@@ -40,7 +40,7 @@ void watchConnection(int socket) {
   setOption(socket, IPPROTO_TCP, TCP_KEEPIDLE, kIdleSeconds);
   setOption(socket, IPPROTO_TCP, TCP_KEEPINTVL, kIdleSeconds / 2);
   setOption(socket, IPPROTO_TCP, TCP_KEEPCNT, kProbes);
-  setOption(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, 1000 * LineServer::kUnansweredSeconds);
+  setOption(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, 1000 * LineServer::kAcknowledgeTimeoutSeconds);
   setOption(socket, IPPROTO_TCP, TCP_NODELAY, 1);
   setOption(socket, SOL_SOCKET, SO_SNDBUF, kBufferBytes);
 }
@@ -118,7 +118,7 @@ private:
       polled.assign({{wake_.number(), POLLIN, 0}, {listening_.number(), POLLIN, 0}});
       for (const LineClient& client : clients_) {
         const int events =
-            (client.isListenedTo() ? POLLIN : 0) | (client.hasSomethingToSend() ? POLLOUT : 0);
+            (client.maySendCommands() ? POLLIN : 0) | (client.hasWaitingBytes() ? POLLOUT : 0);
         polled.push_back({client.socket(), static_cast<short>(events), 0});
       }
       ::poll(polled.data(), polled.size(), -1);

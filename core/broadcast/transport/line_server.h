@@ -17,11 +17,12 @@ namespace dewpoint::broadcast {
 ///
 /// At most kMaxClients programs can be connected at the same time. A received line longer than
 /// kMaxRemoteCommandBytes is ignored. If a client is too slow, lines for this client are dropped
-/// (OutgoingQueue). A client that does not acknowledge data for kUnansweredSeconds is disconnected.
+/// (OutgoingQueue). A client that does not acknowledge data for kAcknowledgeTimeoutSeconds is
+/// disconnected.
 class LineServer final : public Outlet {
 public:
   static constexpr std::size_t kMaxClients = 256;
-  static constexpr int kUnansweredSeconds = 60;
+  static constexpr int kAcknowledgeTimeoutSeconds = 60;
 
   /// Opens a port (0: any free port) on an address of this computer (`host`). `gate` executes
   /// remote commands and must not be null. Error: BadValue if the port cannot be opened.

@@ -288,7 +288,7 @@ std::string filled(std::string_view page,
 std::string livePage(const PageTexts& texts) {
   return filled<6>(kLivePage, {{{"language", base::htmlEscaped(texts.language)},
                                 {"title", base::htmlEscaped(texts.title)},
-                                {"view", base::htmlEscaped(texts.view)},
+                                {"view", base::htmlEscaped(texts.viewDescription)},
                                 {"connecting", base::htmlEscaped(texts.connecting)},
                                 {"help", base::htmlEscaped(texts.help)},
                                 {"texts", scriptTexts(texts)}}});

@@ -15,7 +15,8 @@ struct PageTexts {
   /// BCP 47 tag of the language, for example "de-DE". It also determines how numbers are written.
   std::string language = "en";
   std::string title = "Dewpoint live";
-  std::string view = "Cameras, targets and their tracks in 3D"; ///< description of the 3D view
+  std::string viewDescription =
+      "Cameras, targets and their tracks in 3D"; ///< of the 3D view, for screen readers
   std::string help = "Drag: rotate · Wheel or two fingers: zoom · Double click: reset";
   std::string connecting = "Connecting…";
   std::string waiting = "Connected. Waiting for images…";
@@ -26,9 +27,9 @@ struct PageTexts {
   std::map<std::string, std::string> states{{"held", "tracking"}, {"ambiguous", "ambiguous"},
                                             {"hidden", "hidden"}, {"searching", "searching"},
                                             {"lost", "lost"},     {"gone", "not present"}};
-  std::string otherSite = "Only pages from this server can read the results.";
-  std::string onlyGet = "Only GET requests are supported.";
-  std::string onlyOnePage = "This server has only one page: /.";
+  std::string otherSiteRefused = "Only pages from this server can read the results.";
+  std::string onlyGetSupported = "Only GET requests are supported.";
+  std::string pageNotFound = "This server has only one page: /.";
 
   bool operator==(const PageTexts&) const = default;
 };

@@ -77,7 +77,7 @@ public:
   void accept(const Request& request) {
     beast::get_lowest_layer(stream_).expires_never(); // from here on, WebSocket has its own timeout
     websocket::stream_base::timeout timeout{};
-    timeout.handshake_timeout = std::chrono::seconds(WebServer::kVisitSeconds);
+    timeout.handshake_timeout = std::chrono::seconds(WebServer::kRequestTimeoutSeconds);
     timeout.idle_timeout = std::chrono::seconds(30);
     timeout.keep_alive_pings = true;
     stream_.set_option(timeout);
@@ -167,7 +167,7 @@ public:
   }
 
   void read() {
-    stream_.expires_after(std::chrono::seconds(WebServer::kVisitSeconds));
+    stream_.expires_after(std::chrono::seconds(WebServer::kRequestTimeoutSeconds));
     http::async_read(stream_, input_, parser_,
                      [self = shared_from_this()](beast::error_code problem, std::size_t) {
                        if (!problem) {
@@ -182,15 +182,15 @@ private:
     const std::string_view origin = view(request[http::field::origin]);
     const std::string_view target = view(request.target());
     if (!isAllowedOrigin(host, origin, hub_.isLoopback)) {
-      refuse(request, http::status::forbidden, hub_.texts.otherSite);
+      refuse(request, http::status::forbidden, hub_.texts.otherSiteRefused);
     } else if (websocket::is_upgrade(request)) {
       std::make_shared<WebClient>(hub_, std::move(stream_), connection_)->accept(request);
     } else if (request.method() != http::verb::get && request.method() != http::verb::head) {
-      refuse(request, http::status::method_not_allowed, hub_.texts.onlyGet);
+      refuse(request, http::status::method_not_allowed, hub_.texts.onlyGetSupported);
     } else if (target == "/" || target.starts_with("/?")) {
       respond(request, http::status::ok, livePage(hub_.texts), "text/html; charset=utf-8");
     } else {
-      refuse(request, http::status::not_found, hub_.texts.onlyOnePage);
+      refuse(request, http::status::not_found, hub_.texts.pageNotFound);
     }
   }
 

@@ -17,15 +17,15 @@ namespace dewpoint::broadcast {
 /// commands from them. Serves livePage() at `/` on the same port. Uses one thread for all clients.
 ///
 /// Limits: An HTTP request has at most 8 KiB of header and no body, and must be complete within
-/// kVisitSeconds. A message longer than kMaxRemoteCommandBytes ends the connection. At most
-/// kMaxClients clients can be connected at the same time. A client that does not answer a ping
+/// kRequestTimeoutSeconds. A message longer than kMaxRemoteCommandBytes ends the connection. At
+/// most kMaxClients clients can be connected at the same time. A client that does not answer a ping
 /// within 30 s is disconnected.
 ///
 /// Requests from pages of other web sites are refused; see isAllowedOrigin().
 class WebServer final : public Outlet {
 public:
   static constexpr std::size_t kMaxClients = 64;
-  static constexpr int kVisitSeconds = 10;
+  static constexpr int kRequestTimeoutSeconds = 10;
 
   /// Opens a port (0: any free port) on an address of this computer (`host`, which must be
   /// numeric). `gate` executes remote commands and must not be null. `texts`: texts of the page.

@@ -108,7 +108,7 @@ std::string readFlags(const std::vector<std::string>& parts, std::size_t first,
                       BoardDescription& board) {
   for (std::size_t k = first; k < parts.size(); ++k) {
     if (parts[k] == "legacy" && board.kind == BoardDescription::Kind::Charuco) {
-      board.legacy = true;
+      board.usesLegacyLayout = true;
     } else if (parts[k] == "inverted") {
       board.inverted = true;
     } else {
@@ -167,11 +167,11 @@ Eigen::Vector3d BoardDescription::center() const {
 }
 
 bool BoardDescription::isBlack(int column, int row) const {
-  const bool whiteFirst = legacy && kind == Kind::Charuco && rows % 2 == 0;
+  const bool whiteFirst = usesLegacyLayout && kind == Kind::Charuco && rows % 2 == 0;
   return ((column + row) % 2 == 0) != whiteFirst;
 }
 
-int BoardDescription::symmetry() const {
+int BoardDescription::symmetryOrder() const {
   if (kind == Kind::Charuco) {
     return 1;
   }
@@ -201,8 +201,8 @@ std::string boardText(const BoardDescription& board) {
   std::string text = fmt::format("{}:{}x{}:{}", chessboard ? "chessboard" : "charuco",
                                  board.columns, board.rows, board.squareSize);
   if (!chessboard) {
-    text +=
-        fmt::format(":{}:{}{}", board.markerSize, board.dictionary, board.legacy ? ":legacy" : "");
+    text += fmt::format(":{}:{}{}", board.markerSize, board.dictionary,
+                        board.usesLegacyLayout ? ":legacy" : "");
   }
   return text + (board.inverted ? ":inverted" : "");
 }

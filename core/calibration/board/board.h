@@ -27,7 +27,7 @@ struct BoardDescription {
   std::string dictionary;    ///< OpenCV name such as "DICT_4X4_50"; ChArUco only
   /// True if the first square of a ChArUco board is white, as on boards with an even number of rows
   /// that OpenCV before 4.6 created.
-  bool legacy = false;
+  bool usesLegacyLayout = false;
   bool inverted = false; ///< printed with black and white exchanged
 
   /// Returns the number of inner corners in a row. Inner corners are those that a BoardDetector
@@ -52,7 +52,7 @@ struct BoardDescription {
   bool isBlack(int column, int row) const;
   /// Returns the number of rotations about the board's normal that leave the board unchanged: 1
   /// (unambiguous), 2 or 4.
-  int symmetry() const;
+  int symmetryOrder() const;
 
   bool operator==(const BoardDescription&) const = default;
 };

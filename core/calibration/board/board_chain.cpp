@@ -55,7 +55,7 @@ int turnStep(int symmetry) {
 std::vector<PairPose> pairPoses(const ExtrinsicsRequest& request, const BoardChain& chain,
                                 const ViewIndex& index, std::size_t one, std::size_t other) {
   std::vector<PairPose> poses;
-  const int symmetry = request.board.symmetry();
+  const int symmetry = request.board.symmetryOrder();
   for (const auto& [instant, at] : index[one]) {
     const auto found = index[other].find(instant);
     if (found == index[other].end()) {
@@ -103,7 +103,7 @@ PairLink linkOf(const std::vector<PairPose>& poses) {
 }
 
 void poseViews(const ExtrinsicsRequest& request, BoardChain& chain, ViewIndex& index) {
-  chain.leftOut.resize(request.cameras.size());
+  chain.leftOutViews.resize(request.cameras.size());
   index.resize(request.cameras.size());
   for (std::size_t camera = 0; camera < request.cameras.size(); ++camera) {
     const auto& in = request.cameras[camera].camera.intrinsics;
@@ -112,9 +112,9 @@ void poseViews(const ExtrinsicsRequest& request, BoardChain& chain, ViewIndex& i
       const double rms =
           pose ? fitView(request.board, view, request.cameras[camera].camera, *pose).rmsPx : 0.0;
       if (!pose) {
-        chain.leftOut[camera].push_back(leftOutView(view, "too few corners are seen"));
+        chain.leftOutViews[camera].push_back(leftOutView(view, "too few corners are seen"));
       } else if (rms > kMostPosePart * std::hypot(in.width, in.height)) {
-        chain.leftOut[camera].push_back(
+        chain.leftOutViews[camera].push_back(
             leftOutView(view, fmt::format("no board pose fits the corners within {:.1f} px", rms)));
       } else {
         index[camera][view.instant] = chain.views.size();
@@ -189,7 +189,7 @@ void placeBoards(const ExtrinsicsRequest& request, BoardChain& chain) {
     chain.firstFromBoard[instant] =
         chain.cameraFromFirst[view->camera].inverse() * view->cameraFromBoard;
   }
-  const int symmetry = request.board.symmetry();
+  const int symmetry = request.board.symmetryOrder();
   for (PosedView& view : chain.views) {
     const Eigen::Isometry3d expected =
         chain.cameraFromFirst[view.camera] * chain.firstFromBoard[view.view->instant];

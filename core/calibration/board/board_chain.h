@@ -27,7 +27,7 @@ struct BoardChain {
   /// Board poses in the frame of the first camera, by BoardView::instant.
   std::map<std::int64_t, Eigen::Isometry3d> firstFromBoard;
   std::vector<PosedView> views;
-  std::vector<std::vector<ViewFit>> leftOut; ///< views without a pose, per camera
+  std::vector<std::vector<ViewFit>> leftOutViews; ///< views without a pose, per camera
   std::vector<std::string> notices;
 };
 

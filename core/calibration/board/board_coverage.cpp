@@ -38,14 +38,14 @@ int BoardCoverage::regionOf(const Eigen::Vector2d& pixel, int width, int height)
 void BoardCoverage::add(const std::vector<Eigen::Vector2d>& pixels, BoardTilt tilt, int width,
                         int height) {
   for (const auto& pixel : pixels) {
-    ++corners[static_cast<std::size_t>(regionOf(pixel, width, height))];
+    ++cornerCounts[static_cast<std::size_t>(regionOf(pixel, width, height))];
   }
-  ++tilts[static_cast<std::size_t>(tilt)];
+  ++tiltCounts[static_cast<std::size_t>(tilt)];
 }
 
 double BoardCoverage::coveredFraction() const {
-  const auto seen = std::ranges::count_if(corners, [](int count) { return count > 0; });
-  return static_cast<double>(seen) / static_cast<double>(corners.size());
+  const auto seen = std::ranges::count_if(cornerCounts, [](int count) { return count > 0; });
+  return static_cast<double>(seen) / static_cast<double>(cornerCounts.size());
 }
 
 } // namespace dewpoint::calibration

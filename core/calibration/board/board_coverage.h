@@ -27,11 +27,11 @@ double tiltAngle(const Eigen::Isometry3d& cameraFromBoard, const Eigen::Vector3d
 struct BoardCoverage {
   static constexpr int kColumns = 6;
   static constexpr int kRows = 4;
-  static constexpr int kTilts = 5;
+  static constexpr int kTiltCount = 5;
 
   std::array<int, std::size_t{kColumns} * kRows>
-      corners{};                   ///< number of corners seen in each region, row by row
-  std::array<int, kTilts> tilts{}; ///< number of views at each BoardTilt
+      cornerCounts{};                       ///< number of corners seen in each region, row by row
+  std::array<int, kTiltCount> tiltCounts{}; ///< number of views at each BoardTilt
 
   /// Returns the index of the region that contains a pixel, in an image of `width` x `height`
   /// pixels.

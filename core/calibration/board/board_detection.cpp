@@ -47,7 +47,7 @@ std::optional<BoardDetection> BoardDetector::detect(const cv::Mat& image,
   try {
     if (charuco) {
       reach = 0.5 * (1.0 - board_.markerSize / board_.squareSize);
-      charucoCorners(gray, board_, markerSquares_, found.ids, corners);
+      findCharucoCorners(gray, board_, markerSquares_, found.ids, corners);
       if (corners.size() < kLeastCharucoCorners) {
         return std::nullopt;
       }
@@ -77,7 +77,7 @@ int BoardDetector::countCorners(const cv::Mat& image) const {
   std::vector<int> ids;
   std::vector<cv::Point2f> corners;
   try {
-    charucoCorners(grayOf(image, board_.inverted), board_, markerSquares_, ids, corners);
+    findCharucoCorners(grayOf(image, board_.inverted), board_, markerSquares_, ids, corners);
   } catch (const cv::Exception&) {
     return 0;
   }

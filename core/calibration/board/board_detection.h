@@ -33,10 +33,10 @@ enum class DetectionEffort {
 
 /// Finds the corners of a board. Chessboards must be completely visible; ChArUco boards may be
 /// partly hidden. Corners are numbered from the first square of the board if its colors identify
-/// this square. The colors of a symmetric chessboard (BoardDescription::symmetry()) do not identify
-/// this square. Its corners are then numbered so that the rows run to the right in the image, as
-/// nearly as possible. ChArUco corners are interpolated from the neighboring markers and then
-/// refined in the image (Foerstner's method, cv::cornerSubPix).
+/// this square. The colors of a symmetric chessboard (BoardDescription::symmetryOrder()) do not
+/// identify this square. Its corners are then numbered so that the rows run to the right in the
+/// image, as nearly as possible. ChArUco corners are interpolated from the neighboring markers and
+/// then refined in the image (Foerstner's method, cv::cornerSubPix).
 class BoardDetector {
 public:
   explicit BoardDetector(const BoardDescription& board);

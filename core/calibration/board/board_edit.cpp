@@ -24,7 +24,7 @@ BoardDescription withKind(BoardDescription board, BoardDescription::Kind kind) {
   const bool markers = kind == BoardDescription::Kind::Charuco;
   board.markerSize = markers ? rounded(kMarkerFraction * board.squareSize) : 0.0;
   board.dictionary = markers ? "DICT_4X4_100" : "";
-  board.legacy = false;
+  board.usesLegacyLayout = false;
   board.inverted = false;
   return board;
 }

@@ -9,8 +9,8 @@ namespace dewpoint::calibration {
 // kind of board. The result may be an impossible board; checkBoard() reports that.
 
 /// Returns a board of the kind `kind` with the same squares. The markers of a ChArUco board are
-/// from DICT_4X4_100 and three quarters of a square wide. The result is neither `legacy` nor
-/// `inverted`.
+/// from DICT_4X4_100 and three quarters of a square wide. The result is neither `usesLegacyLayout`
+/// nor `inverted`.
 BoardDescription withKind(BoardDescription board, BoardDescription::Kind kind);
 
 /// Returns the board with `columns` squares in a row and `rows` squares in a column.

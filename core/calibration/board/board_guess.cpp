@@ -68,7 +68,7 @@ std::optional<BoardDescription> boardOfGrid(const MarkerGrid& grid, const Marker
   board.columns = grid.columns;
   board.rows = grid.rows;
   board.squareSize = requested.squareSize;
-  board.legacy = grid.whiteFirst;
+  board.usesLegacyLayout = grid.whiteFirst;
   board.inverted = reading.inverted;
   const double part =
       requested.kind == KindOfBoard::Charuco ? requested.markerSize / requested.squareSize : 0.0;
@@ -93,8 +93,8 @@ BoardGuess confirmedGuess(const BoardDescription& board, bool mirrored,
       seen = gray;
     }
     if (const auto found = detector.detect(seen, DetectionEffort::Exact)) {
-      ++guess.images;
-      guess.corners += static_cast<int>(found->ids.size());
+      ++guess.imageCount;
+      guess.cornerCount += static_cast<int>(found->ids.size());
     }
   }
   return guess;
@@ -213,14 +213,15 @@ std::optional<std::vector<BoardGuess>> chessboardGuesses(const std::vector<cv::M
         failed += shown ? 0 : 1;
       }
       if (shown) {
-        ++guess.images;
-        guess.corners += board.cornerCount();
+        ++guess.imageCount;
+        guess.cornerCount += board.cornerCount();
       }
     }
-    if (board.cornerCount() >= kSurelyChessboard || guess.images >= kChessboardConfirmingImages) {
+    if (board.cornerCount() >= kSurelyChessboard ||
+        guess.imageCount >= kChessboardConfirmingImages) {
       guesses.push_back(guess);
     }
-    if (2 * guess.images > suggested) {
+    if (2 * guess.imageCount > suggested) {
       break; // the other sizes are mistakes
     }
   }
@@ -252,16 +253,16 @@ Result<std::vector<BoardGuess>> guessBoards(const std::vector<cv::Mat>& images,
     searched.push_back(imageForGuess(image));
   }
   auto guesses = charucoGuesses(searched, requested, progress);
-  const auto isSeen = [](const BoardGuess& guess) { return guess.images > 0; };
+  const auto isSeen = [](const BoardGuess& guess) { return guess.imageCount > 0; };
   if (guesses && std::ranges::none_of(*guesses, isSeen)) {
     // Only then: a ChArUco board has the corners of a chessboard too.
     guesses = chessboardGuesses(searched, requested, progress);
   }
   if (!guesses) {
-    return canceled();
+    return canceledError();
   }
   std::erase_if(*guesses, [&](const BoardGuess& guess) { return !isSeen(guess); });
-  std::ranges::stable_sort(*guesses, std::ranges::greater{}, &BoardGuess::corners);
+  std::ranges::stable_sort(*guesses, std::ranges::greater{}, &BoardGuess::cornerCount);
   return std::move(*guesses);
 }
 
@@ -284,16 +285,17 @@ std::string guessText(const BoardGuess& guess) {
           ? fmt::format("chessboard of {} x {} inner corners", board.columns, board.rows)
           : fmt::format("ChArUco board of {} x {} squares, {}", board.columns, board.rows,
                         board.dictionary);
-  text += board.legacy ? ", legacy layout" : "";
+  text += board.usesLegacyLayout ? ", legacy layout" : "";
   text += board.inverted ? ", black and white exchanged" : "";
-  text += guess.mirrored ? ", mirrored" : "";
+  text += guess.isMirrored ? ", mirrored" : "";
   return text;
 }
 
 std::string proposalText(const BoardGuess& guess) {
-  return fmt::format("{} of {} images searched seem to show a {}: {}use --board {}", guess.images,
-                     guess.searched, guessText(guess),
-                     guess.mirrored ? "mirror the images (mirror = true in the project) and " : "",
+  return fmt::format("{} of {} images searched seem to show a {}: {}use --board {}",
+                     guess.imageCount, guess.searchedImageCount, guessText(guess),
+                     guess.isMirrored ? "mirror the images (mirror = true in the project) and "
+                                      : "",
                      boardText(guess.board));
 }
 

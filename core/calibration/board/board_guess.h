@@ -18,10 +18,10 @@ struct BoardGuess {
   BoardDescription board;
   /// True if the images are mirrored left to right. A BoardDetector cannot find the board in such
   /// images, whatever the description.
-  bool mirrored = false;
-  int searched = 0; ///< number of images that were searched
-  int images = 0;   ///< number of searched images in which a BoardDetector finds the board
-  int corners = 0;  ///< total number of corners found in these images
+  bool isMirrored = false;
+  int searchedImageCount = 0; ///< number of images that were searched
+  int imageCount = 0;  ///< number of searched images in which a BoardDetector finds the board
+  int cornerCount = 0; ///< total number of corners found in these images
 };
 
 /// Returns an image (CV_8UC1 or CV_8UC3, BGR) in the form that guessBoards() uses: gray, and

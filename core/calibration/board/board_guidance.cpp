@@ -47,7 +47,7 @@ BoardTilt BoardGuidance::currentTilt(const BoardDetection& detection) const {
 void BoardGuidance::updateMotion(double seconds, const BoardDetection& detection) {
   const auto moved = last_ ? motionBetween(*last_, detection) : std::nullopt;
   const double allowed =
-      settings_.stillPerSecond * camera_.intrinsics.width * (seconds - lastSeconds_);
+      settings_.maxStillSpeed * camera_.intrinsics.width * (seconds - lastSeconds_);
   if (!moved || *moved > allowed) {
     stillSince_ = seconds;
   }
@@ -72,12 +72,13 @@ int BoardGuidance::emptiestRegion(const Eigen::Vector2d& middle) const {
   const auto& in = camera_.intrinsics;
   int emptiest = 0;
   std::pair<int, double> best;
-  for (int k = 0; k < static_cast<int>(coverage_.corners.size()); ++k) {
+  for (int k = 0; k < static_cast<int>(coverage_.cornerCounts.size()); ++k) {
     const int column = k % BoardCoverage::kColumns;
     const int row = k / BoardCoverage::kColumns;
     const Eigen::Vector2d place((column + 0.5) / BoardCoverage::kColumns * in.width,
                                 (row + 0.5) / BoardCoverage::kRows * in.height);
-    const std::pair rank(coverage_.corners[static_cast<std::size_t>(k)], -(place - middle).norm());
+    const std::pair rank(coverage_.cornerCounts[static_cast<std::size_t>(k)],
+                         -(place - middle).norm());
     if (k == 0 || rank < best) {
       best = rank;
       emptiest = k;
@@ -97,7 +98,7 @@ GuidanceAdvice BoardGuidance::nextAdvice(const BoardDetection& detection,
   state.region = emptiestRegion(middle);
   // Tilts and places alternate, so that neither is all that is ever shown.
   if (views_.size() % 2 == 0) {
-    const auto& tilts = coverage_.tilts;
+    const auto& tilts = coverage_.tiltCounts;
     state.tilt = static_cast<BoardTilt>(std::ranges::min_element(tilts) - tilts.begin());
     return GuidanceAdvice::TiltTo;
   }
@@ -121,8 +122,8 @@ void BoardGuidance::advise(const BoardDetection& detection, GuidanceState& state
 GuidanceState BoardGuidance::summary() const {
   GuidanceState state;
   state.coverage = coverage_;
-  state.views = static_cast<int>(views_.size());
-  state.projectionPx = projectionPx_;
+  state.viewCount = static_cast<int>(views_.size());
+  state.projectionSigmaPx = projectionPx_;
   return state;
 }
 
@@ -144,7 +145,7 @@ void BoardGuidance::capture(GuidanceState& state) {
 GuidanceState BoardGuidance::step(double seconds, const std::optional<BoardDetection>& detection) {
   GuidanceState state = summary();
   const bool enough = views_.size() >= static_cast<std::size_t>(settings_.minViews) &&
-                      projectionPx_ && *projectionPx_ <= settings_.requestedProjectionPx;
+                      projectionPx_ && *projectionPx_ <= settings_.requiredProjectionSigmaPx;
   if (enough || views_.size() >= static_cast<std::size_t>(settings_.maxViews)) {
     state.advice = GuidanceAdvice::Finished;
     return state;

@@ -24,7 +24,7 @@ enum class GuidanceAdvice {
 /// Settings of a BoardGuidance.
 struct GuidanceSettings {
   /// Speed below which the board counts as still, as a fraction of the image width per second.
-  double stillPerSecond = 0.05;
+  double maxStillSpeed = 0.05;
   double holdSeconds = 0.5; ///< time for which the board must be still before the view is captured
   double softEdgeFraction =
       0.008; ///< edges wider than this fraction of the image width count as soft
@@ -33,7 +33,7 @@ struct GuidanceSettings {
   int minViews = 10; ///< minimum number of views before the guidance can end
   int maxViews = 60; ///< maximum number of views; the guidance then ends, whatever the accuracy
   /// The guidance ends when IntrinsicsResult::maxProjectionSigmaPx is at most this value, pixels.
-  double requestedProjectionPx = 0.3;
+  double requiredProjectionSigmaPx = 0.3;
 };
 
 /// State of the guidance after processing an image.
@@ -43,12 +43,12 @@ struct GuidanceState {
   int region = -1;
   BoardTilt tilt = BoardTilt::Flat; ///< tilt to show if the advice is TiltTo
   BoardCoverage coverage;           ///< coverage of the captured views
-  int views = 0;                    ///< number of views captured so far
+  int viewCount = 0;                ///< number of views captured so far
   double holdProgress = 0.0;        ///< elapsed fraction of GuidanceSettings::holdSeconds, 0 to 1
   bool captured = false;            ///< true if this image was captured as a view
   /// IntrinsicsResult::independentProjectionSigmaPx of the latest calibration, pixels; empty before
   /// the first calibration.
-  std::optional<double> projectionPx;
+  std::optional<double> projectionSigmaPx;
 };
 
 /// Guides the user in showing a board to one camera. From the detections in a live stream, it

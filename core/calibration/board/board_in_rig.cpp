@@ -46,7 +46,7 @@ Seen renumbered(const Eigen::Isometry3d& worldFromBoard, const BoardDescription&
     }
     const BoardDetection original = *seen[k];
     double best = std::numeric_limits<double>::infinity();
-    for (int turns = 0; turns < 4; turns += 4 / board.symmetry()) {
+    for (int turns = 0; turns < 4; turns += 4 / board.symmetryOrder()) {
       const BoardDetection turned = rotated(original, board, turns);
       const double error =
           fitView(board, {"", 0, turned}, rig[k], rig[k].cameraFromWorld * worldFromBoard).rmsPx;
@@ -73,7 +73,7 @@ BundleProblem problemOf(const Eigen::Isometry3d& worldFromBoard, const BoardDesc
   }
   problem.bodies.push_back(body);
   BundleState state;
-  state.known = true;
+  state.isKnown = true;
   state.worldFromBoard = worldFromBoard;
   problem.states.push_back(state);
   for (std::size_t k = 0; k < rig.size(); ++k) {
@@ -122,7 +122,7 @@ Result<BoardInRig> boardInRig(const BoardDescription& board, const CameraRig& ri
   }
   result.worldFromBoard = adjusted->states.front().worldFromBoard;
   result.rmsPx = errorOf(result.worldFromBoard, board, rig, counted);
-  const double most = maxViewError(0.0, rig[result.cameras.front()].intrinsics);
+  const double most = maxViewErrorPx(0.0, rig[result.cameras.front()].intrinsics);
   if (result.rmsPx > most) {
     return failure(ErrorCode::Mismatch, "", "board",
                    fmt::format("the corners of the board are {:.1f} px off: the calibration is "

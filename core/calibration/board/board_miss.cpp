@@ -140,7 +140,7 @@ BoardMiss diagnoseMissedBoard(const BoardDetector& detector, const cv::Mat& imag
                               : std::numeric_limits<double>::infinity();
     if (side < kLargestSmallPx) {
       miss.reason = BoardMiss::Reason::TooSmall;
-      miss.squarePx = side;
+      miss.squareSizePx = side;
       return miss;
     }
   }
@@ -149,11 +149,11 @@ BoardMiss diagnoseMissedBoard(const BoardDetector& detector, const cv::Mat& imag
     miss.edgeWidthPx = width;
     return miss;
   }
-  miss.corners = cornersOfPart(detector, image);
-  if (miss.corners > 0 && miss.corners < detector.board().cornerCount()) {
+  miss.cornerCount = cornersOfPart(detector, image);
+  if (miss.cornerCount > 0 && miss.cornerCount < detector.board().cornerCount()) {
     miss.reason = BoardMiss::Reason::TooFewCorners;
   } else {
-    miss.corners = 0;
+    miss.cornerCount = 0;
   }
   return miss;
 }
@@ -161,11 +161,11 @@ BoardMiss diagnoseMissedBoard(const BoardDetector& detector, const cv::Mat& imag
 std::string missReasonText(const BoardMiss& miss) {
   switch (miss.reason) {
   case BoardMiss::Reason::TooFewCorners:
-    return fmt::format("too few corners: {}", miss.corners);
+    return fmt::format("too few corners: {}", miss.cornerCount);
   case BoardMiss::Reason::Blurred:
     return fmt::format("blurred, edges of {:.0f} px", miss.edgeWidthPx);
   case BoardMiss::Reason::TooSmall:
-    return fmt::format("too small, squares of {:.0f} px", miss.squarePx);
+    return fmt::format("too small, squares of {:.0f} px", miss.squareSizePx);
   case BoardMiss::Reason::Unknown:
     break;
   }

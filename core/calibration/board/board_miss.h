@@ -18,9 +18,9 @@ struct BoardMiss {
     TooSmall,      ///< the board is found after the image is enlarged
   };
   Reason reason = Reason::Unknown;
-  int corners = 0;          ///< TooFewCorners: number of corners that were found
-  double edgeWidthPx = 0.0; ///< Blurred: width of the sharpest edges in the image, pixels
-  double squarePx = 0.0;    ///< TooSmall: side of the squares in the image, pixels
+  int cornerCount = 0;       ///< TooFewCorners: number of corners that were found
+  double edgeWidthPx = 0.0;  ///< Blurred: width of the sharpest edges in the image, pixels
+  double squareSizePx = 0.0; ///< TooSmall: side of the squares in the image, pixels
 
   bool operator==(const BoardMiss&) const = default;
 };

@@ -327,7 +327,7 @@ Status printBoard(const BoardDescription& board, const Paper& paper,
   }
 }
 
-Result<int> sheetsToPrint(const BoardDescription& board, const Paper& paper) {
+Result<int> countSheetsToPrint(const BoardDescription& board, const Paper& paper) {
   if (layoutOf(board, paper)) {
     return 1;
   }

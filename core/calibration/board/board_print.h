@@ -36,6 +36,6 @@ Status printBoard(const BoardDescription& board, const Paper& paper,
 /// Returns the number of sheets into which printBoard() splits a board, not counting the page with
 /// the plan; 1 if the board fits on the paper. Error: BadValue if more than 64 sheets would be
 /// needed.
-Result<int> sheetsToPrint(const BoardDescription& board, const Paper& paper);
+Result<int> countSheetsToPrint(const BoardDescription& board, const Paper& paper);
 
 } // namespace dewpoint::calibration

@@ -148,9 +148,9 @@ void dropInconsistent(const BoardDescription& board, std::vector<int>& ids,
 
 } // namespace
 
-void charucoCorners(const cv::Mat& gray, const BoardDescription& board,
-                    const std::vector<std::pair<int, int>>& markerSquares, std::vector<int>& ids,
-                    std::vector<cv::Point2f>& corners) {
+void findCharucoCorners(const cv::Mat& gray, const BoardDescription& board,
+                        const std::vector<std::pair<int, int>>& markerSquares,
+                        std::vector<int>& ids, std::vector<cv::Point2f>& corners) {
   const auto markers = seenMarkers(gray, board, markerSquares);
   const double gap = 0.5 * (1.0 - board.markerSize / board.squareSize);
   for (int id = 0; id < board.cornerCount(); ++id) {

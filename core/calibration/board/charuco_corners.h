@@ -13,8 +13,8 @@ namespace dewpoint::calibration {
 
 /// Finds the visible corners of a ChArUco board. Writes their numbers to `ids` and their pixel
 /// positions to `corners`. `markerSquares`: column and row of the square of each marker.
-void charucoCorners(const cv::Mat& gray, const BoardDescription& board,
-                    const std::vector<std::pair<int, int>>& markerSquares, std::vector<int>& ids,
-                    std::vector<cv::Point2f>& corners);
+void findCharucoCorners(const cv::Mat& gray, const BoardDescription& board,
+                        const std::vector<std::pair<int, int>>& markerSquares,
+                        std::vector<int>& ids, std::vector<cv::Point2f>& corners);
 
 } // namespace dewpoint::calibration

@@ -81,7 +81,7 @@ private:
     for (int round = 0; round < kMostRounds; ++round) {
       if (!reportProgress(progress_, CalibrationStage::Adjustment,
                           static_cast<double>(round) / kMostRounds)) {
-        return canceled();
+        return canceledError();
       }
       if (auto adjusted = adjust(RobustLoss::Huber, lossWidth); !adjusted) {
         return tl::make_unexpected(adjusted.error());
@@ -105,7 +105,8 @@ private:
   /// Returns whether a lens that may be off by `worst` pixels is no better than the given one.
   bool isLensUseless(std::size_t k, double worst) const {
     const BoardCamera& given = request_.cameras[k];
-    const bool isKnownBetter = worst > kWorstRayPx && given.lensError && *given.lensError < worst;
+    const bool isKnownBetter =
+        worst > kWorstRayPx && given.intrinsicsErrorPx && *given.intrinsicsErrorPx < worst;
     return isKnownBetter || !(worst <= kUndeterminedRayShare * given.camera.intrinsics.width);
   }
 
@@ -164,13 +165,13 @@ private:
       BundleCamera camera;
       camera.camera = adjusted_.empty() ? request_.cameras[k].camera : adjusted_[k];
       camera.camera.cameraFromWorld = chain_.cameraFromFirst[k];
-      camera.poseFixed = k == 0;
-      camera.focalFree = refined_[k];
-      camera.centerFree = refined_[k];
+      camera.isPoseFixed = k == 0;
+      camera.isFocalFree = refined_[k];
+      camera.isPrincipalPointFree = refined_[k];
       const auto& in = camera.camera.intrinsics;
-      camera.aspectFree = refined_[k] && in.focalX != in.focalY;
-      for (std::size_t c = 0; c < camera.distortionFree.size(); ++c) {
-        camera.distortionFree[c] = refined_[k] && camera.camera.distortion[c] != 0.0;
+      camera.isAspectFree = refined_[k] && in.focalX != in.focalY;
+      for (std::size_t c = 0; c < camera.isDistortionFree.size(); ++c) {
+        camera.isDistortionFree[c] = refined_[k] && camera.camera.distortion[c] != 0.0;
       }
       problem.cameras.push_back(camera);
     }
@@ -187,7 +188,7 @@ private:
       index = problem.states.size();
       BundleState state;
       state.time = static_cast<double>(index);
-      state.known = true;
+      state.isKnown = true;
       state.worldFromBoard = chain_.firstFromBoard[instant];
       problem.states.push_back(state);
     }
@@ -236,7 +237,7 @@ private:
     std::vector<ViewFit> goodFits;
     for (std::size_t k = 0; k < chain_.views.size(); ++k) {
       const PosedView& view = chain_.views[k];
-      if (fits_[k].rmsPx <= maxViewError(median, adjusted_[view.camera].intrinsics)) {
+      if (fits_[k].rmsPx <= maxViewErrorPx(median, adjusted_[view.camera].intrinsics)) {
         good.push_back(view);
         goodFits.push_back(fits_[k]);
         continue;
@@ -247,7 +248,7 @@ private:
               "the corners of this view are {:.2f} px off, those of the other views {:.2f} px",
               fits_[k].rmsPx, median));
       left.rmsPx = fits_[k].rmsPx;
-      chain_.leftOut[view.camera].push_back(std::move(left));
+      chain_.leftOutViews[view.camera].push_back(std::move(left));
     }
     const bool fewer = good.size() < chain_.views.size();
     chain_.views = std::move(good);
@@ -317,9 +318,10 @@ private:
     result.covariance.matrix *= bundle_.noiseFactor * bundle_.noiseFactor;
     for (std::size_t k = 0; k < result.fits.size(); ++k) {
       CameraFit& fit = result.fits[k];
-      fit.lensRefined = refined_[k];
+      fit.isLensRefined = refined_[k];
       fit.rmsPx = overallRms(fit.views);
-      fit.views.insert(fit.views.end(), chain_.leftOut[k].begin(), chain_.leftOut[k].end());
+      fit.views.insert(fit.views.end(), chain_.leftOutViews[k].begin(),
+                       chain_.leftOutViews[k].end());
       const auto& known = result.covariance;
       fit.centerSigma = centerSigma(known, k);
       fit.rotationSigma = rotationSigma(known, k);
@@ -348,7 +350,7 @@ Result<ExtrinsicsResult> calibrateExtrinsics(const ExtrinsicsRequest& request,
     return failure(ErrorCode::NotFound, "", "cameras", "there is none");
   }
   if (!reportProgress(progress, CalibrationStage::Chaining, 0.0)) {
-    return canceled();
+    return canceledError();
   }
   auto chain = chainCameras(request);
   if (!chain) {

@@ -19,7 +19,7 @@ struct BoardCamera {
   std::vector<BoardView> views;
   /// Standard deviation of the projection of a ray, in pixels, due to errors of the intrinsics of
   /// `camera`. It is the largest one in the image. Empty if unknown.
-  std::optional<double> lensError = {};
+  std::optional<double> intrinsicsErrorPx = {};
 };
 
 /// Standard deviation of the projection of a ray, in pixels, above which intrinsics are too
@@ -41,7 +41,7 @@ struct ExtrinsicsRequest {
   /// principal point, and the distortion coefficients that are not zero. A camera keeps its
   /// intrinsics, and a notice names the camera, in two cases: its views do not determine the
   /// intrinsics (kUndeterminedRayShare), or the new intrinsics would be inaccurate (kWorstRayPx)
-  /// and less accurate than BoardCamera::lensError.
+  /// and less accurate than BoardCamera::intrinsicsErrorPx.
   bool refineIntrinsics = false;
 };
 
@@ -62,7 +62,7 @@ struct CameraFit {
   /// without this assumption.
   double centerSigma = 0.0;
   double rotationSigma = 0.0; ///< standard deviation of the camera orientation, radians
-  bool lensRefined = false;   ///< true if the intrinsics were adjusted as well
+  bool isLensRefined = false; ///< true if the intrinsics were adjusted as well
 };
 
 /// Output of calibrateExtrinsics().

@@ -36,14 +36,14 @@ Eigen::VectorXd imageOf(const Camera& camera, const std::vector<Eigen::Vector3d>
 /// Derivatives of the image by the intrinsics.
 Eigen::MatrixXd byIntrinsics(const Camera& camera, const IntrinsicsParameters& parameters,
                              const std::vector<Eigen::Vector3d>& pointsCamera) {
-  const Eigen::VectorXd values = parameters.of(camera);
-  const Eigen::VectorXd steps = parameters.steps(camera);
+  const Eigen::VectorXd values = parameters.valuesOf(camera);
+  const Eigen::VectorXd steps = parameters.stepSizes(camera);
   Eigen::MatrixXd derivative(2 * static_cast<Eigen::Index>(pointsCamera.size()), values.size());
   for (Eigen::Index k = 0; k < values.size(); ++k) {
     Eigen::VectorXd step = Eigen::VectorXd::Zero(values.size());
     step(k) = steps(k);
-    derivative.col(k) = (imageOf(parameters.applied(camera, values + step), pointsCamera) -
-                         imageOf(parameters.applied(camera, values - step), pointsCamera)) /
+    derivative.col(k) = (imageOf(parameters.withValues(camera, values + step), pointsCamera) -
+                         imageOf(parameters.withValues(camera, values - step), pointsCamera)) /
                         (2.0 * steps(k));
   }
   return derivative;
@@ -103,7 +103,7 @@ IntrinsicsParameters::IntrinsicsParameters(IntrinsicsModel model, bool squarePix
   names_.insert(names_.end(), lens.begin(), lens.begin() + coefficients_);
 }
 
-Eigen::VectorXd IntrinsicsParameters::of(const Camera& camera) const {
+Eigen::VectorXd IntrinsicsParameters::valuesOf(const Camera& camera) const {
   std::vector<double> values{camera.intrinsics.focalX};
   if (!squarePixels_) {
     values.push_back(camera.intrinsics.focalY);
@@ -113,7 +113,7 @@ Eigen::VectorXd IntrinsicsParameters::of(const Camera& camera) const {
   return Eigen::Map<Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-Camera IntrinsicsParameters::applied(Camera camera, const Eigen::VectorXd& values) const {
+Camera IntrinsicsParameters::withValues(Camera camera, const Eigen::VectorXd& values) const {
   Eigen::Index at = 0;
   camera.intrinsics.focalX = values(at++);
   camera.intrinsics.focalY = squarePixels_ ? camera.intrinsics.focalX : values(at++);
@@ -125,16 +125,17 @@ Camera IntrinsicsParameters::applied(Camera camera, const Eigen::VectorXd& value
   return camera;
 }
 
-Eigen::VectorXd IntrinsicsParameters::steps(const Camera& camera) const {
+Eigen::VectorXd IntrinsicsParameters::stepSizes(const Camera& camera) const {
   Eigen::VectorXd steps = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(names_.size()), 1e-5);
   steps.head(squarePixels_ ? 3 : 4).setConstant(1e-5 * camera.intrinsics.focalX);
   return steps;
 }
 
-std::vector<LensEvidence> lensEvidence(const BoardDescription& board, const Camera& camera,
-                                       const IntrinsicsParameters& parameters,
-                                       const std::vector<ViewFit>& views) {
-  std::vector<LensEvidence> all;
+std::vector<ViewNormalEquations> normalEquationsOfViews(const BoardDescription& board,
+                                                        const Camera& camera,
+                                                        const IntrinsicsParameters& parameters,
+                                                        const std::vector<ViewFit>& views) {
+  std::vector<ViewNormalEquations> all;
   for (const ViewFit& view : views) {
     std::vector<Eigen::Vector3d> points;
     for (const int id : view.ids) {
@@ -154,7 +155,7 @@ std::vector<LensEvidence> lensEvidence(const BoardDescription& board, const Came
         lens - pose * geometry::solveSymmetric(pose.transpose() * pose, cross);
     all.push_back({view.instant, rest.transpose() * rest, rest.transpose() * residuals});
   }
-  std::ranges::stable_sort(all, {}, &LensEvidence::instant);
+  std::ranges::stable_sort(all, {}, &ViewNormalEquations::instant);
   return all;
 }
 
@@ -163,8 +164,8 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
                                      const std::vector<ViewFit>& views) {
   const auto size = static_cast<Eigen::Index>(parameters.names().size());
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
-  const auto evidence = lensEvidence(board, camera, parameters, views);
-  for (const LensEvidence& view : evidence) {
+  const auto evidence = normalEquationsOfViews(board, camera, parameters, views);
+  for (const ViewNormalEquations& view : evidence) {
     normal += view.information;
   }
   double squares = 0.0;
@@ -185,12 +186,12 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
   return squares / static_cast<double>(freedom) * *inverse;
 }
 
-Eigen::VectorXd lensChangeWithout(const std::vector<LensEvidence>& evidence, std::int64_t first,
-                                  std::int64_t end) {
+Eigen::VectorXd lensChangeWithoutViews(const std::vector<ViewNormalEquations>& evidence,
+                                       std::int64_t first, std::int64_t end) {
   const Eigen::Index size = evidence.empty() ? 0 : evidence.front().gradient.size();
   Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd left = Eigen::VectorXd::Zero(size);
-  for (const LensEvidence& view : evidence) {
+  for (const ViewNormalEquations& view : evidence) {
     if (view.instant >= first && view.instant < end) {
       left += view.gradient;
     } else {
@@ -201,8 +202,8 @@ Eigen::VectorXd lensChangeWithout(const std::vector<LensEvidence>& evidence, std
   return inverse ? Eigen::VectorXd(-*inverse * left) : Eigen::VectorXd(Eigen::VectorXd::Zero(size));
 }
 
-Camera lensWithout(const IntrinsicsResult& result, std::int64_t first, std::int64_t end) {
-  if (result.evidence.empty()) {
+Camera lensWithoutViews(const IntrinsicsResult& result, std::int64_t first, std::int64_t end) {
+  if (result.viewNormalEquations.empty()) {
     return result.camera;
   }
   // The names tell how many parameters there are; the camera tells the model.
@@ -213,11 +214,12 @@ Camera lensWithout(const IntrinsicsResult& result, std::int64_t first, std::int6
                                         : coefficients == 5 ? IntrinsicsModel::FiveCoefficients
                                                             : IntrinsicsModel::EightCoefficients,
                                         square);
-  return parameters.applied(result.camera, parameters.of(result.camera) +
-                                               lensChangeWithout(result.evidence, first, end));
+  return parameters.withValues(result.camera,
+                               parameters.valuesOf(result.camera) +
+                                   lensChangeWithoutViews(result.viewNormalEquations, first, end));
 }
 
-Eigen::MatrixXd lensJackknife(const std::vector<LensEvidence>& evidence) {
+Eigen::MatrixXd lensJackknife(const std::vector<ViewNormalEquations>& evidence) {
   const std::size_t count = evidence.size();
   const std::size_t blocks = std::min(kMostLensBlocks, count);
   if (blocks < kLeastBlocks) {
@@ -226,7 +228,7 @@ Eigen::MatrixXd lensJackknife(const std::vector<LensEvidence>& evidence) {
   Eigen::MatrixXd changes(evidence.front().gradient.size(), static_cast<Eigen::Index>(blocks));
   for (std::size_t block = 0; block < blocks; ++block) {
     const std::size_t end = (block + 1) * count / blocks;
-    changes.col(static_cast<Eigen::Index>(block)) = lensChangeWithout(
+    changes.col(static_cast<Eigen::Index>(block)) = lensChangeWithoutViews(
         evidence, evidence[block * count / blocks].instant,
         end < count ? evidence[end].instant : std::numeric_limits<std::int64_t>::max());
   }

@@ -18,11 +18,11 @@ public:
 
   const std::vector<std::string>& names() const { return names_; }
   /// Returns the parameter values of a camera, in the order of names().
-  Eigen::VectorXd of(const Camera& camera) const;
+  Eigen::VectorXd valuesOf(const Camera& camera) const;
   /// Returns the camera with these parameter values.
-  Camera applied(Camera camera, const Eigen::VectorXd& values) const;
+  Camera withValues(Camera camera, const Eigen::VectorXd& values) const;
   /// Returns a step size for each parameter, in the order of names(), for numeric derivatives.
-  Eigen::VectorXd steps(const Camera& camera) const;
+  Eigen::VectorXd stepSizes(const Camera& camera) const;
 
 private:
   std::vector<std::string> names_;
@@ -39,26 +39,27 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
                                      const std::vector<ViewFit>& views);
 
 /// Returns the information about the intrinsics in each used view, in ascending order of instants.
-std::vector<LensEvidence> lensEvidence(const BoardDescription& board, const Camera& camera,
-                                       const IntrinsicsParameters& parameters,
-                                       const std::vector<ViewFit>& views);
+std::vector<ViewNormalEquations> normalEquationsOfViews(const BoardDescription& board,
+                                                        const Camera& camera,
+                                                        const IntrinsicsParameters& parameters,
+                                                        const std::vector<ViewFit>& views);
 
 /// Returns how much the parameters change, to first order, if the views with instants from `first`
 /// to before `end` are left out. The order is that of IntrinsicsResult::parameters. All changes are
 /// 0 if the remaining views do not determine the intrinsics.
-Eigen::VectorXd lensChangeWithout(const std::vector<LensEvidence>& evidence, std::int64_t first,
-                                  std::int64_t end);
+Eigen::VectorXd lensChangeWithoutViews(const std::vector<ViewNormalEquations>& evidence,
+                                       std::int64_t first, std::int64_t end);
 
 /// Returns the camera that would result without the views with instants from `first` to before
 /// `end`; computed to first order.
-Camera lensWithout(const IntrinsicsResult& result, std::int64_t first, std::int64_t end);
+Camera lensWithoutViews(const IntrinsicsResult& result, std::int64_t first, std::int64_t end);
 
 /// Returns the covariance of the intrinsics, estimated from the scatter of up to ten results. Each
 /// result leaves out one block of neighboring views (delete-a-group jackknife, Kott 2001). The
 /// scatter includes errors that the corners of a view, or neighboring views, share. The covariance
 /// is enlarged so that 1.96 standard deviations bound 95 % of the errors despite the small number
 /// of results (Student's t). Returns an empty matrix if there are fewer than four views.
-Eigen::MatrixXd lensJackknife(const std::vector<LensEvidence>& evidence);
+Eigen::MatrixXd lensJackknife(const std::vector<ViewNormalEquations>& evidence);
 
 /// Returns `covariance` with each variance replaced by the variance in `found`, if the latter is
 /// larger. The correlations do not change.

@@ -120,11 +120,11 @@ public:
         left_.push_back(leftOutView(view, "too few corners are seen"));
       }
     }
-    const auto solved = solveAll(request_.pixels != PixelShape::Free);
+    const auto solved = solveAll(request_.pixelShape != PixelShape::Free);
     if (!solved) {
       return tl::make_unexpected(solved.error());
     }
-    if (request_.pixels == PixelShape::Measured && request_.model != IntrinsicsModel::Fisheye) {
+    if (request_.pixelShape == PixelShape::Measured && request_.model != IntrinsicsModel::Fisheye) {
       if (const auto checked = checkAspect(); !checked) {
         return tl::make_unexpected(checked.error());
       }
@@ -148,7 +148,7 @@ private:
       }
       if (!reportProgress(progress_, CalibrationStage::Intrinsics,
                           static_cast<double>(round) / kMostLensRounds)) {
-        return canceled();
+        return canceledError();
       }
       const auto solution = solve(request_, views_, square_);
       if (!solution) {
@@ -168,7 +168,7 @@ private:
 
   bool leaveOutBad() {
     const double median = medianRms(fits_);
-    const double limit = maxViewError(median, camera_.intrinsics);
+    const double limit = maxViewErrorPx(median, camera_.intrinsics);
     Views good;
     for (std::size_t k = 0; k < views_.size(); ++k) {
       if (fits_[k].rmsPx <= limit) {
@@ -235,8 +235,8 @@ private:
     result.rmsPx = overallRms(fits_);
     const IntrinsicsParameters parameters(request_.model, square_);
     const Eigen::MatrixXd stated = intrinsicsCovariance(request_.board, camera_, parameters, fits_);
-    result.evidence = lensEvidence(request_.board, camera_, parameters, fits_);
-    const Eigen::MatrixXd found = lensJackknife(result.evidence);
+    result.viewNormalEquations = normalEquationsOfViews(request_.board, camera_, parameters, fits_);
+    const Eigen::MatrixXd found = lensJackknife(result.viewNormalEquations);
     result.covariance = widenedCovariance(stated, found);
     result.independentProjectionSigmaPx = projectionSigma(camera_, parameters, stated);
     result.maxProjectionSigmaPx = result.independentProjectionSigmaPx;
@@ -244,7 +244,7 @@ private:
       result.maxProjectionSigmaPx =
           std::max(result.maxProjectionSigmaPx, projectionSigma(camera_, parameters, found));
     }
-    const Eigen::VectorXd values = parameters.of(camera_);
+    const Eigen::VectorXd values = parameters.valuesOf(camera_);
     for (Eigen::Index k = 0; k < values.size(); ++k) {
       const double sigma = result.covariance.size() == 0 ? 0.0 : std::sqrt(result.covariance(k, k));
       result.parameters.push_back(

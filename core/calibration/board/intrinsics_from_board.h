@@ -33,7 +33,7 @@ struct IntrinsicsRequest {
   int width = 0;
   int height = 0;
   IntrinsicsModel model = IntrinsicsModel::FiveCoefficients;
-  PixelShape pixels = PixelShape::Measured;
+  PixelShape pixelShape = PixelShape::Measured;
 };
 
 /// Estimated parameter and its standard deviation, in pixels or dimensionless.
@@ -46,7 +46,7 @@ struct EstimatedParameter {
 /// Information about the intrinsics in one view: its part of the normal equations, with the pose of
 /// the board eliminated. Rows and columns are in the order of IntrinsicsResult::parameters. Corners
 /// are assumed to have a standard deviation of one pixel.
-struct LensEvidence {
+struct ViewNormalEquations {
   std::int64_t instant = 0;    ///< BoardView::instant
   Eigen::MatrixXd information; ///< normal matrix
   /// Right-hand side of the normal equations: `information` times the parameter step that fits this
@@ -62,8 +62,8 @@ struct IntrinsicsResult {
   std::vector<ViewFit> views;
   std::vector<EstimatedParameter> parameters;
   Eigen::MatrixXd covariance; ///< covariance of `parameters`, in the same order
-  /// Information in each view used, in ascending order of instants; see lensWithout().
-  std::vector<LensEvidence> evidence;
+  /// Information in each view used, in ascending order of instants; see lensWithoutViews().
+  std::vector<ViewNormalEquations> viewNormalEquations;
   BoardCoverage coverage; ///< coverage of the views used
   /// Largest standard deviation of the projection of a ray across the image, in pixels; see
   /// projectionSigma().

@@ -10,7 +10,7 @@ RigGuidance::RigGuidance(std::vector<int> imageWidths, const Settings& settings)
     : widths_(std::move(imageWidths)), settings_(settings), views_(widths_.size()),
       sharedInstants_(widths_.size() * widths_.size()), last_(widths_.size()) {}
 
-int RigGuidance::sharedInstants(int one, int other) const {
+int RigGuidance::sharedInstantCount(int one, int other) const {
   return sharedInstants_[static_cast<std::size_t>(one) * widths_.size() +
                          static_cast<std::size_t>(other)];
 }
@@ -21,7 +21,7 @@ bool RigGuidance::isStill(double seconds,
   for (std::size_t k = 0; k < widths_.size(); ++k) {
     if (detections[k]) {
       const auto moved = last_[k] ? motionBetween(*last_[k], *detections[k]) : std::nullopt;
-      const double allowed = settings_.stillPerSecond * widths_[k] * (seconds - lastSeconds_);
+      const double allowed = settings_.maxStillSpeed * widths_[k] * (seconds - lastSeconds_);
       still = still && moved && *moved <= allowed;
     }
   }
@@ -58,8 +58,8 @@ void RigGuidance::suggest(State& state) const {
     std::pair<int, int> ends;
     for (const int from : reached) {
       for (int to = 0; to < count; ++to) {
-        if (!reached.contains(to) && sharedInstants(from, to) > most) {
-          most = sharedInstants(from, to);
+        if (!reached.contains(to) && sharedInstantCount(from, to) > most) {
+          most = sharedInstantCount(from, to);
           ends = {from, to};
         }
       }
@@ -95,7 +95,7 @@ void RigGuidance::capture(State& state) {
 
 RigGuidance::State RigGuidance::state() const {
   State state;
-  state.instants = instants_;
+  state.instantCount = instants_;
   suggest(state);
   return state;
 }
@@ -127,7 +127,7 @@ RigGuidance::State RigGuidance::step(double seconds,
   if (state.holdProgress >= 1.0) {
     capture(state);
   }
-  state.instants = instants_;
+  state.instantCount = instants_;
   suggest(state);
   return state;
 }

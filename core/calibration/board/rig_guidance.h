@@ -15,7 +15,7 @@ namespace dewpoint::calibration {
 class RigGuidance {
 public:
   struct Settings {
-    double stillPerSecond =
+    double maxStillSpeed =
         0.05; ///< speed below which the board counts as still, in image widths per second
     double holdSeconds = 0.5; ///< time for which the board must be still before it is captured
     /// Required number of instants at which both cameras see the board, for each pair in the chain
@@ -26,7 +26,7 @@ public:
   };
   /// State of the guidance after a step.
   struct State {
-    int instants = 0;          ///< number of instants captured so far
+    int instantCount = 0;      ///< number of instants captured so far
     bool captured = false;     ///< true if the latest detections were captured
     bool finished = false;     ///< true if all cameras are connected by enough captured instants
     double holdProgress = 0.0; ///< elapsed fraction of Settings::holdSeconds, 0 to 1
@@ -50,7 +50,7 @@ public:
   /// Returns the captured views per camera, in the form used by calibrateExtrinsics().
   const std::vector<std::vector<BoardView>>& views() const { return views_; }
   /// Returns the number of instants at which both cameras saw the board.
-  int sharedInstants(int one, int other) const;
+  int sharedInstantCount(int one, int other) const;
 
 private:
   bool isStill(double seconds, const std::vector<std::optional<BoardDetection>>& detections);

@@ -71,7 +71,7 @@ double medianRms(const std::vector<ViewFit>& fits) {
   return upperMedian(std::move(errors));
 }
 
-double maxViewError(double median, const Intrinsics& image) {
+double maxViewErrorPx(double median, const Intrinsics& image) {
   return std::max(kBadFactor * median, kBadPart * std::hypot(image.width, image.height));
 }
 

@@ -49,7 +49,7 @@ double medianRms(const std::vector<ViewFit>& fits);
 
 /// Returns the largest acceptable error of a view in pixels: five times the median error `median`,
 /// but at least 0.25 % of the image diagonal.
-double maxViewError(double median, const Intrinsics& image);
+double maxViewErrorPx(double median, const Intrinsics& image);
 
 /// Marks used views as doubtful if their error is more than three times that of the median view.
 void markDoubtful(std::vector<ViewFit>& fits);

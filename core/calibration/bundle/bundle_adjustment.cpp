@@ -23,7 +23,7 @@ using Kind = BundleBody::Kind;
 constexpr double kFunctionTolerance = 1e-10;
 /// ... and of the parameters.
 constexpr double kParameterTolerance = 1e-10;
-/// The former where a draft is enough (BundleProblem::draft).
+/// The former where a draft is enough (BundleProblem::isDraft).
 constexpr double kDraftTolerance = 1e-5;
 /// Steps are damped by at least the inverse, in units of each parameter's own precision: where the
 /// world is not tied down, its normal equations are singular without.
@@ -51,7 +51,7 @@ public:
 
   Result<BundleResult> run(const BundleCallback& callback) {
     ceres::Solver::Options options = solverOptions();
-    StopOnRequest stop(callback, std::max<std::size_t>(model_.usedObservations, 1));
+    StopOnRequest stop(callback, std::max<std::size_t>(model_.usedObservationCount, 1));
     options.callbacks.push_back(&stop);
     ceres::Solver::Summary summary;
     const auto begin = std::chrono::steady_clock::now();
@@ -62,14 +62,14 @@ public:
     if (summary.termination_type == ceres::FAILURE) {
       return failure(ErrorCode::Undetermined, "", "", "the optimization failed numerically");
     }
-    if (summary.termination_type == ceres::NO_CONVERGENCE && !model_.problem.draft) {
+    if (summary.termination_type == ceres::NO_CONVERGENCE && !model_.problem.isDraft) {
       return failure(ErrorCode::Undetermined, "", "",
                      fmt::format("the optimization did not converge within {} iterations",
                                  model_.problem.maxIterations));
     }
     BundleResult result = solution();
     result.iterations = static_cast<int>(summary.iterations.size());
-    if (auto known = model_.problem.draft ? Status() : addCovariance(result); !known) {
+    if (auto known = model_.problem.isDraft ? Status() : addCovariance(result); !known) {
       return tl::make_unexpected(known.error());
     }
     result.seconds =
@@ -82,7 +82,7 @@ private:
     ceres::Solver::Options options;
     options.num_threads = 1; // sums in one order: the same bits every time
     options.max_num_iterations = model_.problem.maxIterations;
-    options.function_tolerance = model_.problem.draft ? kDraftTolerance : kFunctionTolerance;
+    options.function_tolerance = model_.problem.isDraft ? kDraftTolerance : kFunctionTolerance;
     options.max_trust_region_radius = kLargestTrust;
     options.parameter_tolerance = kParameterTolerance;
     options.logging_type = ceres::SILENT;
@@ -100,7 +100,7 @@ private:
       }
     }
     for (BundleModel::CameraBlocks& camera : model_.cameras) {
-      for (double* block : {camera.pose.data(), camera.lens.data(), &camera.offset}) {
+      for (double* block : {camera.pose.data(), camera.lens.data(), &camera.timeOffset}) {
         if (model_.isInProblem(block)) {
           ordering->AddElementToGroup(block, 1);
         }
@@ -113,7 +113,7 @@ private:
   bool isAnyCameraVariable() const {
     return std::any_of(model_.cameras.begin(), model_.cameras.end(), [&](const auto& camera) {
       return model_.isVariable(camera.pose.data()) || model_.isVariable(camera.lens.data()) ||
-             model_.isVariable(&camera.offset);
+             model_.isVariable(&camera.timeOffset);
     });
   }
 
@@ -126,7 +126,7 @@ private:
         const Eigen::Map<const Eigen::Vector3d> turn(blocks.pose.data());
         const Eigen::Map<const Eigen::Vector3d> center(blocks.pose.data() + 3);
         const Eigen::Quaterniond rotation(
-            Eigen::Matrix3d(rotationFromTurn(turn) * blocks.rotation));
+            Eigen::Matrix3d(rotationExponential(turn) * blocks.rotation));
         camera.cameraFromWorld.linear() = rotation.normalized().toRotationMatrix();
         camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
       }
@@ -134,7 +134,7 @@ private:
         setLens(blocks.lens, camera);
       }
       result.cameras.push_back(camera);
-      result.offsets.push_back(blocks.offset);
+      result.timeOffsets.push_back(blocks.timeOffset);
     }
     result.states = model_.start.states;
     for (std::size_t s = 0; s < model_.states.size(); ++s) {
@@ -147,9 +147,10 @@ private:
   void takeState(std::size_t s, BundleState& state) {
     const Eigen::Map<const Eigen::Vector3d> first(model_.states[s].values.data());
     const Eigen::Map<const Eigen::Vector3d> second(model_.states[s].values.data() + 3);
-    state.known = model_.start.stateUsed[s] && model_.isInProblem(model_.states[s].values.data());
+    state.isKnown =
+        model_.start.isStateUsed[s] && model_.isInProblem(model_.states[s].values.data());
     if (model_.problem.bodies[state.body].kind == Kind::Board) {
-      state.worldFromBoard.linear() = rotationFromTurn(first) * model_.states[s].rotation;
+      state.worldFromBoard.linear() = rotationExponential(first) * model_.states[s].rotation;
       state.worldFromBoard.translation() = second;
     } else {
       state.ends = {first, second};
@@ -174,9 +175,9 @@ private:
       ++counts[model_.problem.observations[i].camera];
       sum += squares;
     }
-    result.used = model_.usedObservations;
+    result.usedObservationCount = model_.usedObservationCount;
     result.rms =
-        std::sqrt(sum / static_cast<double>(std::max<std::size_t>(model_.usedObservations, 1)));
+        std::sqrt(sum / static_cast<double>(std::max<std::size_t>(model_.usedObservationCount, 1)));
     for (std::size_t c = 0; c < sums.size(); ++c) {
       result.cameraRms.push_back(
           counts[c] == 0 ? none : std::sqrt(sums[c] / static_cast<double>(counts[c])));
@@ -187,16 +188,16 @@ private:
   int gaugeFreedoms() const {
     std::size_t anchors = 0;
     for (const BundleCamera& camera : model_.problem.cameras) {
-      anchors += camera.poseFixed || camera.posePrior ? 1 : 0;
+      anchors += camera.isPoseFixed || camera.posePrior ? 1 : 0;
     }
     bool sized = anchors > 1;
     for (std::size_t s = 0; s < model_.states.size(); ++s) {
-      if (!model_.start.stateUsed[s]) {
+      if (!model_.start.isStateUsed[s]) {
         continue;
       }
       const Kind kind = model_.problem.bodies[model_.start.states[s].body].kind;
       sized = sized || kind != Kind::Point;
-      anchors += model_.start.states[s].fixed ? (kind == Kind::Board ? 1 : 0) : 0;
+      anchors += model_.start.states[s].isFixed ? (kind == Kind::Board ? 1 : 0) : 0;
     }
     return (anchors > 0 ? 0 : 6) + (sized ? 0 : 1);
   }
@@ -220,7 +221,7 @@ private:
       add(model_.cameras[c].pose.data(), c, CameraQuantity::TurnX, kPoseSize, {});
       add(model_.cameras[c].lens.data(), c, CameraQuantity::Focal, kLensSize,
           BundleModel::fixedLensEntries(model_.problem.cameras[c]));
-      add(&model_.cameras[c].offset, c, CameraQuantity::TimeOffset, 1, {});
+      add(&model_.cameras[c].timeOffset, c, CameraQuantity::TimeOffset, 1, {});
     }
     for (BundleModel::StateBlock& state : model_.states) {
       if (model_.isVariable(state.values.data())) {
@@ -274,8 +275,8 @@ private:
       }
       const Eigen::Map<const Eigen::Vector3d> turn(model_.cameras[columns[i].camera].pose.data());
       Eigen::Matrix3d left; // columns: d(exp(turn) y)/d turn = -[y]x left, read off for y = e_k
-      const Eigen::Matrix3d z = turnDerivative(turn, Eigen::Vector3d::UnitZ());
-      const Eigen::Matrix3d x = turnDerivative(turn, Eigen::Vector3d::UnitX());
+      const Eigen::Matrix3d z = rotationExponentialDerivative(turn, Eigen::Vector3d::UnitZ());
+      const Eigen::Matrix3d x = rotationExponentialDerivative(turn, Eigen::Vector3d::UnitX());
       left.row(0) = -z.row(1);
       left.row(1) = z.row(0);
       left.row(2) = x.row(1);

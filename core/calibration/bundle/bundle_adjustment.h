@@ -31,17 +31,17 @@ struct PosePrior {
 /// (`...Free`).
 struct BundleCamera {
   Camera camera;
-  bool poseFixed = false;
-  bool focalFree = false;  ///< both focal lengths together, keeping their ratio
-  bool aspectFree = false; ///< the ratio of the focal lengths
-  bool centerFree = false; ///< the principal point
+  bool isPoseFixed = false;
+  bool isFocalFree = false;          ///< both focal lengths together, keeping their ratio
+  bool isAspectFree = false;         ///< the ratio of the focal lengths
+  bool isPrincipalPointFree = false; ///< the principal point
   /// Distortion coefficients, in the order of the camera's lens model, each free if true.
-  std::array<bool, 8> distortionFree = {};
-  double offset =
+  std::array<bool, 8> isDistortionFree = {};
+  double timeOffset =
       0.0; ///< seconds, added to the times of the camera's observations to get true times
   /// Must be false for at least one camera, because only differences between offsets can be
   /// determined.
-  bool offsetFree = false;
+  bool isTimeOffsetFree = false;
   std::optional<PosePrior> posePrior = std::nullopt;
   double focalPriorSigma = 0.0; ///< relative standard deviation around the start value; 0: no prior
 };
@@ -69,9 +69,9 @@ struct BundleState {
   double time = 0.0; ///< seconds
   /// True if the values below are start values; if false, the points are triangulated, which is not
   /// possible for boards.
-  bool known = false;
+  bool isKnown = false;
   /// True if the values below are exact and stay fixed, so that they define the world.
-  bool fixed = false;
+  bool isFixed = false;
   std::array<Eigen::Vector3d, 2> ends = {
       Eigen::Vector3d::Zero(),
       Eigen::Vector3d::Zero()}; ///< the point (first only) or both ends of a stick; meters
@@ -88,7 +88,7 @@ struct BundleObservation {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double sigma = 1.0; ///< standard deviation of `pixel` along each axis, pixels
   /// Time of the image minus time of the state, by the camera's own clock; seconds.
-  double lag = 0.0;
+  double timeAfterState = 0.0;
   /// (R/Z)² if `pixel` is the center of the outline of a ball with radius R at depth Z; 0 if it is
   /// the image of a point. The center of the outline is the image of the point (X, Y, Z (1 -
   /// (R/Z)²)); see SphereProjector.
@@ -112,21 +112,21 @@ struct BundleProblem {
   int maxIterations = 200;
   /// True for a quick intermediate result. The adjustment then stops when the cost changes by less
   /// than 1e-5, or after maxIterations even without convergence. The covariance is not computed.
-  bool draft = false;
+  bool isDraft = false;
 };
 
 /// Output of adjustBundle().
 struct BundleResult {
   CameraRig cameras;
-  std::vector<double> offsets; ///< seconds, one per camera
-  /// The given states with adjusted values; `known` is true where the solution determines them.
+  std::vector<double> timeOffsets; ///< seconds, one per camera
+  /// The given states with adjusted values; `isKnown` is true where the solution determines them.
   std::vector<BundleState> states;
   /// Predicted minus observed, pixels; NaN for observations that could not be used.
   std::vector<Eigen::Vector2d> residuals;
   std::vector<double>
-      cameraRms;        ///< RMS residual length per camera over all used image points, pixels
-  double rms = 0.0;     ///< RMS residual length over all cameras, pixels
-  std::size_t used = 0; ///< number of observations used
+      cameraRms;    ///< RMS residual length per camera over all used image points, pixels
+  double rms = 0.0; ///< RMS residual length over all cameras, pixels
+  std::size_t usedObservationCount = 0; ///< number of observations used
   /// Ratio of the residuals to the given sigmas, robustly weighted and corrected for the degrees of
   /// freedom. Multiply `covariance` by the square of this ratio to scale it to the actual size of
   /// the residuals.

@@ -118,13 +118,14 @@ void setLens(const std::array<double, kLensSize>& block, Camera& camera) {
   }
 }
 
-Eigen::Matrix3d rotationFromTurn(const Eigen::Vector3d& turn) {
+Eigen::Matrix3d rotationExponential(const Eigen::Vector3d& turn) {
   return turn.norm() < kSmallAngle
              ? Eigen::Matrix3d(Eigen::Matrix3d::Identity() + crossMatrix(turn))
              : rotationFromVector(turn);
 }
 
-Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& rotatedPoint) {
+Eigen::Matrix3d rotationExponentialDerivative(const Eigen::Vector3d& turn,
+                                              const Eigen::Vector3d& rotatedPoint) {
   const double angle = turn.norm();
   Eigen::Matrix3d left = Eigen::Matrix3d::Identity() + 0.5 * crossMatrix(turn);
   if (angle >= kSmallAngle) {
@@ -158,7 +159,7 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
   std::vector<double> slopes(1, 0.0);
   if (setup_.boardRotation) {
     boardTurn = Eigen::Map<const Eigen::Vector3d>(parameters[3]);
-    onBoard = rotationFromTurn(boardTurn) * (*setup_.boardRotation * setup_.boardPoint);
+    onBoard = rotationExponential(boardTurn) * (*setup_.boardRotation * setup_.boardPoint);
     world = onBoard + Eigen::Map<const Eigen::Vector3d>(parameters[3] + 3);
   } else {
     if (states > 1) {
@@ -170,7 +171,7 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
       velocity += slopes[j] * knot;
     }
   }
-  const Eigen::Matrix3d rotation = rotationFromTurn(turn) * setup_.cameraRotation;
+  const Eigen::Matrix3d rotation = rotationExponential(turn) * setup_.cameraRotation;
   const Eigen::Vector3d inCamera = rotation * (world - center);
   if (!(inCamera.z() > 1e-6)) {
     return false;
@@ -191,7 +192,7 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
   const Eigen::Matrix<double, 2, 3> byWorld = byCamera * rotation;
   if (jacobians[0] != nullptr) {
     Block block(jacobians[0], 2, kPoseSize);
-    block.leftCols<3>() = byCamera * turnDerivative(turn, inCamera);
+    block.leftCols<3>() = byCamera * rotationExponentialDerivative(turn, inCamera);
     block.rightCols<3>() = -byWorld;
   }
   if (lensRequested) {
@@ -207,7 +208,7 @@ bool PixelCost::Evaluate(double const* const* parameters, double* residuals,
     Block block(jacobians[3 + j], 2, setup_.ballStateSize);
     block.setZero();
     if (setup_.boardRotation) {
-      block.leftCols<3>() = byWorld * turnDerivative(boardTurn, onBoard);
+      block.leftCols<3>() = byWorld * rotationExponentialDerivative(boardTurn, onBoard);
       block.rightCols<3>() = byWorld;
     } else {
       block.middleCols<3>(setup_.pointOffset) = weights[j] * byWorld;

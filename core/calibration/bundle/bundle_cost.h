@@ -27,12 +27,13 @@ std::array<double, kLensSize> lensBlock(const Camera& camera);
 void setLens(const std::array<double, kLensSize>& block, Camera& camera);
 
 /// Returns the rotation matrix exp(turn). Uses rotationFromVector(). For rotations so small that
-/// the first-order approximation is exact to rounding, uses this approximation. turnDerivative() is
-/// the derivative of exactly this function.
-Eigen::Matrix3d rotationFromTurn(const Eigen::Vector3d& turn);
+/// the first-order approximation is exact to rounding, uses this approximation.
+/// rotationExponentialDerivative() is the derivative of exactly this function.
+Eigen::Matrix3d rotationExponential(const Eigen::Vector3d& turn);
 /// Returns d(exp(turn) y)/d(turn) = -[exp(turn) y]x J(turn), with J the left Jacobian of SO(3)
 /// (Barfoot, State Estimation for Robotics, eq. 7.77).
-Eigen::Matrix3d turnDerivative(const Eigen::Vector3d& turn, const Eigen::Vector3d& rotatedPoint);
+Eigen::Matrix3d rotationExponentialDerivative(const Eigen::Vector3d& turn,
+                                              const Eigen::Vector3d& rotatedPoint);
 
 /// Data of one observation that stays constant during the optimization.
 struct PixelCostSetup {

@@ -33,10 +33,10 @@ BundleModel::BundleModel(const BundleProblem& given, BundleStart usable)
 std::vector<int> BundleModel::fixedLensEntries(const BundleCamera& camera) {
   std::vector<int> held;
   for (int i = 0; i < kLensSize; ++i) {
-    const bool isFree = i == 0   ? camera.focalFree
-                        : i == 1 ? camera.aspectFree
-                        : i < 4  ? camera.centerFree
-                                 : camera.distortionFree[std::size_t(i - 4)];
+    const bool isFree = i == 0   ? camera.isFocalFree
+                        : i == 1 ? camera.isAspectFree
+                        : i < 4  ? camera.isPrincipalPointFree
+                                 : camera.isDistortionFree[std::size_t(i - 4)];
     if (!isFree) {
       held.push_back(i);
     }
@@ -50,7 +50,7 @@ void BundleModel::makeBlocks() {
     blocks.rotation = wanted.camera.cameraFromWorld.linear();
     Eigen::Map<Eigen::Vector3d>(blocks.pose.data() + 3) = wanted.camera.center();
     blocks.lens = lensBlock(wanted.camera);
-    blocks.offset = wanted.offset;
+    blocks.timeOffset = wanted.timeOffset;
     cameras.push_back(blocks);
   }
   for (const BundleState& wanted : start.states) {
@@ -92,19 +92,19 @@ ceres::LossFunction* BundleModel::lossFor(double sigma) {
 void BundleModel::addObservations() {
   costFunctions.resize(problem.observations.size(), nullptr);
   for (std::size_t i = 0; i < problem.observations.size(); ++i) {
-    if (!start.observationUsed[i]) {
+    if (!start.isObservationUsed[i]) {
       continue;
     }
     auto cost = std::make_unique<PixelCost>(setupOf(i));
     std::vector<double*> blocks = blocksOf(i);
     std::array<double, 2> residual{};
     if (!cost->Evaluate(blocks.data(), residual.data(), nullptr)) {
-      start.observationUsed[i] = false; // behind the camera
+      start.isObservationUsed[i] = false; // behind the camera
       continue;
     }
     solver.AddResidualBlock(cost.get(), lossFor(problem.observations[i].sigma), blocks);
     costFunctions[i] = cost.release(); // the solver owns it
-    ++usedObservations;
+    ++usedObservationCount;
   }
 }
 
@@ -119,7 +119,7 @@ PixelCostSetup BundleModel::setupOf(std::size_t i) const {
   setup.sigma = seen.sigma;
   setup.outlineShift = seen.outlineShift;
   setup.ballStateSize = ballStateSize(body.kind);
-  setup.time = state.time + seen.lag;
+  setup.time = state.time + seen.timeAfterState;
   if (body.kind == Kind::Board) {
     setup.boardRotation = states[seen.state].rotation;
     setup.boardPoint = body.points[seen.point];
@@ -135,7 +135,7 @@ PixelCostSetup BundleModel::setupOf(std::size_t i) const {
 std::vector<double*> BundleModel::blocksOf(std::size_t i) {
   const BundleObservation& seen = problem.observations[i];
   CameraBlocks& camera = cameras[seen.camera];
-  std::vector<double*> blocks{camera.pose.data(), camera.lens.data(), &camera.offset};
+  std::vector<double*> blocks{camera.pose.data(), camera.lens.data(), &camera.timeOffset};
   for (const std::size_t knot : start.knots[i]) {
     blocks.push_back(states[knot].values.data());
   }
@@ -167,7 +167,7 @@ void BundleModel::addPriors() {
                                              centerSigma, centerSigma, centerSigma}),
                               nullptr, blocks.pose.data());
     }
-    if (wanted.focalPriorSigma > 0.0 && wanted.focalFree &&
+    if (wanted.focalPriorSigma > 0.0 && wanted.isFocalFree &&
         solver.HasParameterBlock(blocks.lens.data())) {
       std::vector<double> sigmas(kLensSize, 0.0);
       sigmas[0] = wanted.focalPriorSigma * blocks.lens[0];
@@ -187,15 +187,15 @@ void BundleModel::fixKnownParameters() {
     const BundleCamera& wanted = problem.cameras[c];
     const std::vector<int> held = fixedLensEntries(wanted);
     double* lens = cameras[c].lens.data();
-    hold(cameras[c].pose.data(), wanted.poseFixed);
+    hold(cameras[c].pose.data(), wanted.isPoseFixed);
     hold(lens, held.size() == kLensSize);
-    hold(&cameras[c].offset, !wanted.offsetFree);
+    hold(&cameras[c].timeOffset, !wanted.isTimeOffsetFree);
     if (!held.empty() && held.size() < kLensSize && solver.HasParameterBlock(lens)) {
       solver.SetManifold(lens, new ceres::SubsetManifold(kLensSize, held));
     }
   }
   for (std::size_t s = 0; s < states.size(); ++s) {
-    hold(states[s].values.data(), start.states[s].fixed);
+    hold(states[s].values.data(), start.states[s].isFixed);
   }
 }
 

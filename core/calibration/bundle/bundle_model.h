@@ -22,7 +22,7 @@ public:
     Eigen::Matrix3d rotation; ///< fixed rotation to which the rotation vector in `pose` is relative
     std::array<double, kPoseSize> pose{};
     std::array<double, kLensSize> lens{};
-    double offset = 0.0;
+    double timeOffset = 0.0;
   };
   /// Parameters of a state: a point, both ends of a stick, or the rotation and position of a board.
   struct StateBlock {
@@ -48,8 +48,8 @@ public:
   std::vector<CameraBlocks> cameras;
   std::vector<StateBlock> states;
   std::vector<ceres::CostFunction*>
-      costFunctions;                ///< one per observation; null if the observation is not used
-  std::size_t usedObservations = 0; ///< number of observations used
+      costFunctions; ///< one per observation; null if the observation is not used
+  std::size_t usedObservationCount = 0; ///< number of observations used
   /// Loss functions, by BundleObservation::sigma.
   std::map<double, std::unique_ptr<ceres::LossFunction>> losses;
   ceres::Problem solver;

@@ -36,7 +36,7 @@ Status checkIndices(const BundleProblem& problem) {
     if (state.body >= problem.bodies.size() || !std::isfinite(state.time)) {
       return wrong("states", "a state has no body or no time");
     }
-    if (problem.bodies[state.body].kind == Kind::Board && !state.known && !state.fixed) {
+    if (problem.bodies[state.body].kind == Kind::Board && !state.isKnown && !state.isFixed) {
       return wrong(problem.bodies[state.body].name, "a board needs a pose to start from");
     }
   }
@@ -45,7 +45,7 @@ Status checkIndices(const BundleProblem& problem) {
         seen.point >= pointCount(problem.bodies[problem.states[seen.state].body])) {
       return wrong("observations", "an observation has no camera, no state or no point");
     }
-    if (!seen.pixel.allFinite() || !(seen.sigma > 0.0) || !std::isfinite(seen.lag)) {
+    if (!seen.pixel.allFinite() || !(seen.sigma > 0.0) || !std::isfinite(seen.timeAfterState)) {
       return wrong("observations", "a pixel or its sigma is not a number");
     }
   }
@@ -57,8 +57,8 @@ class SupportPruning {
 public:
   explicit SupportPruning(const BundleProblem& problem) : problem_(problem) {
     start_.states = problem.states;
-    start_.stateUsed.assign(problem.states.size(), true);
-    start_.observationUsed.assign(problem.observations.size(), true);
+    start_.isStateUsed.assign(problem.states.size(), true);
+    start_.isObservationUsed.assign(problem.observations.size(), true);
     start_.knots.resize(problem.observations.size());
     ofState_.resize(problem.states.size());
     for (std::size_t i = 0; i < problem.observations.size(); ++i) {
@@ -71,14 +71,14 @@ public:
 
   Result<BundleStart> run() {
     for (std::size_t s = 0; s < start_.states.size(); ++s) {
-      start_.stateUsed[s] = supported(s) && placed(s);
+      start_.isStateUsed[s] = supported(s) && placed(s);
     }
     for (bool changed = true; changed;) {
       chooseKnots();
       changed = dropUnsupported();
     }
-    for (std::size_t i = 0; i < start_.observationUsed.size(); ++i) {
-      start_.moving = start_.moving || (start_.observationUsed[i] && !start_.knots[i].empty());
+    for (std::size_t i = 0; i < start_.isObservationUsed.size(); ++i) {
+      start_.moving = start_.moving || (start_.isObservationUsed[i] && !start_.knots[i].empty());
     }
     return enough().map([&] { return std::move(start_); });
   }
@@ -89,14 +89,14 @@ private:
   }
 
   bool supported(std::size_t state) const {
-    if (start_.states[state].fixed) {
+    if (start_.states[state].isFixed) {
       return true;
     }
     const BundleBody& body = bodyOf(state);
     if (body.kind == Kind::Board) {
       std::set<std::size_t> points;
       for (const std::size_t i : ofState_[state]) {
-        if (start_.observationUsed[i]) {
+        if (start_.isObservationUsed[i]) {
           points.insert(problem_.observations[i].point);
         }
       }
@@ -106,7 +106,7 @@ private:
       std::set<std::size_t> cameras;
       for (const std::size_t i : ofState_[state]) {
         const BundleObservation& seen = problem_.observations[i];
-        if (start_.observationUsed[i] && seen.point == point) {
+        if (start_.isObservationUsed[i] && seen.point == point) {
           cameras.insert(seen.camera);
         }
       }
@@ -121,7 +121,7 @@ private:
   bool placed(std::size_t state) {
     BundleState& there = start_.states[state];
     const BundleBody& body = bodyOf(state);
-    if (there.known || there.fixed || body.kind == Kind::Board) {
+    if (there.isKnown || there.isFixed || body.kind == Kind::Board) {
       return true;
     }
     for (std::size_t point = 0; point < pointCount(body); ++point) {
@@ -146,13 +146,13 @@ private:
   /// Whether a camera's images can be of other instants than the states.
   bool betweenInstants(const BundleObservation& seen) const {
     const BundleCamera& camera = problem_.cameras[seen.camera];
-    return camera.offsetFree || camera.offset + seen.lag != 0.0;
+    return camera.isTimeOffsetFree || camera.timeOffset + seen.timeAfterState != 0.0;
   }
 
   void chooseKnots() {
     std::vector<std::vector<std::size_t>> paths(problem_.bodies.size());
     for (std::size_t s = 0; s < start_.states.size(); ++s) {
-      if (start_.stateUsed[s] && bodyOf(s).kind != Kind::Board) {
+      if (start_.isStateUsed[s] && bodyOf(s).kind != Kind::Board) {
         paths[start_.states[s].body].push_back(s);
       }
     }
@@ -167,12 +167,12 @@ private:
     }
     for (std::size_t i = 0; i < problem_.observations.size(); ++i) {
       const BundleObservation& seen = problem_.observations[i];
-      const bool used = start_.observationUsed[i] && start_.stateUsed[seen.state];
-      start_.observationUsed[i] = used;
+      const bool used = start_.isObservationUsed[i] && start_.isStateUsed[seen.state];
+      start_.isObservationUsed[i] = used;
       start_.knots[i].clear();
       if (used && betweenInstants(seen) && bodyOf(seen.state).kind != Kind::Board) {
         start_.knots[i] = around[seen.state];
-        start_.observationUsed[i] = start_.knots[i].size() >= kFewestKnots;
+        start_.isObservationUsed[i] = start_.knots[i].size() >= kFewestKnots;
       }
     }
   }
@@ -203,8 +203,8 @@ private:
   bool dropUnsupported() {
     bool changed = false;
     for (std::size_t s = 0; s < start_.states.size(); ++s) {
-      if (start_.stateUsed[s] && !supported(s)) {
-        start_.stateUsed[s] = false;
+      if (start_.isStateUsed[s] && !supported(s)) {
+        start_.isStateUsed[s] = false;
         changed = true;
       }
     }
@@ -214,11 +214,11 @@ private:
   Status enough() const {
     std::vector<std::size_t> counts(problem_.cameras.size(), 0);
     for (std::size_t i = 0; i < problem_.observations.size(); ++i) {
-      counts[problem_.observations[i].camera] += start_.observationUsed[i] ? 1 : 0;
+      counts[problem_.observations[i].camera] += start_.isObservationUsed[i] ? 1 : 0;
     }
     for (std::size_t c = 0; c < counts.size(); ++c) {
       const BundleCamera& camera = problem_.cameras[c];
-      const bool known = camera.poseFixed || camera.posePrior;
+      const bool known = camera.isPoseFixed || camera.posePrior;
       if (counts[c] < kFewestOfCamera && !known) {
         return failure(ErrorCode::Undetermined, "", camera.camera.name,
                        fmt::format("{} usable observations, at least {} are needed", counts[c],

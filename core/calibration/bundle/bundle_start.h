@@ -11,9 +11,9 @@ namespace dewpoint::calibration {
 
 /// Usable parts of a problem, with start values for its bodies.
 struct BundleStart {
-  std::vector<BundleState> states; ///< states, with start values where `stateUsed` is true
-  std::vector<bool> stateUsed;
-  std::vector<bool> observationUsed;
+  std::vector<BundleState> states; ///< states, with start values where `isStateUsed` is true
+  std::vector<bool> isStateUsed;
+  std::vector<bool> isObservationUsed;
   /// For each observation, the states (of the same body, ascending in time) between which its point
   /// is interpolated. Empty if the point is not interpolated, because the image was taken at the
   /// time of the observation's state.

@@ -18,8 +18,8 @@ enum class CalibrationStage {
 };
 
 /// Callback for the progress of a computation: the current stage and the completed fraction of it,
-/// 0 to 1. If it returns false, the computation ends with the error canceled(). The callback may be
-/// empty.
+/// 0 to 1. If it returns false, the computation ends with the error canceledError(). The callback
+/// may be empty.
 using CalibrationProgress = std::function<bool(CalibrationStage stage, double part)>;
 
 /// Calls `progress` unless it is empty. Returns false if the computation must stop.
@@ -29,7 +29,7 @@ inline bool reportProgress(const CalibrationProgress& progress, CalibrationStage
 }
 
 /// Returns the error for a computation that was stopped: Canceled.
-inline tl::unexpected<Error> canceled() {
+inline tl::unexpected<Error> canceledError() {
   return failure(ErrorCode::Canceled, "", "", "");
 }
 

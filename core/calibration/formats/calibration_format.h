@@ -21,7 +21,7 @@ struct CalibrationText {
 /// Hints from the user about information that is missing from a file.
 struct CalibrationHints {
   std::string format;                     ///< format name; recognized from the content if empty
-  std::optional<double> unit;             ///< meters per unit of length in the file
+  std::optional<double> metersPerUnit;    ///< meters per unit of length in the file
   std::optional<LensModel> lens;          ///< lens model of cameras with four coefficients
   std::optional<std::array<int, 2>> size; ///< image width and height, pixels
   /// True if the poses in the file are world-from-camera, false if they are camera-from-world. If
@@ -29,13 +29,13 @@ struct CalibrationHints {
   std::optional<bool> posesAreWorldFromCamera;
 };
 
-/// Cameras read from a file. If `unit` is empty, the lengths of the rig are in the unit of the
-/// file.
+/// Cameras read from a file. If `metersPerUnit` is empty, the lengths of the rig are in the unit of
+/// the file.
 struct ParsedCalibration {
   CameraRig rig;
-  std::string format;         ///< format name
-  std::optional<double> unit; ///< meters per unit of length, if specified in the file
-  bool hasPoses = true;       ///< false: intrinsics only, and every pose is the identity
+  std::string format;                  ///< format name
+  std::optional<double> metersPerUnit; ///< meters per unit of length, if specified in the file
+  bool hasPoses = true;                ///< false: intrinsics only, and every pose is the identity
   /// Complete sentences about how units, directions and axes were interpreted, and which data was
   /// omitted.
   std::vector<std::string> decisions;
@@ -44,7 +44,8 @@ struct ParsedCalibration {
 /// Lens models that a format can represent.
 struct LensSupport {
   int pinholeCoefficients = 8; ///< 4 (k1 k2 p1 p2), 5 (also k3) or 8 (also k4 k5 k6)
-  bool fisheye = false; ///< true if the format also has the four coefficients of LensModel::Fisheye
+  bool supportsFisheye =
+      false; ///< true if the format also has the four coefficients of LensModel::Fisheye
 };
 
 /// Distribution of cameras among the files of a format.
@@ -73,13 +74,15 @@ struct CalibrationFormat {
   LensSupport lenses;
   /// True for a TOML dialect whose files can look exactly like those of another dialect. Only the
   /// user then knows which tool wrote a file.
-  bool sharesKeys = false;
+  bool looksLikeOtherDialect = false;
   /// True if recognize() may also accept files of other formats. If another format also recognizes
   /// a file, the other format is used.
   bool isFallback = false;
   bool firstCameraIsWorld = false; ///< true if poses are always relative to the first camera
-  std::optional<double> unit;      ///< meters per unit, if defined by the format's documentation
-  double defaultUnit = 1.0; ///< unit used for writing unless another one is requested, meters
+  std::optional<double>
+      metersPerUnit; ///< meters per unit, if defined by the format's documentation
+  double defaultMetersPerUnit =
+      1.0; ///< unit used for writing unless another one is requested, meters
   /// Returns the reason why the content of a file seems to be in this format, or an empty string if
   /// it does not. Only examines the text, so that a broken file is still recognized and its own
   /// error is reported.

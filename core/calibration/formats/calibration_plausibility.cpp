@@ -137,7 +137,7 @@ const char* likelyUnit(double spread) {
   return spread > kMaxSpreadInMeters ? "mm" : "m";
 }
 
-std::vector<std::array<std::size_t, 2>> camerasOfOnePose(const CameraRig& rig) {
+std::vector<std::array<std::size_t, 2>> camerasWithSamePose(const CameraRig& rig) {
   std::vector<std::array<std::size_t, 2>> pairs;
   for (std::size_t i = 0; i < rig.size(); ++i) {
     for (std::size_t j = i + 1; j < rig.size(); ++j) {
@@ -160,7 +160,7 @@ Status checkPlausible(const ParsedCalibration& calibration, const CalibrationHin
                       const std::string& file) {
   const CameraRig& rig = calibration.rig;
   Status status = checkPrincipalPoint(rig, file);
-  if (status && !hints.unit && calibration.hasPoses) {
+  if (status && !hints.metersPerUnit && calibration.hasPoses) {
     status = checkUnit(rig, file);
   }
   if (status && calibration.hasPoses) {

@@ -23,7 +23,7 @@ const char* likelyUnit(double spread);
 /// Returns the pairs of cameras that have the same position and rotation up to rounding, which
 /// happens if one camera was copied. (Two separate calibrations of one camera differ by more than
 /// rounding.) In each pair, the lower index comes first.
-std::vector<std::array<std::size_t, 2>> camerasOfOnePose(const CameraRig& rig);
+std::vector<std::array<std::size_t, 2>> camerasWithSamePose(const CameraRig& rig);
 
 /// Returns the rig with all poses inverted.
 CameraRig withInvertedPoses(CameraRig rig);

@@ -5,7 +5,7 @@
 
 namespace dewpoint::calibration {
 
-tl::unexpected<Error> tooManyCameras(const std::string& file) {
+tl::unexpected<Error> tooManyCamerasError(const std::string& file) {
   return failure(ErrorCode::BadValue, file, fmt::format("camera {}", limits::kMaxCameras + 1),
                  fmt::format("at most {} cameras are possible", limits::kMaxCameras));
 }

@@ -9,6 +9,6 @@
 namespace dewpoint::calibration {
 
 /// Returns the error for a file with more than limits::kMaxCameras cameras.
-tl::unexpected<Error> tooManyCameras(const std::string& file);
+tl::unexpected<Error> tooManyCamerasError(const std::string& file);
 
 } // namespace dewpoint::calibration

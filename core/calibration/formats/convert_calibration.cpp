@@ -24,7 +24,7 @@ constexpr double kDepths[] = {0.3, 1.0, 3.0, 10.0}; // meters along the ray
 /// The format a person named, or the only one with the path's ending.
 Result<const CalibrationFormat*> targetFormat(const CalibrationOutput& target) {
   if (!target.format.empty()) {
-    return calibrationFormat(target.format);
+    return findCalibrationFormat(target.format);
   }
   const std::string name = target.path.filename().string();
   const CalibrationFormat* only = nullptr;
@@ -83,13 +83,12 @@ CameraRig fitted(const CalibrationFormat& format, const CameraRig& rig,
     const LensRefit refit = refitLens(camera, format.lenses);
     result.push_back(refit.camera);
     result.back().cameraFromWorld = camera.cameraFromWorld * worldFromNew;
-    conversion.cameras.push_back({camera.name, refit.refitted, 0.0, 0});
-    if (refit.refitted) {
-      conversion.decisions.push_back(
-          fmt::format("{} has no lens model like that of {}: focal lengths, principal point and {} "
-                      "coefficients were fitted by least squares over the image (RMS {:.3g} px).",
-                      format.title, camera.name, format.lenses.pinholeCoefficients,
-                      refit.rootMeanSquarePixels));
+    conversion.cameras.push_back({camera.name, refit.isRefitted, 0.0, 0});
+    if (refit.isRefitted) {
+      conversion.decisions.push_back(fmt::format(
+          "{} has no lens model like that of {}: focal lengths, principal point and {} "
+          "coefficients were fitted by least squares over the image (RMS {:.3g} px).",
+          format.title, camera.name, format.lenses.pinholeCoefficients, refit.rmsDifferencePx));
     }
   }
   if (format.firstCameraIsWorld) {
@@ -122,7 +121,8 @@ void noteTangentialDistortion(const CalibrationFormat& format, const CameraRig& 
       conversion.decisions.push_back(fmt::format(
           "Anipose ignores p1 and p2 when it projects points. This causes errors of up to {:.3g} "
           "px in {}.",
-          difference(camera, plain, Eigen::Isometry3d::Identity()).largestPixels, camera.name));
+          compareCameras(camera, plain, Eigen::Isometry3d::Identity()).maxDifferencePx,
+          camera.name));
     }
   }
 }
@@ -131,7 +131,7 @@ Status writeFiles(const std::vector<CalibrationText>& files, const CalibrationOu
                   CalibrationConversion& conversion) {
   std::error_code problem;
   for (const CalibrationText& file : files) {
-    if (!target.replace && std::filesystem::exists(file.file, problem)) {
+    if (!target.replacesExisting && std::filesystem::exists(file.file, problem)) {
       return failure(ErrorCode::FileUnwritable, file.file.string(), "",
                      "it already exists; use --force to replace it");
     }
@@ -143,7 +143,7 @@ Status writeFiles(const std::vector<CalibrationText>& files, const CalibrationOu
     if (auto status = writeTextFile(file.file, file.text); !status) {
       return status;
     }
-    conversion.written.push_back(file.file);
+    conversion.writtenFiles.push_back(file.file);
   }
   return {};
 }
@@ -155,7 +155,7 @@ Result<CameraRig> readBack(const CalibrationFormat& format,
                            double unit) {
   CalibrationHints hints;
   hints.format = format.name;
-  hints.unit = unit;
+  hints.metersPerUnit = unit;
   hints.posesAreWorldFromCamera = false;
   hints.size = {rig.front().intrinsics.width, rig.front().intrinsics.height};
   CameraRig again;
@@ -199,8 +199,8 @@ Status applyChanges(const CalibrationChanges& changes, const std::string& file,
 
 } // namespace
 
-CameraDifference difference(const Camera& camera, const Camera& other,
-                            const Eigen::Isometry3d& otherFromWorld) {
+CameraDifference compareCameras(const Camera& camera, const Camera& other,
+                                const Eigen::Isometry3d& otherFromWorld) {
   CameraDifference result;
   result.camera = camera.name;
   const Unprojector unprojector(camera);
@@ -219,9 +219,9 @@ CameraDifference difference(const Camera& camera, const Camera& other,
         continue;
       }
       if (const auto found = theirs.project(otherFromWorld * point)) {
-        result.largestPixels = std::max(result.largestPixels, (*found - *expected).norm());
+        result.maxDifferencePx = std::max(result.maxDifferencePx, (*found - *expected).norm());
       } else if (depth == kDepths[0]) {
-        ++result.lostDirections;
+        ++result.lostDirectionCount;
       }
     }
   }
@@ -238,13 +238,16 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
   if (const auto status = checkRigFits(format, rig, target.path.string()); !status) {
     return tl::make_unexpected(status.error());
   }
-  if (target.unit && format.unit && *target.unit != *format.unit) {
-    return failure(ErrorCode::Mismatch, target.path.string(), "unit",
-                   fmt::format("{} files are always in units of {} m", format.title, *format.unit));
+  if (target.metersPerUnit && format.metersPerUnit &&
+      *target.metersPerUnit != *format.metersPerUnit) {
+    return failure(
+        ErrorCode::Mismatch, target.path.string(), "unit",
+        fmt::format("{} files are always in units of {} m", format.title, *format.metersPerUnit));
   }
   CalibrationConversion conversion;
-  conversion.to = format.name;
-  const double unit = target.unit.value_or(format.unit.value_or(format.defaultUnit));
+  conversion.toFormat = format.name;
+  const double unit =
+      target.metersPerUnit.value_or(format.metersPerUnit.value_or(format.defaultMetersPerUnit));
   const CameraRig held = fitted(format, rig, conversion);
   noteTangentialDistortion(format, rig, conversion);
   conversion.decisions.push_back(fmt::format("Written as {}: {}.", format.title, format.contents));
@@ -263,10 +266,10 @@ Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
       held.front().cameraFromWorld.inverse() * rig.front().cameraFromWorld;
   for (std::size_t k = 0; k < rig.size(); ++k) {
     auto& camera = conversion.cameras[k];
-    const auto found = difference(rig[k], again->at(k), newFromWorld);
-    camera.largestPixels = found.largestPixels;
-    camera.lostDirections = found.lostDirections;
-    conversion.largestPixels = std::max(conversion.largestPixels, camera.largestPixels);
+    const auto found = compareCameras(rig[k], again->at(k), newFromWorld);
+    camera.maxDifferencePx = found.maxDifferencePx;
+    camera.lostDirectionCount = found.lostDirectionCount;
+    conversion.maxDifferencePx = std::max(conversion.maxDifferencePx, camera.maxDifferencePx);
   }
   return conversion;
 }
@@ -284,8 +287,8 @@ Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in
   }
   auto conversion = writeCalibration(read->rig, target);
   if (conversion) {
-    conversion->from = read->format;
-    for (const auto& [first, second] : camerasOfOnePose(read->rig)) {
+    conversion->fromFormat = read->format;
+    for (const auto& [first, second] : camerasWithSamePose(read->rig)) {
       conversion->notices.push_back(fmt::format(
           "{} and {} have the same pose, which is probably a mistake",
           nameOrNumber(read->rig[first], first), nameOrNumber(read->rig[second], second)));

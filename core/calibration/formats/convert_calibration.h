@@ -15,36 +15,38 @@ namespace dewpoint::calibration {
 struct CalibrationOutput {
   std::filesystem::path path; ///< a file, or a folder for formats with one file per camera
   std::string format;         ///< format name; derived from the extension if only one format has it
-  std::optional<double> unit; ///< meters per unit, for formats that do not define their unit
-  bool replace = false;       ///< true to overwrite existing files
+  std::optional<double>
+      metersPerUnit;             ///< meters per unit, for formats that do not define their unit
+  bool replacesExisting = false; ///< true to overwrite existing files
 };
 
 /// Effect of a conversion on one camera.
 struct CameraDifference {
   std::string camera;
-  bool refitted =
+  bool isRefitted =
       false; ///< true if the lens was fitted again because the format lacks some coefficients
-  double largestPixels = 0.0; ///< largest distance between projections of the same point, pixels
+  double maxDifferencePx = 0.0; ///< largest distance between projections of the same point, pixels
   /// Number of the 9 x 9 compared directions that the written camera cannot see.
-  int lostDirections = 0;
+  int lostDirectionCount = 0;
 };
 
 /// Decisions made in a conversion, and its accuracy.
 struct CalibrationConversion {
-  std::string from;                   ///< name of the input format
-  std::string to;                     ///< name of the output format
+  std::string fromFormat;             ///< name of the input format
+  std::string toFormat;               ///< name of the output format
   std::vector<std::string> decisions; ///< complete sentences about reading and writing
   std::vector<std::string> notices;   ///< sentences about likely mistakes in the input
   std::vector<CameraDifference> cameras;
-  double largestPixels = 0.0; ///< largest CameraDifference::largestPixels of all cameras, pixels
-  std::vector<std::filesystem::path> written;
+  double maxDifferencePx =
+      0.0; ///< largest CameraDifference::maxDifferencePx of all cameras, pixels
+  std::vector<std::filesystem::path> writtenFiles;
 };
 
 /// Returns how far apart two cameras project the same points. The points are at 9 x 9 pixels across
 /// the image, at 0.3, 1, 3 and 10 m in front of `camera`. `otherFromWorld` maps the world of
 /// `camera` to that of `other`.
-CameraDifference difference(const Camera& camera, const Camera& other,
-                            const Eigen::Isometry3d& otherFromWorld);
+CameraDifference compareCameras(const Camera& camera, const Camera& other,
+                                const Eigen::Isometry3d& otherFromWorld);
 
 /// Writes a rig (meters) in a format. Lenses that the format cannot represent are fitted again, and
 /// the first camera defines the world if the format requires that. The files are then read back,

@@ -7,8 +7,8 @@
 
 namespace dewpoint::calibration {
 
-std::string matrixNode(const std::string& indent, const std::string& key,
-                       const Eigen::MatrixXd& matrix) {
+std::string matrixNodeText(const std::string& indent, const std::string& key,
+                           const Eigen::MatrixXd& matrix) {
   const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = matrix;
   return fmt::format("{0}{1}: !!opencv-matrix\n{0}   rows: {2}\n{0}   cols: {3}\n{0}   dt: d\n"
                      "{0}   data: {4}\n",

@@ -75,7 +75,7 @@ std::string camerasText(const CameraRig& rig, int coefficients, bool saysPinhole
                         k, tomlQuoted(camera.name),
                         saysPinhole ? listText(size) : fmt::format("[{}, {}]", size[0], size[1]),
                         matrixListText(matrixOf(camera.intrinsics)),
-                        listText(coefficientsOf(camera, coefficients)),
+                        listText(shortestCoefficients(camera, coefficients)),
                         listText(vectorFromRotation(camera.cameraFromWorld.linear())),
                         listText(Eigen::VectorXd(camera.cameraFromWorld.translation())));
     text += fisheye ? "fisheye = true\n\n" : saysPinhole ? "fisheye = false\n\n" : "\n";
@@ -101,8 +101,8 @@ CalibrationFormat aniposeFormat() {
   format.contents =
       "5 coefficients or fisheye, camera from world, in the unit of its board, mostly mm";
   format.lenses = {5, true};
-  format.defaultUnit = 0.001;
-  format.sharesKeys = true;
+  format.defaultMetersPerUnit = 0.001;
+  format.looksLikeOtherDialect = true;
   format.recognize = recognizeAnipose;
   format.read = readAnipose;
   format.write = writeAnipose;
@@ -115,8 +115,8 @@ CalibrationFormat pose2simFormat() {
   format.title = "Pose2Sim";
   format.contents = "4 coefficients, camera from world, meters";
   format.lenses = {4, false};
-  format.unit = 1.0;
-  format.defaultUnit = 1.0;
+  format.metersPerUnit = 1.0;
+  format.defaultMetersPerUnit = 1.0;
   format.recognize = recognizePose2Sim;
   format.write = writePose2Sim;
   return format;

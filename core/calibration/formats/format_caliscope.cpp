@@ -70,7 +70,7 @@ Result<ParsedCalibration> readCaliscope(const CalibrationText& source, const Cal
   std::ranges::stable_sort(sections, {},
                            [](const auto& section) { return section.second->source().begin.line; });
   if (sections.size() > limits::kMaxCameras) {
-    return tooManyCameras(file);
+    return tooManyCamerasError(file);
   }
   for (const auto& [key, section] : sections) {
     if (const auto status = readCaliscopeCamera(key, *section, file, calibration); !status) {
@@ -86,14 +86,15 @@ std::vector<CalibrationText> writeCaliscope(const CameraRig& rig,
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const Camera& camera = rig[k];
     const auto& in = camera.intrinsics;
-    text += fmt::format(
-        "[cameras.{0}]\ncam_id = {0}\nsize = [{1}, {2}]\nrotation_count = 0\n"
-        "error = 0.0\nmatrix = {3}\ndistortions = {4}\ntranslation = {5}\n"
-        "rotation = {6}\nexposure = 0\ngrid_count = 0\nignore = false\n"
-        "fisheye = {7}\n\n",
-        k, in.width, in.height, matrixListText(matrixOf(in)), listText(coefficientsOf(camera, 5)),
-        listText(Eigen::VectorXd(camera.cameraFromWorld.translation())),
-        matrixListText(camera.cameraFromWorld.linear()), camera.lens == LensModel::Fisheye);
+    text += fmt::format("[cameras.{0}]\ncam_id = {0}\nsize = [{1}, {2}]\nrotation_count = 0\n"
+                        "error = 0.0\nmatrix = {3}\ndistortions = {4}\ntranslation = {5}\n"
+                        "rotation = {6}\nexposure = 0\ngrid_count = 0\nignore = false\n"
+                        "fisheye = {7}\n\n",
+                        k, in.width, in.height, matrixListText(matrixOf(in)),
+                        listText(shortestCoefficients(camera, 5)),
+                        listText(Eigen::VectorXd(camera.cameraFromWorld.translation())),
+                        matrixListText(camera.cameraFromWorld.linear()),
+                        camera.lens == LensModel::Fisheye);
   }
   return {{out, text}};
 }
@@ -108,7 +109,7 @@ CalibrationFormat caliscopeFormat() {
   format.contents =
       "5 coefficients or fisheye, camera from world, meters; numbers instead of names";
   format.lenses = {5, true};
-  format.unit = 1.0;
+  format.metersPerUnit = 1.0;
   format.recognize = recognizeCaliscope;
   format.read = readCaliscope;
   format.write = writeCaliscope;

@@ -27,7 +27,7 @@ const std::vector<CalibrationFormat>& calibrationFormats() {
   return kFormats;
 }
 
-Result<const CalibrationFormat*> calibrationFormat(const std::string& name) {
+Result<const CalibrationFormat*> findCalibrationFormat(const std::string& name) {
   std::string names;
   for (const CalibrationFormat& format : calibrationFormats()) {
     if (format.name == name) {

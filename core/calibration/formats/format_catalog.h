@@ -13,7 +13,7 @@ namespace dewpoint::calibration {
 const std::vector<CalibrationFormat>& calibrationFormats();
 
 /// Returns the format with this name. Error: NotFound, which lists the valid names.
-Result<const CalibrationFormat*> calibrationFormat(const std::string& name);
+Result<const CalibrationFormat*> findCalibrationFormat(const std::string& name);
 
 /// Format recognized from the content of a file, with a sentence that gives the reason.
 struct RecognizedFormat {

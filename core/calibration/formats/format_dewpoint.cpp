@@ -50,7 +50,7 @@ Result<ParsedCalibration> readDewpoint(const CalibrationText& source, const Cali
   }
   ParsedCalibration calibration;
   calibration.rig = std::move(*cameras);
-  calibration.unit = *unit;
+  calibration.metersPerUnit = *unit;
   calibration.decisions = {"The poses are stored as camera from world, as in Dewpoint."};
   return calibration;
 }
@@ -77,8 +77,8 @@ CalibrationFormat dewpointFormat() {
   format.extension = ".toml";
   format.contents = "every lens and pose; meters, camera from world";
   format.lenses = {8, true};
-  format.unit = 1.0;
-  format.sharesKeys = true;
+  format.metersPerUnit = 1.0;
+  format.looksLikeOtherDialect = true;
   format.recognize = recognizeDewpoint;
   format.read = readDewpoint;
   format.write = writeDewpoint;

@@ -83,7 +83,7 @@ Result<ParsedCalibration> readKalibr(const CalibrationText& source, const Calibr
   Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
   for (int k = 0; reader.has(fmt::format("cam{}", k).c_str()); ++k) {
     if (calibration.rig.size() == limits::kMaxCameras) {
-      return tooManyCameras(file);
+      return tooManyCamerasError(file);
     }
     const std::string name = fmt::format("cam{}", k);
     const YamlReader section = reader.child(name);
@@ -134,7 +134,7 @@ std::vector<CalibrationText> writeKalibr(const CameraRig& rig, const std::filesy
     text += fmt::format("  cam_overlaps: [{}]\n  camera_model: pinhole\n  distortion_coeffs: {}\n"
                         "  distortion_model: {}\n  intrinsics: {}\n  resolution: [{}, {}]\n"
                         "  rostopic: /cam{}/image_raw\n",
-                        overlaps, listText(coefficientsOf(camera, 4)),
+                        overlaps, listText(shortestCoefficients(camera, 4)),
                         camera.lens == LensModel::Fisheye ? "equidistant" : "radtan",
                         listText(intrinsics), in.width, in.height, k);
   }
@@ -153,7 +153,7 @@ CalibrationFormat kalibrFormat() {
       "meters; no names, no world";
   format.lenses = {4, true};
   format.firstCameraIsWorld = true;
-  format.unit = 1.0;
+  format.metersPerUnit = 1.0;
   format.recognize = recognizeKalibr;
   format.read = readKalibr;
   format.write = writeKalibr;

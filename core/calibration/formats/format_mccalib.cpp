@@ -81,15 +81,15 @@ std::vector<CalibrationText> writeMcCalib(const CameraRig& rig, const std::files
   std::string text = fmt::format("%YAML:1.0\n---\nnb_camera: {}\n", rig.size());
   for (std::size_t k = 0; k < rig.size(); ++k) {
     const Camera& camera = rig[k];
-    const auto coefficients = coefficientsOf(camera, 5);
+    const auto coefficients = shortestCoefficients(camera, 5);
     const bool fisheye = camera.lens == LensModel::Fisheye;
     text += fmt::format("camera_{}:\n", k) +
-            matrixNode("   ", "camera_matrix", matrixOf(camera.intrinsics)) +
-            matrixNode("   ", "distortion_vector", rowMatrix(coefficients)) +
+            matrixNodeText("   ", "camera_matrix", matrixOf(camera.intrinsics)) +
+            matrixNodeText("   ", "distortion_vector", rowMatrix(coefficients)) +
             fmt::format("   distortion_type: {}\n   camera_group: 0\n   img_width: {}\n"
                         "   img_height: {}\n",
                         int(fisheye), camera.intrinsics.width, camera.intrinsics.height) +
-            matrixNode("   ", "camera_pose_matrix", camera.cameraFromWorld.inverse().matrix());
+            matrixNodeText("   ", "camera_pose_matrix", camera.cameraFromWorld.inverse().matrix());
   }
   return {{out, text}};
 }

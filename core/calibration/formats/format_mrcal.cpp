@@ -103,7 +103,7 @@ std::string mrcalCameraText(const Camera& camera) {
   std::vector<double> values = {in.focalX, in.focalY, in.centerX, in.centerY};
   std::string model = "LENSMODEL_PINHOLE";
   if (camera.hasDistortion()) {
-    const auto coefficients = coefficientsOf(camera, 4);
+    const auto coefficients = shortestCoefficients(camera, 4);
     values.insert(values.end(), coefficients.begin(), coefficients.end());
     model = fmt::format("LENSMODEL_OPENCV{}", coefficients.size());
   }
@@ -137,7 +137,7 @@ CalibrationFormat mrcalFormat() {
   format.contents = "8 coefficients, one camera a file, camera from reference, meters";
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, false};
-  format.unit = 1.0;
+  format.metersPerUnit = 1.0;
   format.recognize = recognizeMrcal;
   format.read = readMrcal;
   format.write = writeMrcal;

@@ -120,10 +120,10 @@ std::vector<CalibrationText> writeCameras(const CameraRig& rig, const std::files
     if (camera.lens == LensModel::Fisheye) {
       text += "fisheye_model: 1\n";
     }
-    text += matrixNode("", "camera_matrix", matrixOf(in)) +
-            matrixNode("", "distortion_coefficients",
-                       rowMatrix(coefficientsOf(camera, 5)).transpose()) +
-            matrixNode("", "extrinsic_parameters", view);
+    text += matrixNodeText("", "camera_matrix", matrixOf(in)) +
+            matrixNodeText("", "distortion_coefficients",
+                           rowMatrix(shortestCoefficients(camera, 5)).transpose()) +
+            matrixNodeText("", "extrinsic_parameters", view);
     files.push_back({cameraFile(rig, k, out, ".yml"), text});
   }
   return files;
@@ -202,13 +202,14 @@ std::vector<CalibrationText> writePair(const CameraRig& rig, const std::filesyst
   const auto& size = rig.front().intrinsics;
   std::string inner = "%YAML:1.0\n---\n";
   for (std::size_t k = 0; k < 2; ++k) {
-    inner += matrixNode("", fmt::format("M{}", k + 1), matrixOf(rig[k].intrinsics)) +
-             matrixNode("", fmt::format("D{}", k + 1), rowMatrix(coefficientsOf(rig[k], 5)));
+    inner +=
+        matrixNodeText("", fmt::format("M{}", k + 1), matrixOf(rig[k].intrinsics)) +
+        matrixNodeText("", fmt::format("D{}", k + 1), rowMatrix(shortestCoefficients(rig[k], 5)));
   }
   inner += fmt::format("image_width: {}\nimage_height: {}\n", size.width, size.height);
   const Eigen::Isometry3d second = rig[1].cameraFromWorld * rig[0].cameraFromWorld.inverse();
-  const std::string outer = "%YAML:1.0\n---\n" + matrixNode("", "R", second.linear()) +
-                            matrixNode("", "T", second.translation());
+  const std::string outer = "%YAML:1.0\n---\n" + matrixNodeText("", "R", second.linear()) +
+                            matrixNodeText("", "T", second.translation());
   return {{out, inner}, {otherFileOfPair(out, true), outer}};
 }
 

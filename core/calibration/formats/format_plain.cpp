@@ -90,7 +90,7 @@ Result<std::vector<CameraSection>> sectionsIn(const YAML::Node& node, const std:
       continue;
     }
     if (sections.size() == limits::kMaxCameras) {
-      return tooManyCameras(file);
+      return tooManyCamerasError(file);
     }
     const std::string name = isNamed ? item.first.Scalar() : number;
     sections.push_back({camera, YamlReader(camera, file).text("name", name), name + "."});
@@ -232,8 +232,8 @@ Result<ParsedCalibration> readPlain(const CalibrationText& source, const Calibra
   ParsedCalibration calibration;
   const YamlReader whole(*root, file);
   if (const std::string unit = whole.text("unit"); !unit.empty()) {
-    calibration.unit = parseLengthUnit(unit);
-    if (!calibration.unit) {
+    calibration.metersPerUnit = parseLengthUnit(unit);
+    if (!calibration.metersPerUnit) {
       return failure(ErrorCode::BadValue, file, "unit",
                      "m, mm, cm, in, ft or the meters of one unit are expected");
     }

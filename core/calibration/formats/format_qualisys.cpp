@@ -126,7 +126,7 @@ Result<ParsedCalibration> readQualisys(const CalibrationText& source, const Cali
       return tl::make_unexpected(camera.error());
     }
     if (calibration.rig.size() == limits::kMaxCameras) {
-      return tooManyCameras(file);
+      return tooManyCamerasError(file);
     }
     calibration.rig.push_back(std::move(*camera));
   }
@@ -208,8 +208,8 @@ CalibrationFormat qualisysFormat() {
   format.contents =
       "5 coefficients, world from camera with cameras that look along -z, mm, 1/64 pixels";
   format.lenses = {5, false};
-  format.unit = 0.001;
-  format.defaultUnit = 0.001;
+  format.metersPerUnit = 0.001;
+  format.defaultMetersPerUnit = 0.001;
   format.recognize = recognizeQualisys;
   format.read = readQualisys;
   format.write = writeQualisys;

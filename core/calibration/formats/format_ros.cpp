@@ -142,7 +142,7 @@ std::string matrixText(const char* key, const Eigen::MatrixXd& matrix) {
 }
 
 std::string rosCameraText(const Camera& camera) {
-  const auto coefficients = coefficientsOf(camera, 5);
+  const auto coefficients = shortestCoefficients(camera, 5);
   const char* model = camera.lens == LensModel::Fisheye ? "equidistant"
                       : coefficients.size() == 8        ? "rational_polynomial"
                                                         : "plumb_bob";
@@ -193,7 +193,7 @@ CalibrationFormat rosFormat() {
                     "camera a file; poses in static_transforms.yaml beside it, meters";
   format.layout = FileLayout::FilePerCamera;
   format.lenses = {8, true};
-  format.unit = 1.0;
+  format.metersPerUnit = 1.0;
   format.recognize = recognizeRos;
   format.read = readRos;
   format.write = writeRos;

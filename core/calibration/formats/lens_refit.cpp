@@ -103,17 +103,17 @@ void measure(const std::vector<Sample>& seen, LensRefit& refit) {
     const auto pixel = projector.project(sample.direction.homogeneous());
     const double distance =
         pixel ? (*pixel - sample.pixel).norm() : std::numeric_limits<double>::infinity();
-    refit.largestPixels = std::max(refit.largestPixels, distance);
+    refit.maxDifferencePx = std::max(refit.maxDifferencePx, distance);
     sum += distance * distance;
   }
-  refit.rootMeanSquarePixels = std::sqrt(sum / double(std::max<std::size_t>(seen.size(), 1)));
+  refit.rmsDifferencePx = std::sqrt(sum / double(std::max<std::size_t>(seen.size(), 1)));
 }
 
 } // namespace
 
-bool fits(const Camera& camera, const LensSupport& range) {
+bool isLensSupported(const Camera& camera, const LensSupport& range) {
   if (camera.lens == LensModel::Fisheye) {
-    return range.fisheye;
+    return range.supportsFisheye;
   }
   return std::all_of(camera.distortion.begin() + range.pinholeCoefficients, camera.distortion.end(),
                      [](double value) { return value == 0.0; });
@@ -122,13 +122,13 @@ bool fits(const Camera& camera, const LensSupport& range) {
 LensRefit refitLens(const Camera& camera, const LensSupport& range) {
   LensRefit refit;
   refit.camera = camera;
-  if (fits(camera, range)) {
+  if (isLensSupported(camera, range)) {
     return refit;
   }
   const auto seen = samples(camera);
   auto parameters = startOf(camera, range.pinholeCoefficients);
   solve(seen, range.pinholeCoefficients, parameters);
-  refit.refitted = true;
+  refit.isRefitted = true;
   refit.camera.lens = LensModel::Pinhole;
   auto& in = refit.camera.intrinsics;
   in.focalX = parameters[kFocalX];

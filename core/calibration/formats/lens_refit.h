@@ -8,16 +8,16 @@ namespace dewpoint::calibration {
 /// Camera whose lens is expressed in the coefficients of a format.
 struct LensRefit {
   Camera camera;
-  bool refitted = false; ///< false if the format can represent the lens as it is
+  bool isRefitted = false; ///< false if the format can represent the lens as it is
   /// Largest error over the sampled pixels of the image; infinite if the new lens has no pixel for
   /// one of the directions.
-  double largestPixels = 0.0;
-  double rootMeanSquarePixels = 0.0;
+  double maxDifferencePx = 0.0;
+  double rmsDifferencePx = 0.0;
 };
 
 /// Returns whether a format with the lens models `range` can represent the lens of this camera
 /// exactly.
-bool fits(const Camera& camera, const LensSupport& range);
+bool isLensSupported(const Camera& camera, const LensSupport& range);
 
 /// Fits a camera's lens to the coefficients of a format. If the format can represent the lens
 /// exactly, returns the camera unchanged. Otherwise fits the focal lengths, the principal point and

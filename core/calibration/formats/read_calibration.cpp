@@ -29,13 +29,13 @@ Result<const CalibrationFormat*> formatOf(const CalibrationText& source,
         fmt::format("Read as {}, recognized by {}.", recognized->format->title, recognized->reason);
     return recognized->format;
   }
-  const auto requested = calibrationFormat(hints.format);
+  const auto requested = findCalibrationFormat(hints.format);
   if (!requested) {
     return requested;
   }
   // Dialects that share their keys: a person may know better.
   if (recognized && recognized->format != *requested &&
-      !(recognized->format->sharesKeys && (*requested)->sharesKeys)) {
+      !(recognized->format->looksLikeOtherDialect && (*requested)->looksLikeOtherDialect)) {
     return failure(ErrorCode::Mismatch, source.file.string(), "",
                    fmt::format("it looks like a file of {} (recognized by {}), not of {}",
                                recognized->format->title, recognized->reason, (*requested)->title));
@@ -58,15 +58,15 @@ Status toMeters(const CalibrationFormat& format, const CalibrationHints& hints,
   if (!calibration.hasPoses) {
     return {};
   }
-  const auto known = calibration.unit ? calibration.unit : format.unit;
-  if (known && hints.unit && std::abs(*hints.unit / *known - 1.0) > 1e-9) {
+  const auto known = calibration.metersPerUnit ? calibration.metersPerUnit : format.metersPerUnit;
+  if (known && hints.metersPerUnit && std::abs(*hints.metersPerUnit / *known - 1.0) > 1e-9) {
     return failure(
         ErrorCode::BadValue, file, "unit",
         fmt::format(
             "{} was requested, but the lengths of this file are in units of {} m; omit the unit",
-            *hints.unit, *known));
+            *hints.metersPerUnit, *known));
   }
-  const auto unit = known ? known : hints.unit;
+  const auto unit = known ? known : hints.metersPerUnit;
   const double spread = cameraSpread(calibration.rig);
   if (!unit) {
     return failure(
@@ -81,7 +81,7 @@ Status toMeters(const CalibrationFormat& format, const CalibrationHints& hints,
   for (Camera& camera : calibration.rig) {
     camera.cameraFromWorld.translation() *= *unit;
   }
-  calibration.unit = 1.0;
+  calibration.metersPerUnit = 1.0;
   calibration.decisions.push_back(unitSentence(*unit));
   return {};
 }
@@ -205,31 +205,33 @@ struct FolderPart {
 /// decides for another one. MissingKey names a file without a unit.
 Status giveUnits(const std::string& folder, const CalibrationHints& hints,
                  std::vector<FolderPart>& parts) {
-  const auto hasUnit = [](const FolderPart& part) { return part.calibration.unit.has_value(); };
+  const auto hasUnit = [](const FolderPart& part) {
+    return part.calibration.metersPerUnit.has_value();
+  };
   const bool isMixed = std::ranges::any_of(parts, hasUnit) && !std::ranges::all_of(parts, hasUnit);
   for (FolderPart& part : parts) {
     if (!isMixed || hasUnit(part) || !part.calibration.hasPoses) {
       continue;
     }
-    if (!hints.unit) {
+    if (!hints.metersPerUnit) {
       return failure(ErrorCode::MissingKey, folder, part.file + ": unit",
                      "this file does not state its unit, although others in the folder do: specify "
                      "it with --unit mm, m or the meters of one unit");
     }
-    part.calibration.unit = *hints.unit;
-    part.calibration.decisions.push_back(
-        fmt::format("{}: lengths are in units of {} m, as requested.", part.file, *hints.unit));
+    part.calibration.metersPerUnit = *hints.metersPerUnit;
+    part.calibration.decisions.push_back(fmt::format(
+        "{}: lengths are in units of {} m, as requested.", part.file, *hints.metersPerUnit));
   }
   return {};
 }
 
 void append(ParsedCalibration& whole, ParsedCalibration&& part) {
-  if (part.unit && whole.unit) { // each file may have its own
+  if (part.metersPerUnit && whole.metersPerUnit) { // each file may have its own
     for (Camera& camera : part.rig) {
-      camera.cameraFromWorld.translation() *= *part.unit / *whole.unit;
+      camera.cameraFromWorld.translation() *= *part.metersPerUnit / *whole.metersPerUnit;
     }
   }
-  whole.unit = whole.unit ? whole.unit : part.unit;
+  whole.metersPerUnit = whole.metersPerUnit ? whole.metersPerUnit : part.metersPerUnit;
   std::ranges::move(part.rig, std::back_inserter(whole.rig));
   whole.hasPoses = whole.hasPoses && part.hasPoses;
   for (std::string& decision : part.decisions) {
@@ -271,7 +273,7 @@ Result<ParsedCalibration> readCalibration(const std::filesystem::path& path,
     parts.push_back({source.file.filename().string(), std::move(*part)});
   }
   const bool isUnitOfEach = std::ranges::all_of(
-      parts, [](const auto& part) { return part.calibration.unit.has_value(); });
+      parts, [](const auto& part) { return part.calibration.metersPerUnit.has_value(); });
   if (const auto given = giveUnits(path.string(), hints, parts); !given) {
     return tl::make_unexpected(given.error());
   }
@@ -280,8 +282,8 @@ Result<ParsedCalibration> readCalibration(const std::filesystem::path& path,
     append(whole, std::move(part.calibration));
   }
   CalibrationHints remaining = hints;
-  if (whole.unit && !isUnitOfEach) {
-    remaining.unit.reset(); // it was for the files without one
+  if (whole.metersPerUnit && !isUnitOfEach) {
+    remaining.metersPerUnit.reset(); // it was for the files without one
   }
   if (const auto status = finish(*format, remaining, path.string(), whole); !status) {
     return tl::make_unexpected(status.error());

@@ -73,7 +73,7 @@ Result<CameraRig> camerasFromToml(const CalibrationText& source,
   CameraRig rig;
   const CameraTables sections = cameraTables(*table);
   if (sections.size() > limits::kMaxCameras) {
-    return tooManyCameras(source.file.string());
+    return tooManyCamerasError(source.file.string());
   }
   for (const auto& [key, section] : sections) {
     auto camera = cameraFromToml(*section, source.file.string(), key + ".", ignoredKeys);

@@ -104,7 +104,7 @@ Camera lookingAt(const Camera& camera, const Eigen::Vector3d& target) {
   return withHeading(camera, heading);
 }
 
-ReferenceGrid gridFor(const CameraRig& rig) {
+ReferenceGrid referenceGridFor(const CameraRig& rig) {
   constexpr double kSteps[] = {0.01, 0.02, 0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0};
   /// Grid lines in the cameras' distance.
   constexpr double kLinesPerDistance = 8.0;

@@ -49,7 +49,7 @@ Camera lookingAt(const Camera& camera, const Eigen::Vector3d& target);
 /// Returns an initial floor grid for a rig. It is centered on the point that the cameras look at,
 /// with lines at round world coordinates and a spacing that suits the distance of the cameras. For
 /// an empty rig, returns the standard grid.
-ReferenceGrid gridFor(const CameraRig& rig);
+ReferenceGrid referenceGridFor(const CameraRig& rig);
 
 /// Returns the horizontal field of view of the lens without distortion, in radians: 2 atan(w / 2f),
 /// or w / f for a fisheye.

@@ -77,7 +77,7 @@ void findWorst(const std::vector<bool>& solved, const std::vector<MeasuredPoint>
   for (const ClickResidual& residual : solution.residuals) {
     if (solved[static_cast<std::size_t>(residual.camera)] && residual.pixels > largest) {
       largest = residual.pixels;
-      solution.worst = residual.point;
+      solution.worstPoint = residual.point;
     }
   }
   if (solution.rmsPx < kNoise) {
@@ -88,8 +88,8 @@ void findWorst(const std::vector<bool>& solved, const std::vector<MeasuredPoint>
     const auto rms = rmsWithout(solution.rig, solved, points, k);
     if (rms && *rms < least) {
       least = *rms;
-      solution.worst = k;
-      solution.isWorstWrong = true;
+      solution.worstPoint = k;
+      solution.isWorstPointWrong = true;
     }
   }
 }
@@ -113,7 +113,7 @@ bool zPointsDown(const std::vector<CameraClicks>& clicked) {
       return false;
     }
     inverted += side == WorldSide::Inverted ? 1 : 0;
-    inSpace = inSpace || (side == WorldSide::Inverted && !one.pose.planar);
+    inSpace = inSpace || (side == WorldSide::Inverted && !one.pose.isPlanar);
   }
   return inverted > 1 || inSpace;
 }
@@ -136,7 +136,7 @@ void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel,
   }
 }
 
-bool isClickedElsewhere(const MeasuredPoint& point, std::int64_t frame) {
+bool isClickedOnlyInOtherFrames(const MeasuredPoint& point, std::int64_t frame) {
   return !point.clicks.empty() && std::ranges::all_of(point.clicks, [&](const PointClick& click) {
     return click.frame && *click.frame != frame;
   });
@@ -165,7 +165,7 @@ std::vector<ClickResidual> clickResiduals(const CameraRig& rig,
   return residuals;
 }
 
-bool PointSolution::anySolved() const {
+bool PointSolution::hasSolvedCamera() const {
   return std::ranges::any_of(
       cameras, [](const CameraFromPoints& camera) { return isSolved(camera.status); });
 }
@@ -199,7 +199,7 @@ PointSolution solveFromPoints(const CameraRig& rig, const std::vector<MeasuredPo
     solution.cameras.push_back(camera);
   }
   if (std::ranges::count(solved, true) > 1) {
-    refineTogether(solution.rig, solved, points, settings);
+    refineCamerasAndPoints(solution.rig, solved, points, settings);
   }
   solution.residuals = clickResiduals(solution.rig, points);
   solution.rmsPx = rmsOf(solution.residuals, solved);

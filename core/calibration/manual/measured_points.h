@@ -43,7 +43,7 @@ void setClickIn(MeasuredPoint& point, int camera, const Eigen::Vector2d& pixel,
 /// Returns whether the point was clicked only in frames other than `frame`. If the point moves,
 /// like a ball, it is then at another position in the images of this frame. False if the frame of
 /// any click is unknown, or if there are no clicks.
-bool isClickedElsewhere(const MeasuredPoint& point, std::int64_t frame);
+bool isClickedOnlyInOtherFrames(const MeasuredPoint& point, std::int64_t frame);
 
 /// Distance between a click and the pixel at which the camera should see the point.
 struct ClickResidual {
@@ -78,13 +78,13 @@ struct SymmetryProposal {
   ImageSymmetry symmetry; ///< rotation or mirroring to apply to the current images
   double rmsPx = 0.0;     ///< reprojection error after `symmetry` is applied, pixels
   /// True if `symmetry` does not make the clicks fit better, but makes the camera upright.
-  bool byUprightness = false;
+  bool isBasedOnUprightness = false;
 };
 
 /// Result of solveFromPoints() for one camera.
 struct CameraFromPoints {
   int camera = 0;
-  int clicks = 0;
+  int clickCount = 0;
   PoseStatus status = PoseStatus::None;
   double rmsPx = 0.0;
   std::optional<SymmetryProposal> proposal;
@@ -97,14 +97,14 @@ struct PointSolution {
   std::vector<ClickResidual>
       residuals; ///< residuals of all clicks for the solved rig and the points as entered
   double rmsPx = 0.0;
-  /// Index of the wrong point if `isWorstWrong`; otherwise, index of the point with the largest
-  /// residual.
-  std::optional<int> worst;
-  /// True if all other points fit when the point `worst` is left out. That point was then entered
-  /// or clicked incorrectly.
-  bool isWorstWrong = false;
+  /// Index of the wrong point if `isWorstPointWrong`; otherwise, index of the point with the
+  /// largest residual.
+  std::optional<int> worstPoint;
+  /// True if all other points fit when the point `worstPoint` is left out. That point was then
+  /// entered or clicked incorrectly.
+  bool isWorstPointWrong = false;
 
-  bool anySolved() const;
+  bool hasSolvedCamera() const;
 };
 
 /// Settings of solveFromPoints().

@@ -181,21 +181,21 @@ Result<MovedCameraPose> estimateMovedPose(const Camera& camera, const CameraMoti
   const Vector6 change = solver.solve();
   MovedCameraPose moved;
   moved.camera = movedCamera(camera, change);
-  moved.pixelsBefore = medianPixels(camera, sightings);
-  moved.pixelsAfter = medianPixels(moved.camera, sightings);
+  moved.medianPxBefore = medianPixels(camera, sightings);
+  moved.medianPxAfter = medianPixels(moved.camera, sightings);
   const Matrix6 covariance = solver.covarianceAt(change);
   moved.angleSigma = covariance.diagonal().head<3>().cwiseSqrt();
   moved.shiftSigma = covariance.diagonal().tail<3>().cwiseSqrt();
   const Projector projector(moved.camera);
   for (const PointSighting& sighting : sightings) {
     const auto off = residual(projector, sighting.world, sighting);
-    moved.used += off && off->norm() < kAgrees ? 1 : 0;
+    moved.usedSightingCount += off && off->norm() < kAgrees ? 1 : 0;
   }
-  if (2 * std::size_t(moved.used) < sightings.size()) {
+  if (2 * std::size_t(moved.usedSightingCount) < sightings.size()) {
     return failure(ErrorCode::Mismatch, "", camera.name,
                    fmt::format("only {} of {} detections agree with any pose near the previous "
                                "one; calibrate this camera again",
-                               moved.used, sightings.size()));
+                               moved.usedSightingCount, sightings.size()));
   }
   return moved;
 }

@@ -32,12 +32,13 @@ struct CameraMotionPrior {
 /// New pose of a camera that was moved.
 struct MovedCameraPose {
   Camera camera;
-  int used = 0; ///< number of sightings that agree with the new pose within three sigma
+  int usedSightingCount =
+      0; ///< number of sightings that agree with the new pose within three sigma
   /// Median distance between the pixels of all sightings and their projections with the old pose,
   /// in pixels; 0 if there are no sightings.
-  double pixelsBefore = 0.0;
+  double medianPxBefore = 0.0;
   /// Median distance between these pixels and their projections with the new pose, pixels.
-  double pixelsAfter = 0.0;
+  double medianPxAfter = 0.0;
   Eigen::Vector3d angleSigma =
       Eigen::Vector3d::Zero(); ///< standard deviation of the rotation, radians, camera axes
   Eigen::Vector3d shiftSigma =

@@ -48,8 +48,9 @@ struct TapeCost {
 
 } // namespace
 
-void refineTogether(CameraRig& rig, const std::vector<bool>& solved,
-                    const std::vector<MeasuredPoint>& points, const PointSettings& settings) {
+void refineCamerasAndPoints(CameraRig& rig, const std::vector<bool>& solved,
+                            const std::vector<MeasuredPoint>& points,
+                            const PointSettings& settings) {
   std::vector<std::array<double, 6>> poses(rig.size(), std::array<double, 6>{});
   std::vector<std::array<double, 3>> offsets(points.size(), std::array<double, 3>{});
   std::vector<double> depths(rig.size(), 1.0);

@@ -28,12 +28,12 @@ double missOf(const Camera& camera, const ImageAnchor& anchor) {
   return seen ? (*seen - anchor.pixel).norm() : std::numeric_limits<double>::infinity();
 }
 
-Drag finished(const Camera& camera, DragLimit limit, const ImageAnchor& dragged) {
+DragResult finished(const Camera& camera, DragLimit limit, const ImageAnchor& dragged) {
   return {camera, limit, missOf(camera, dragged)};
 }
 
 /// Nothing held: in closed form.
-Drag dragFree(const Camera& camera, const ImageAnchor& dragged, DragMode mode) {
+DragResult dragFree(const Camera& camera, const ImageAnchor& dragged, DragMode mode) {
   const Eigen::Vector3d point = camera.cameraFromWorld * dragged.world;
   const auto wanted = Unprojector(camera).worldDirection(dragged.pixel);
   if (!wanted || !(point.z() > 0.0)) {
@@ -156,8 +156,8 @@ ConstrainedChange::Basis aboutRay(const Camera& camera, const ImageAnchor& held)
 }
 
 /// Follows the pointer from where the point is now to where it should be.
-Drag follow(const Camera& camera, const CameraVariation& change, ConstrainedChange& solver,
-            const Eigen::Vector2d& from, const ImageAnchor& dragged) {
+DragResult follow(const Camera& camera, const CameraVariation& change, ConstrainedChange& solver,
+                  const Eigen::Vector2d& from, const ImageAnchor& dragged) {
   const double length = (dragged.pixel - from).norm();
   if (length < kExactPx) {
     return finished(camera, DragLimit::None, dragged); // to the bit as it was
@@ -182,8 +182,8 @@ Drag follow(const Camera& camera, const CameraVariation& change, ConstrainedChan
 
 } // namespace
 
-Drag dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
-               const ImageAnchor& dragged, const DragSettings& settings) {
+DragResult dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
+                     const ImageAnchor& dragged, const DragSettings& settings) {
   if (held.empty()) {
     return dragFree(camera, dragged, settings.mode);
   }

@@ -34,11 +34,11 @@ struct DragSettings {
 };
 
 /// Result of a drag.
-struct Drag {
+struct DragResult {
   Camera camera;                     ///< camera at the end of the drag
   DragLimit limit = DragLimit::None; ///< reason why the drag stopped early; None if it did not
   /// Distance at the end between the pixel of the dragged point and the requested pixel, in pixels.
-  double miss = 0.0;
+  double missPx = 0.0;
 };
 
 /// Maximum number of points held during a drag.
@@ -60,7 +60,7 @@ inline constexpr int kMaxHeldPoints = 3;
 /// not possible, the last valid pose is returned with the reason. The "smallest change" has the
 /// smallest sum of squares of its rotation (radians) and its displacement (in units of the mean
 /// distance of the points).
-Drag dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
-               const ImageAnchor& dragged, const DragSettings& settings);
+DragResult dragPoint(const Camera& camera, const std::vector<ImageAnchor>& held,
+                     const ImageAnchor& dragged, const DragSettings& settings);
 
 } // namespace dewpoint::calibration

@@ -135,9 +135,9 @@ PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& a
     result.status = PoseStatus::Collinear;
     return result;
   }
-  result.planar = extent[2] <= kThin * extent[0];
+  result.isPlanar = extent[2] <= kThin * extent[0];
   std::vector<PointPose> poses;
-  for (const Eigen::Isometry3d& pose : candidates(camera, anchors, result.planar)) {
+  for (const Eigen::Isometry3d& pose : candidates(camera, anchors, result.isPlanar)) {
     PointPose found = result;
     found.camera.cameraFromWorld = pose;
     found.status = PoseStatus::None;
@@ -152,7 +152,7 @@ PointPose poseFromPoints(const Camera& camera, const std::vector<ImageAnchor>& a
   }
   std::ranges::stable_sort(poses, {}, &PointPose::rmsPx);
   poses.front().status =
-      result.planar && hasSecondPose(poses) ? PoseStatus::Ambiguous : PoseStatus::None;
+      result.isPlanar && hasSecondPose(poses) ? PoseStatus::Ambiguous : PoseStatus::None;
   if (estimateFocal && anchors.size() >= std::size_t(kFewestPointsOfFocal)) {
     poses.front().rmsPx = refinePose(poses.front().camera, anchors, true).value_or(poses[0].rmsPx);
   }
@@ -181,7 +181,7 @@ std::optional<SymmetryProposal> proposeSymmetry(const Camera& camera,
   const bool looksBad = found.status == PoseStatus::NoPose || found.rmsPx > kBadPx;
   const double roll = headingOf(found.camera).roll;
   const bool lies = !isSteep(found.camera) && std::abs(roll) > 60.0 * std::numbers::pi / 180.0;
-  const bool through = found.planar && isBelowPlane(found.camera, anchors);
+  const bool through = found.isPlanar && isBelowPlane(found.camera, anchors);
   if (!looksBad && !lies && !through) {
     return std::nullopt;
   }

@@ -10,7 +10,7 @@ namespace dewpoint::calibration {
 struct PointPose {
   Camera camera;
   PoseStatus status = PoseStatus::None;
-  bool planar = false;
+  bool isPlanar = false;
   double rmsPx = 0.0;
 };
 

@@ -158,8 +158,9 @@ Status check(const Camera& lens, const PlacementSettings& settings) {
 }
 
 double fractionWithin(const CameraRig& rig, const PlacementSettings& settings) {
-  const VolumeGrid cells = gridOver(settings.volume, settings.reportedCells);
-  return summaryOf(RigMapper().map(cells, settings.pixelSigma, rig), settings.goodSigma).within;
+  const VolumeGrid cells = gridOver(settings.volume, settings.reportedCellCount);
+  return summaryOf(RigMapper().map(cells, settings.pixelSigma, rig), settings.goodSigma)
+      .fractionWithinLimit;
 }
 
 } // namespace
@@ -191,22 +192,22 @@ Camera idealCamera(const std::string& name, int width, int height, double fieldO
   return camera;
 }
 
-Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
-                              const PlacementSettings& settings,
-                              const CalibrationProgress& progress) {
+Result<PlacedCamera> placeCamera(const CameraRig& rig, const Camera& lens,
+                                 const PlacementSettings& settings,
+                                 const CalibrationProgress& progress) {
   if (auto status = check(lens, settings); !status) {
     return tl::unexpected(status.error());
   }
   Search search(rig, lens, settings);
-  Placement result;
-  result.fractionBefore = search.within();
+  PlacedCamera result;
+  result.goodFractionBefore = search.within();
   const std::vector<Mount> mounts = search.mounts();
   Mount best = mounts.front();
   double value = -1.0;
   for (std::size_t k = 0; k < mounts.size(); ++k) {
     if (!reportProgress(progress, CalibrationStage::PlacementSearch,
                         double(k) / double(mounts.size()))) {
-      return canceled();
+      return canceledError();
     }
     if (const double found = search.worth(mounts[k]); found > value) {
       value = found;
@@ -216,12 +217,12 @@ Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
   best = search.improved(best);
   (void)search.worth(best);
   result.camera = search.cameraAt(best);
-  result.fractionAfter = search.within();
-  if (settings.reportedCells > 0) {
+  result.goodFractionAfter = search.within();
+  if (settings.reportedCellCount > 0) {
     CameraRig with = rig;
     with.push_back(result.camera);
-    result.fractionBefore = fractionWithin(rig, settings);
-    result.fractionAfter = fractionWithin(with, settings);
+    result.goodFractionBefore = fractionWithin(rig, settings);
+    result.goodFractionAfter = fractionWithin(with, settings);
   }
   return result;
 }

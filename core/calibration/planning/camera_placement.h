@@ -33,15 +33,15 @@ struct PlacementSettings {
   std::size_t cellCount = 900; ///< number of cells into which the volume is divided for the search
   /// Number of cells used to compute the reported fractions; 0: the same cells as for the search.
   /// To make the fractions agree with a displayed map, set the number of cells of that map.
-  std::size_t reportedCells = 0;
+  std::size_t reportedCellCount = 0;
 };
 
 /// Result of placeCamera().
-struct Placement {
+struct PlacedCamera {
   Camera camera; ///< the given camera in its new pose
-  double fractionBefore =
+  double goodFractionBefore =
       0.0; ///< fraction of the volume that is good enough without the new camera, 0 to 1
-  double fractionAfter = 0.0; ///< the same fraction with the new camera
+  double goodFractionAfter = 0.0; ///< the same fraction with the new camera
 };
 
 /// Finds the best pose for an additional camera: on one of the four walls (in the upper half) or on
@@ -52,8 +52,8 @@ struct Placement {
 /// best one is then moved and rotated in decreasing steps as long as it improves. The same input
 /// produces the same pose. Errors: BadValue for a volume without extent or a lens without focal
 /// length; Canceled.
-Result<Placement> placeCamera(const CameraRig& rig, const Camera& lens,
-                              const PlacementSettings& settings,
-                              const CalibrationProgress& progress = {});
+Result<PlacedCamera> placeCamera(const CameraRig& rig, const Camera& lens,
+                                 const PlacementSettings& settings,
+                                 const CalibrationProgress& progress = {});
 
 } // namespace dewpoint::calibration

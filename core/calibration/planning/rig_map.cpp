@@ -34,14 +34,14 @@ RigMapSummary summaryOf(const RigMap& map, double limit) {
   std::size_t tooFew = 0, within = 0, known = 0;
   for (std::size_t i = 0; i < map.sigmas.size(); ++i) {
     const double sigma = double(map.sigmas[i]);
-    tooFew += map.counts[i] < 2 ? 1 : 0;
+    tooFew += map.cameraCounts[i] < 2 ? 1 : 0;
     within += sigma <= limit ? 1 : 0; // NaN is not
     known += std::isnan(sigma) ? 0 : 1;
     sigmas.push_back(std::isnan(sigma) ? std::numeric_limits<double>::infinity() : sigma);
   }
   const double count = double(std::max<std::size_t>(map.sigmas.size(), 1));
-  summary.within = double(within) / count;
-  summary.tooFew = double(tooFew) / count;
+  summary.fractionWithinLimit = double(within) / count;
+  summary.fractionSeenByTooFew = double(tooFew) / count;
   summary.medianSigma = known > map.sigmas.size() / 2 ? upperMedian(std::move(sigmas))
                                                       : std::numeric_limits<double>::quiet_NaN();
   return summary;

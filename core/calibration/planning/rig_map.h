@@ -21,14 +21,15 @@ struct RigMap {
   /// Standard deviation along the worst direction in each cell (VolumeGrid::index), meters; NaN
   /// where points cannot be triangulated.
   std::vector<float> sigmas;
-  std::vector<std::uint8_t> counts; ///< number of cameras that see the center of each cell
+  std::vector<std::uint8_t> cameraCounts; ///< number of cameras that see the center of each cell
 };
 
 /// Summary of a map.
 struct RigMapSummary {
   /// Fraction of the volume, 0 to 1, in which the sigma is at most the `limit` of summaryOf().
-  double within = 0.0;
-  double tooFew = 0.0; ///< fraction of the volume seen by fewer than two cameras, 0 to 1
+  double fractionWithinLimit = 0.0;
+  double fractionSeenByTooFew =
+      0.0; ///< fraction of the volume seen by fewer than two cameras, 0 to 1
   /// Median sigma over the volume, meters; NaN if less than half of the volume has a sigma.
   double medianSigma = 0.0;
 };
@@ -36,7 +37,7 @@ struct RigMapSummary {
 RigMapSummary summaryOf(const RigMap& map, double limit);
 
 /// Returns the index of the cell that contains a position (world, meters). It is an index in
-/// RigMap::sigmas and RigMap::counts. Returns nothing outside the volume.
+/// RigMap::sigmas and RigMap::cameraCounts. Returns nothing outside the volume.
 std::optional<std::size_t> cellAt(const VolumeGrid& grid, const Eigen::Vector3d& position);
 
 /// Divides a volume into about `cellCount` nearly cubic cells, at least one along each axis.

@@ -28,7 +28,7 @@ BundleProblem statesOf(const BundleProblem& problem, std::size_t first, std::siz
   std::vector<std::size_t> renamed(problem.states.size(), kNone);
   for (std::size_t s = 0; s < problem.states.size(); ++s) {
     const bool isInside = s >= first && s < end;
-    if (isInside == inside || problem.states[s].fixed) {
+    if (isInside == inside || problem.states[s].isFixed) {
       renamed[s] = part.states.size();
       part.states.push_back(problem.states[s]);
     }
@@ -39,7 +39,7 @@ BundleProblem statesOf(const BundleProblem& problem, std::size_t first, std::siz
       part.observations.push_back(seen);
     }
   }
-  part.draft = true;
+  part.isDraft = true;
   return part;
 }
 
@@ -48,8 +48,8 @@ Result<BundleResult> withHeldCameras(BundleProblem part, const BundleResult& wit
   for (std::size_t c = 0; c < part.cameras.size(); ++c) {
     BundleCamera known;
     known.camera = without.cameras[c];
-    known.poseFixed = true;
-    known.offset = without.offsets[c];
+    known.isPoseFixed = true;
+    known.timeOffset = without.timeOffsets[c];
     part.cameras[c] = known;
   }
   return adjustBundle(part);
@@ -57,7 +57,7 @@ Result<BundleResult> withHeldCameras(BundleProblem part, const BundleResult& wit
 
 } // namespace
 
-double BlockJackknife::factor() const {
+double BlockJackknife::errorFactor() const {
   const auto count = static_cast<double>(rigs.size());
   return rigs.size() < kLeastSolutions
              ? 0.0
@@ -65,7 +65,7 @@ double BlockJackknife::factor() const {
 }
 
 BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
-                              const InitialCamerasWithout& initialCamerasWithout) {
+                              const InitialCamerasWithoutStates& initialCamerasWithoutStates) {
   BlockJackknife jackknife;
   const std::size_t count = problem.states.size();
   const std::size_t blocks = std::min(kMostBlocks, count);
@@ -74,7 +74,7 @@ BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& 
     const std::size_t end = (block + 1) * count / blocks;
     BundleProblem rest = statesOf(problem, first, end, false);
     const CameraRig before =
-        initialCamerasWithout ? initialCamerasWithout(first, end) : CameraRig{};
+        initialCamerasWithoutStates ? initialCamerasWithoutStates(first, end) : CameraRig{};
     for (std::size_t c = 0; c < rest.cameras.size(); ++c) {
       Camera& camera = rest.cameras[c].camera;
       camera.cameraFromWorld = result.cameras[c].cameraFromWorld;
@@ -89,8 +89,9 @@ BlockJackknife leaveOutBlocks(const BundleProblem& problem, const BundleResult& 
     }
     jackknife.rigs.push_back(without->cameras);
     if (const auto held = withHeldCameras(statesOf(problem, first, end, true), *without)) {
-      jackknife.squares += held->rms * held->rms * static_cast<double>(held->used);
-      jackknife.points += held->used;
+      jackknife.squaredErrorSum +=
+          held->rms * held->rms * static_cast<double>(held->usedObservationCount);
+      jackknife.leftOutPointCount += held->usedObservationCount;
     }
   }
   return jackknife;

@@ -93,7 +93,7 @@ CameraRig lensesWithout(const ExtrinsicsResult& result,
   CameraRig rig = result.bundle.cameras;
   for (std::size_t c = 0; c < std::min(rig.size(), lenses.size()); ++c) {
     if (lenses[c] != nullptr) {
-      rig[c] = lensWithout(*lenses[c], from, to);
+      rig[c] = lensWithoutViews(*lenses[c], from, to);
     }
   }
   return rig;
@@ -167,7 +167,7 @@ Result<CalibrationAccuracy> assessBoard(const ExtrinsicsResult& result,
   known.upSigma = worldInstant ? upSigma(result, board, *worldInstant) : std::nullopt;
   const bool estimated = std::ranges::any_of(lenses, [](const auto* lens) { return lens; });
   if (estimated && result.boardPoses.size() == result.problem.states.size()) {
-    known.initialCamerasWithout = [&](std::size_t first, std::size_t end) {
+    known.initialCamerasWithoutStates = [&](std::size_t first, std::size_t end) {
       return lensesWithout(result, lenses, first, end);
     };
   }
@@ -211,7 +211,7 @@ FaultReport findBoardFaults(const ExtrinsicsRequest& request, double framesPerSe
     return report;
   };
   const double own = result != nullptr ? result->rmsPx / std::sqrt(2.0) : kCornerSigma;
-  input.unsynchronized = own > kSharedErrors;
+  input.isUnsynchronized = own > kSharedErrors;
   if (cameraSpread(former) > kLeastCameraSpread) {
     auto report = ask(former);
     if (report.sigmaPx > 0.0 && report.sigmaPx < std::max(kMostSigma, kMostSigmas * own)) {

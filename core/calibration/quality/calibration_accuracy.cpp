@@ -190,7 +190,7 @@ struct OutsidePositions {
 };
 
 OutsidePositions outsidePositions(const BundleProblem& problem, const BundleResult& result) {
-  const auto seen = seenPositions(problem, result);
+  const auto seen = observedPositions(problem, result);
   const PrincipalBox box = principalBox(seen, kOutliers);
   OutsidePositions outside;
   std::vector<double> distances;
@@ -205,7 +205,7 @@ OutsidePositions outsidePositions(const BundleProblem& problem, const BundleResu
   }
   std::ranges::sort(distances);
   outside.distance = quantile(distances, kOutsideWithin);
-  outside.positions = evenlyChosen(outside.positions, kPositions);
+  outside.positions = chooseEvenly(outside.positions, kPositions);
   return outside;
 }
 
@@ -214,7 +214,7 @@ void assessOutside(const BundleProblem& problem, const BundleResult& result,
                    const PositionErrors& inside, const ErrorSources& from,
                    CalibrationAccuracy& accuracy) {
   const OutsidePositions outside = outsidePositions(problem, result);
-  const PositionErrors errors = propagateTo(outside.positions, result);
+  const PositionErrors errors = propagateErrorsTo(outside.positions, result);
   if (errors.positions.empty()) {
     return;
   }
@@ -225,9 +225,9 @@ void assessOutside(const BundleProblem& problem, const BundleResult& result,
   const Eigen::MatrixXd found =
       apart(from.apart,
             jackknifeDeviations(positionChanges(errors.positions, result.cameras, from.blocks.rigs),
-                                from.blocks.factor()));
+                                from.blocks.errorFactor()));
   const Eigen::MatrixXd& larger = found.norm() > stated.norm() ? found : stated;
-  accuracy.outside95 =
+  accuracy.outsidePosition95 =
       std::max(accuracy.position95, percentile95(errors, larger, from.scaleSigma, from.pixelSigma,
                                                  meanVector(inside.positions)));
   accuracy.outsideDistance = outside.distance;
@@ -248,8 +248,8 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
       removeRigidMotion(errors.positions, errors.fromCameras, sizeless);
   const double noise = std::max(result.noiseFactor, 1e-9);
   const Eigen::MatrixXd deviation = noise * root(result.covariance.matrix);
-  BlockJackknife blocks = leaveOutBlocks(problem, result, known.initialCamerasWithout);
-  const double factor = blocks.factor();
+  BlockJackknife blocks = leaveOutBlocks(problem, result, known.initialCamerasWithoutStates);
+  const double factor = blocks.errorFactor();
   const Eigen::MatrixXd changes = positionChanges(errors.positions, result.cameras, blocks.rigs);
   const Eigen::MatrixXd apart = jackknifeDeviations(changes, factor);
   const Eigen::MatrixXd stated = perCamera * deviation;
@@ -257,14 +257,16 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
   CalibrationAccuracy accuracy;
   accuracy.changeRatio = ratioOf(found, stated);
   accuracy.modelFactor = accuracy.changeRatio > kClearlyLarger ? accuracy.changeRatio : 1.0;
-  accuracy.heldOut = blocks.points;
-  accuracy.heldOutPx =
-      blocks.points > 0 ? std::sqrt(blocks.squares / static_cast<double>(blocks.points)) : 0.0;
+  accuracy.leftOutPointCount = blocks.leftOutPointCount;
+  accuracy.leftOutRmsPx =
+      blocks.leftOutPointCount > 0
+          ? std::sqrt(blocks.squaredErrorSum / static_cast<double>(blocks.leftOutPointCount))
+          : 0.0;
   const double scale = known.scaleKnown ? known.scaleSigma : 0.0;
   const double pixels = noise * typicalSigma(problem);
   const Eigen::MatrixXd& larger = found.norm() > stated.norm() ? found : stated;
   const Eigen::Vector3d middle = meanVector(errors.positions);
-  accuracy.cameras95 = percentile95(errors, larger, scale, 0.0, middle);
+  accuracy.cameraPart95 = percentile95(errors, larger, scale, 0.0, middle);
   accuracy.position95 = percentile95(errors, larger, scale, pixels, middle);
   assessOutside(problem, result, errors, {sizeless, deviation, blocks, apart, scale, pixels},
                 accuracy);
@@ -309,9 +311,10 @@ std::string accuracySummary(const CalibrationAccuracy& accuracy) {
   text += ", up " + (accuracy.upAngle95 ? uncertaintyText(inDegrees(*accuracy.upAngle95), "degrees")
                                         : std::string("not measured"));
   text += ".";
-  if (accuracy.outside95) {
-    text += fmt::format(" Outside it, up to {:.1f} m away, {} (extrapolated).",
-                        accuracy.outsideDistance, lengthUncertaintyText(*accuracy.outside95));
+  if (accuracy.outsidePosition95) {
+    text +=
+        fmt::format(" Outside it, up to {:.1f} m away, {} (extrapolated).",
+                    accuracy.outsideDistance, lengthUncertaintyText(*accuracy.outsidePosition95));
   }
   return text;
 }

@@ -20,8 +20,8 @@ struct AccuracyPriors {
   /// Standard deviation of the upward direction about each of two horizontal axes, radians; empty
   /// if the upward direction is arbitrary.
   std::optional<double> upSigma;
-  /// Set if the intrinsics were estimated from the same images; see InitialCamerasWithout.
-  InitialCamerasWithout initialCamerasWithout = nullptr;
+  /// Set if the intrinsics were estimated from the same images; see InitialCamerasWithoutStates.
+  InitialCamerasWithoutStates initialCamerasWithoutStates = nullptr;
 };
 
 /// Accuracy of one camera's pose. With a probability of 95 %, the error is at most 1.96 times these
@@ -41,13 +41,13 @@ struct CalibrationAccuracy {
   double position95 = 0.0;
   /// Part of position95 that is caused by errors of the cameras; meters. Averaging over several
   /// images does not reduce this part.
-  double cameras95 = 0.0;
+  double cameraPart95 = 0.0;
   /// Error that 95 % of the positions outside the region of the board or wand do not exceed, if at
   /// least two cameras see them (commonView()); meters. This is an extrapolation, because nothing
   /// was observed there. Never below position95. Empty if there are too few such positions.
-  std::optional<double> outside95;
-  /// Distance from the calibrated volume within which 95 % of the positions of `outside95` lie,
-  /// meters; 0 if `outside95` is empty.
+  std::optional<double> outsidePosition95;
+  /// Distance from the calibrated volume within which 95 % of the positions of `outsidePosition95`
+  /// lie, meters; 0 if `outsidePosition95` is empty.
   double outsideDistance = 0.0;
   std::optional<double> scale95;   ///< relative error of the scale, 95 %
   std::optional<double> upAngle95; ///< error of the upward direction, radians, 95 %
@@ -58,8 +58,8 @@ struct CalibrationAccuracy {
   double modelFactor = 1.0;
   /// Root mean square reprojection error of the image points left out in the cross-validation,
   /// pixels.
-  double heldOutPx = 0.0;
-  std::size_t heldOut = 0; ///< number of image points left out in the cross-validation
+  double leftOutRmsPx = 0.0;
+  std::size_t leftOutPointCount = 0; ///< number of image points left out in the cross-validation
   /// Ratio of the errors in the cross-validation to the predicted errors; 0 if it is unknown. If
   /// the ratio is clearly above 1, modelFactor is set to it.
   double changeRatio = 0.0;

@@ -20,14 +20,15 @@ std::optional<DetectedFault> findCommonFault(const FaultSearchInput& input,
     initialRig.push_back(camera.camera);
   }
   const auto free =
-      input.unsynchronized
+      input.isUnsynchronized
           ? std::nullopt
           : estimateStructureAndPoses(initialRig, imagePoints, everyone, input.initialSigma, true);
   if (!free) {
     return std::nullopt;
   }
   const auto total = [&](const PointFit& one) {
-    return static_cast<double>(fit.squares.size()) * meanCost(one.squares, free->sigmaPx);
+    return static_cast<double>(fit.squaredResiduals.size()) *
+           meanCost(one.squaredResiduals, free->sigmaPx);
   };
   std::optional<DetectedFault> best;
   for (const double shift : {-0.5, 0.5}) {

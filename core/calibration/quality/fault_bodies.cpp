@@ -142,7 +142,7 @@ std::optional<DetectedFault> mirrored(const FaultSearchInput& input,
       const Eigen::Vector3d inBody = found->worldFromBody.rotation.transpose() *
                                      (camera.center() - found->worldFromBody.translation);
       const bool above =
-          state.fixed ? (state.worldFromBoard.linear() * inBody).z() > 0.0 : inBody.z() < 0.0;
+          state.isFixed ? (state.worldFromBoard.linear() * inBody).z() > 0.0 : inBody.z() < 0.0;
       ++(above ? front : back);
     }
   }

@@ -55,7 +55,7 @@ public:
         sigma_(kPositionNoise * std::max(suspect.sigmaPx, 1e-3)) {}
 
   std::optional<DetectedFault> run() {
-    const auto correspondences = evenSelection(known(0.0), kMostCorrespondences);
+    const auto correspondences = selectEvenly(known(0.0), kMostCorrespondences);
     const auto asIs = correspondences.size() < kFewestCorrespondences
                           ? std::nullopt
                           : explain(initial_, correspondences, false);
@@ -101,16 +101,17 @@ private:
 
   std::optional<Explained> explain(const Camera& initial,
                                    const std::vector<PointCorrespondence>& correspondences,
-                                   bool focalFree, bool quick = false,
+                                   bool isFocalFree, bool quick = false,
                                    Camera* found = nullptr) const {
-    const auto one = fitCamera(initial, correspondences, input_.initialSigma, focalFree, quick);
+    const auto one = fitCamera(initial, correspondences, input_.initialSigma, isFocalFree, quick);
     if (!one) {
       return std::nullopt;
     }
     if (found != nullptr) {
       *found = one->camera;
     }
-    return Explained{meanCost(one->squares, sigma_), std::sqrt(upperMedian(one->squares))};
+    return Explained{meanCost(one->squaredResiduals, sigma_),
+                     std::sqrt(upperMedian(one->squaredResiduals))};
   }
 
   /// Keeps the hypothesis if it is clearly better than none and than the best so far.
@@ -119,7 +120,7 @@ private:
     if (!now) {
       return;
     }
-    const double share = input_.unsynchronized ? kLeastGainShareUnsynchronized : kLeastGainShare;
+    const double share = input_.isUnsynchronized ? kLeastGainShareUnsynchronized : kLeastGainShare;
     const double gain = numbers_ * (base_.cost - now->cost) - penalty;
     if (gain > std::max(kMinGain, share * numbers_) && now->median < kWellExplained * sigma_ &&
         (!best_ || gain > best_->gain)) {
@@ -152,7 +153,7 @@ private:
   }
 
   void tryZoom(const std::vector<PointCorrespondence>& correspondences) {
-    if (input_.focalUnknown) {
+    if (input_.isFocalUnknown) {
       return;
     }
     for (const double start : {1.0, 0.7, 1.4}) { // far off, the pose's prior would hold it back
@@ -207,8 +208,8 @@ private:
     if (!first || !second) {
       return std::nullopt;
     }
-    std::vector<double> squares = first->squares;
-    squares.insert(squares.end(), second->squares.begin(), second->squares.end());
+    std::vector<double> squares = first->squaredResiduals;
+    squares.insert(squares.end(), second->squaredResiduals.begin(), second->squaredResiduals.end());
     return TwoPoses{first->camera,
                     second->camera,
                     {meanCost(squares, sigma_), std::sqrt(upperMedian(squares))}};
@@ -254,7 +255,7 @@ private:
     const auto& states = input_.problem.states;
     std::vector<double> gaps;
     for (std::size_t s = 0; s < times.size(); ++s) {
-      if (!states[s].fixed) {
+      if (!states[s].isFixed) {
         byTime_[times[s]] = s;
       }
     }
@@ -267,7 +268,7 @@ private:
     }
     std::vector<std::pair<double, int>> order; // cost, frames
     for (int frames = -kMaxDelayFrames; frames <= kMaxDelayFrames; ++frames) {
-      const auto correspondences = evenSelection(known(frames * period_), kQuickCorrespondences);
+      const auto correspondences = selectEvenly(known(frames * period_), kQuickCorrespondences);
       if (std::abs(frames) < kMinDelayFrames || correspondences.size() < kFewestCorrespondences) {
         continue;
       }
@@ -278,7 +279,7 @@ private:
     std::sort(order.begin(), order.end());
     for (std::size_t k = 0; k < std::min<std::size_t>(3, order.size()); ++k) {
       const auto correspondences =
-          evenSelection(known(order[k].second * period_), kMostCorrespondences);
+          selectEvenly(known(order[k].second * period_), kMostCorrespondences);
       considerHypothesis(CalibrationFault::CameraDelayed, order[k].second,
                          explain(initial_, correspondences, false),
                          0.5 * std::log(numbers_) + std::log(2.0 * kMaxDelayFrames));

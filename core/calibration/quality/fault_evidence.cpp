@@ -50,7 +50,7 @@ BundleProblem pointProblem(const CameraRig& initialRig, const ImagePoints& image
     if (use[c]) {
       renamed[c] = problem.cameras.size();
       problem.cameras.push_back({.camera = initialRig[c],
-                                 .centerFree = centersFree,
+                                 .isPrincipalPointFree = centersFree,
                                  .posePrior = PosePrior{sigma.turn, sigma.position}});
     }
   }
@@ -63,7 +63,7 @@ BundleProblem pointProblem(const CameraRig& initialRig, const ImagePoints& image
       }
     }
   }
-  for (const SeenBy& seen : evenSelection(points, kMostPoints)) {
+  for (const SeenBy& seen : selectEvenly(points, kMostPoints)) {
     for (const auto& [camera, pixel] : seen) {
       problem.observations.push_back(
           {.camera = renamed[camera], .state = problem.states.size(), .pixel = pixel});
@@ -71,7 +71,7 @@ BundleProblem pointProblem(const CameraRig& initialRig, const ImagePoints& image
     problem.states.push_back({.time = static_cast<double>(problem.states.size())});
   }
   problem.loss = RobustLoss::SoftL1;
-  problem.draft = true;
+  problem.isDraft = true;
   problem.maxIterations = 60;
   return problem;
 }
@@ -91,7 +91,7 @@ Result<BundleResult> narrowed(BundleProblem& problem, std::size_t firstWidth) {
       }
       for (std::size_t s = 0; s < problem.states.size(); ++s) {
         problem.states[s] = now->states[s];
-        problem.states[s].known = problem.states[s].known && !problem.states[s].fixed;
+        problem.states[s].isKnown = problem.states[s].isKnown && !problem.states[s].isFixed;
       }
     }
   }
@@ -152,17 +152,17 @@ std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
       fit.rig[c] = now->cameras[next++];
     }
   }
-  fit.squares = squaresOf(*now);
+  fit.squaredResiduals = squaresOf(*now);
   for (std::size_t c = 0; c < initialRig.size(); ++c) {
     if (!plausible(initialRig[c], fit.rig[c], sigma)) {
-      fit.squares.assign(fit.squares.size(), kUnseenPx2);
+      fit.squaredResiduals.assign(fit.squaredResiduals.size(), kUnseenPx2);
     }
   }
   fit.points = problem.states.size();
-  const auto rows = static_cast<double>(fit.squares.size());
+  const auto rows = static_cast<double>(fit.squaredResiduals.size());
   const double degreesOfFreedom = rows - 3.0 * static_cast<double>(problem.states.size()) -
                                   6.0 * static_cast<double>(problem.cameras.size());
-  fit.sigmaPx = std::sqrt(upperMedian(fit.squares) / kMedianSquare * rows /
+  fit.sigmaPx = std::sqrt(upperMedian(fit.squaredResiduals) / kMedianSquare * rows /
                           std::max(degreesOfFreedom, 0.1 * rows));
   return fit;
 }
@@ -191,19 +191,20 @@ PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints
 
 std::optional<CameraResection> fitCamera(const Camera& initial,
                                          const std::vector<PointCorrespondence>& correspondences,
-                                         const InitialRigSigma& sigma, bool focalFree, bool quick) {
+                                         const InitialRigSigma& sigma, bool isFocalFree,
+                                         bool quick) {
   BundleProblem problem;
   problem.cameras.push_back({.camera = initial,
-                             .focalFree = focalFree,
+                             .isFocalFree = isFocalFree,
                              .posePrior = PosePrior{sigma.turn, sigma.position}});
   problem.bodies.push_back({.name = "point"});
   for (const PointCorrespondence& seen : correspondences) {
     problem.observations.push_back(
         {.camera = 0, .state = problem.states.size(), .pixel = seen.pixel});
-    problem.states.push_back({.fixed = true, .ends = {seen.position, seen.position}});
+    problem.states.push_back({.isFixed = true, .ends = {seen.position, seen.position}});
   }
   problem.loss = RobustLoss::SoftL1;
-  problem.draft = true;
+  problem.isDraft = true;
   problem.maxIterations = quick ? 8 : 40;
   const auto now = narrowed(problem, quick ? kWidths.size() - 2 : 0);
   if (correspondences.empty() || !now) {
@@ -211,7 +212,7 @@ std::optional<CameraResection> fitCamera(const Camera& initial,
   }
   CameraResection found{now->cameras[0], squaresOf(*now)};
   if (!plausible(initial, found.camera, sigma)) {
-    found.squares.assign(found.squares.size(), kUnseenPx2);
+    found.squaredResiduals.assign(found.squaredResiduals.size(), kUnseenPx2);
   }
   return found;
 }

@@ -39,7 +39,7 @@ struct PointFit {
   CameraRig rig;
   double sigmaPx = 0.0; ///< robust standard deviation of an image point per axis, corrected for the
                         ///< degrees of freedom; pixels
-  std::vector<double> squares; ///< squared residuals per axis, pixels²
+  std::vector<double> squaredResiduals; ///< squared residuals per axis, pixels²
   std::size_t points = 0;
 };
 
@@ -72,14 +72,14 @@ struct CameraResection {
   Camera camera;
   /// Squared residuals per axis, pixels²; set to a large value for points that the camera cannot
   /// see, or for all points if the pose is far from the initial one.
-  std::vector<double> squares;
+  std::vector<double> squaredResiduals;
 };
 /// Estimates the pose of one camera near `initial` from points with known positions and, if
-/// `focalFree`, its focal length. `quick`: uses fewer iterations, for a start value that is already
-/// close. Returns nothing if there is no solution.
+/// `isFocalFree`, its focal length. `quick`: uses fewer iterations, for a start value that is
+/// already close. Returns nothing if there is no solution.
 std::optional<CameraResection> fitCamera(const Camera& initial,
                                          const std::vector<PointCorrespondence>& correspondences,
-                                         const InitialRigSigma& sigma, bool focalFree,
+                                         const InitialRigSigma& sigma, bool isFocalFree,
                                          bool quick = false);
 
 /// Returns the mean negative log likelihood of residuals under Student's t distribution (4 degrees
@@ -87,7 +87,7 @@ std::optional<CameraResection> fitCamera(const Camera& initial,
 double meanCost(const std::vector<double>& squares, double sigmaPx);
 
 /// Returns at most `most` elements of a list, evenly spread, in their order.
-template <class T> std::vector<T> evenSelection(const std::vector<T>& all, std::size_t most) {
+template <class T> std::vector<T> selectEvenly(const std::vector<T>& all, std::size_t most) {
   if (all.size() <= most) {
     return all;
   }

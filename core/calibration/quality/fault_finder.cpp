@@ -165,8 +165,9 @@ private:
           swap.fit.sigmaPx > kSwapExplains * all_->sigmaPx) {
         continue;
       }
-      const double gain = static_cast<double>(swap.fit.squares.size()) *
-                          (meanCost(all_->squares, best_) - meanCost(swap.fit.squares, best_));
+      const double gain =
+          static_cast<double>(swap.fit.squaredResiduals.size()) *
+          (meanCost(all_->squaredResiduals, best_) - meanCost(swap.fit.squaredResiduals, best_));
       if (gain > kMinGain && (!best || gain > best->gain)) {
         best = DetectedFault{CalibrationFault::CamerasSwapped, {swap.one, swap.other}, 0.0, gain};
       }
@@ -195,11 +196,11 @@ Result<FaultReport> findWandFaults(const WandProblem& problem) {
     FaultSearchInput input;
     input.problem = bundle;
     input.initialSigma = {problem.initialRotationError, problem.initialPositionError};
-    input.focalUnknown = problem.findFocal;
-    input.unsynchronized =
-        problem.findOffsets ||
+    input.isFocalUnknown = problem.estimateFocalLengths;
+    input.isUnsynchronized =
+        problem.estimateTimeOffsets ||
         std::any_of(bundle.observations.begin(), bundle.observations.end(),
-                    [](const BundleObservation& seen) { return seen.lag != 0.0; });
+                    [](const BundleObservation& seen) { return seen.timeAfterState != 0.0; });
     return findFaults(input);
   });
 }

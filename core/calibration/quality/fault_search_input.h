@@ -26,10 +26,10 @@ struct FaultSearchInput {
       {};                                     ///< image size of each video, pixels; empty: unknown
   std::optional<BoardDescription> board = {}; ///< board represented by the first body
   /// True if the focal lengths are not known, so that a wrong focal length is no fault.
-  bool focalUnknown = false;
+  bool isFocalUnknown = false;
   /// True if the cameras are not synchronized, or if time offsets are to be estimated. A fault is
   /// then reported only if its gain is much larger than kMinGain.
-  bool unsynchronized = false;
+  bool isUnsynchronized = false;
 };
 
 } // namespace dewpoint::calibration

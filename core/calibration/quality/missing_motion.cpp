@@ -51,7 +51,7 @@ class MotionSearch {
 public:
   explicit MotionSearch(const WandResult& result)
       : result_(result), rig_(result.bundle.cameras),
-        positions_(seenPositions(result.problem, result.bundle)) {}
+        positions_(observedPositions(result.problem, result.bundle)) {}
 
   std::vector<MotionGap> run() {
     if (positions_.size() < 4 || rig_.size() < 2) {
@@ -101,13 +101,13 @@ private:
   void addDuration() {
     std::vector<double> times;
     for (const BundleState& state : result_.bundle.states) {
-      if (state.known) {
+      if (state.isKnown) {
         times.push_back(state.time);
       }
     }
     const auto [first, last] = std::ranges::minmax_element(times);
     const double seconds = times.empty() ? 0.0 : *last - *first;
-    add({.missing = MissingMotion::LongEnough, .value = seconds}, seconds, kLeastSeconds);
+    add({.missing = MissingMotion::Duration, .value = seconds}, seconds, kLeastSeconds);
   }
 
   /// A line, a plane, a small volume, or no depth: each of them explains the next ones.
@@ -155,7 +155,7 @@ private:
     std::vector<BoardCoverage> seen(rig_.size());
     for (const BundleObservation& one : result_.problem.observations) {
       const Intrinsics& image = rig_[one.camera].intrinsics;
-      ++seen[one.camera].corners.at(
+      ++seen[one.camera].cornerCounts.at(
           static_cast<std::size_t>(BoardCoverage::regionOf(one.pixel, image.width, image.height)));
     }
     for (std::size_t c = 0; c < rig_.size(); ++c) {
@@ -169,8 +169,8 @@ private:
     double usable = 0.0;
     Eigen::Vector2d coveredMiddle = Eigen::Vector2d::Zero();
     Eigen::Vector2d usableMiddle = Eigen::Vector2d::Zero();
-    for (std::size_t region = 0; region < visible.corners.size(); ++region) {
-      if (visible.corners[region] == 0 && seen.corners[region] == 0) {
+    for (std::size_t region = 0; region < visible.cornerCounts.size(); ++region) {
+      if (visible.cornerCounts[region] == 0 && seen.cornerCounts[region] == 0) {
         continue;
       }
       const std::size_t row = region / BoardCoverage::kColumns;
@@ -179,7 +179,7 @@ private:
                                (static_cast<double>(row) + 0.5) / BoardCoverage::kRows);
       usable += 1.0;
       usableMiddle += at;
-      if (seen.corners[region] > 0) {
+      if (seen.cornerCounts[region] > 0) {
         covered += 1.0;
         coveredMiddle += at;
       }
@@ -190,7 +190,7 @@ private:
     const Eigen::Vector2d toward = usableMiddle / usable - coveredMiddle / covered;
     add({.missing = MissingMotion::WholeImage,
          .cameras = {camera},
-         .value = covered / static_cast<double>(visible.corners.size()),
+         .value = covered / static_cast<double>(visible.cornerCounts.size()),
          .side = sideOf(toward)},
         covered / usable, kLeastImage);
   }
@@ -215,7 +215,7 @@ private:
         continue;
       }
       if (const auto pixel = projector.project(view_.positions[i])) {
-        ++regions.corners.at(
+        ++regions.cornerCounts.at(
             static_cast<std::size_t>(BoardCoverage::regionOf(*pixel, image.width, image.height)));
       }
     }
@@ -295,7 +295,7 @@ const char* sideText(ImageSide side) {
 
 } // namespace
 
-std::vector<MotionGap> missingMotion(const WandResult& result) {
+std::vector<MotionGap> findMissingMotion(const WandResult& result) {
   return MotionSearch(result).run();
 }
 
@@ -305,7 +305,7 @@ std::string motionGapText(const MotionGap& gap, const CameraRig& rig) {
                                                                  : std::string("a camera");
   };
   switch (gap.missing) {
-  case MissingMotion::LongEnough:
+  case MissingMotion::Duration:
     return fmt::format("The ball was seen for only {:.0f} s. Wave for half a minute.", gap.value);
   case MissingMotion::OffTheLine:
     return "The ball moved only along one line. Move it in all directions: to the sides, up and "

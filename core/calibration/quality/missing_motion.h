@@ -11,7 +11,7 @@ namespace dewpoint::calibration {
 
 /// Kinds of motion that a recording of a wand may lack.
 enum class MissingMotion {
-  LongEnough,  ///< the ball was seen for too short a time
+  Duration,    ///< the ball was seen for too short a time
   OffTheLine,  ///< the ball moved only along a line
   OffThePlane, ///< the ball moved only within a plane
   InDepth,     ///< the distance from a camera to the ball hardly changed
@@ -25,11 +25,11 @@ enum class ImageSide { Edges, Left, Right, Top, Bottom };
 
 /// Kind of motion that a recording lacks.
 struct MotionGap {
-  MissingMotion missing = MissingMotion::LongEnough;
+  MissingMotion missing = MissingMotion::Duration;
   /// Indices in the rig. InDepth and WholeImage: the camera. OffThePlane: the camera whose optical
   /// axis is closest to the normal of the plane. SeenTogether: the two cameras. Otherwise empty.
   std::vector<std::size_t> cameras = {};
-  /// Amount of this motion in the recording. LongEnough: time from the first to the last sight of
+  /// Amount of this motion in the recording. Duration: time from the first to the last sight of
   /// the ball, seconds. OffTheLine and OffThePlane: extent of the ball's positions across the line
   /// or the plane, meters. InDepth: range of the distances, meters. WholeVolume and WholeImage:
   /// fraction of the volume or of the image, 0 to 1. SeenTogether: number of frames.
@@ -51,7 +51,7 @@ struct MotionGap {
 /// numbers of frames are compared: those in which both cameras saw the ball, and those in which the
 /// camera with fewer sightings saw the ball. All limits of lengths are relative to the size of the
 /// rig, so they suit a desk as well as a hall.
-std::vector<MotionGap> missingMotion(const WandResult& result);
+std::vector<MotionGap> findMissingMotion(const WandResult& result);
 
 /// Returns one or two sentences that say what is missing and what to do. `rig` contains the names
 /// of the cameras.

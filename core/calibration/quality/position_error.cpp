@@ -40,7 +40,7 @@ Camera withChange(Camera camera, CameraQuantity quantity, double step) {
   if (index < 3) {
     const Eigen::Vector3d center = camera.center();
     camera.cameraFromWorld.linear() =
-        rotationFromTurn(step * Eigen::Vector3d::Unit(index)) * camera.cameraFromWorld.linear();
+        rotationExponential(step * Eigen::Vector3d::Unit(index)) * camera.cameraFromWorld.linear();
     camera.cameraFromWorld.translation() = -camera.cameraFromWorld.linear() * center;
   } else if (index < kPoseSize) {
     const Eigen::Vector3d center = camera.center() + step * Eigen::Vector3d::Unit(index - 3);
@@ -142,11 +142,11 @@ Eigen::MatrixXd rigidMotions(const std::vector<Eigen::Vector3d>& positions,
 
 } // namespace
 
-std::vector<Eigen::Vector3d> seenPositions(const BundleProblem& problem,
-                                           const BundleResult& result) {
+std::vector<Eigen::Vector3d> observedPositions(const BundleProblem& problem,
+                                               const BundleResult& result) {
   std::vector<Eigen::Vector3d> positions;
   for (const BundleState& state : result.states) {
-    if (!state.known) {
+    if (!state.isKnown) {
       continue;
     }
     const BundleBody& body = problem.bodies[state.body];
@@ -166,11 +166,11 @@ std::vector<Eigen::Vector3d> seenPositions(const BundleProblem& problem,
 
 PositionErrors propagateToPositions(const BundleProblem& problem, const BundleResult& result,
                                     std::size_t most) {
-  return propagateTo(evenlyChosen(seenPositions(problem, result), most), result);
+  return propagateErrorsTo(chooseEvenly(observedPositions(problem, result), most), result);
 }
 
-PositionErrors propagateTo(const std::vector<Eigen::Vector3d>& positions,
-                           const BundleResult& result) {
+PositionErrors propagateErrorsTo(const std::vector<Eigen::Vector3d>& positions,
+                                 const BundleResult& result) {
   PositionErrors errors;
   const auto columns = static_cast<Eigen::Index>(result.covariance.columns.size());
   const auto cameras = variedCameras(result);
@@ -185,7 +185,7 @@ PositionErrors propagateTo(const std::vector<Eigen::Vector3d>& positions,
   return errors;
 }
 
-std::vector<Eigen::Vector3d> evenlyChosen(const std::vector<Eigen::Vector3d>& all,
+std::vector<Eigen::Vector3d> chooseEvenly(const std::vector<Eigen::Vector3d>& all,
                                           std::size_t most) {
   std::vector<Eigen::Vector3d> chosen;
   const std::size_t count = std::min(most, all.size());
@@ -221,8 +221,8 @@ Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& positions,
   return arms.transpose() * errors / arms.squaredNorm();
 }
 
-Eigen::VectorXd cameraDifference(const std::vector<CameraColumn>& columns, const BundleResult& from,
-                                 const BundleResult& to) {
+Eigen::VectorXd cameraParameterDifference(const std::vector<CameraColumn>& columns,
+                                          const BundleResult& from, const BundleResult& to) {
   Eigen::VectorXd difference(static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const Camera& before = from.cameras[columns[k].camera];
@@ -235,7 +235,7 @@ Eigen::VectorXd cameraDifference(const std::vector<CameraColumn>& columns, const
     } else if (index < kPoseSize) {
       value = after.center()[index - 3] - before.center()[index - 3];
     } else if (columns[k].quantity == CameraQuantity::TimeOffset) {
-      value = to.offsets[columns[k].camera] - from.offsets[columns[k].camera];
+      value = to.timeOffsets[columns[k].camera] - from.timeOffsets[columns[k].camera];
     } else {
       const auto entry = static_cast<std::size_t>(index - kPoseSize);
       value = lensBlock(after)[entry] - lensBlock(before)[entry];

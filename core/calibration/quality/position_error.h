@@ -22,11 +22,11 @@ struct PositionErrors {
 
 /// Returns all positions of the target in the result, in the world, meters. A stick counts with
 /// both ends, a board with its first and its last corner.
-std::vector<Eigen::Vector3d> seenPositions(const BundleProblem& problem,
-                                           const BundleResult& result);
+std::vector<Eigen::Vector3d> observedPositions(const BundleProblem& problem,
+                                               const BundleResult& result);
 
 /// Returns at most `most` of the positions, taken at equal steps from the list.
-std::vector<Eigen::Vector3d> evenlyChosen(const std::vector<Eigen::Vector3d>& all,
+std::vector<Eigen::Vector3d> chooseEvenly(const std::vector<Eigen::Vector3d>& all,
                                           std::size_t most);
 
 /// Propagates camera errors to up to `most` positions, which are spread over the positions of the
@@ -37,8 +37,8 @@ PositionErrors propagateToPositions(const BundleProblem& problem, const BundleRe
 
 /// Propagates the errors of the cameras in `result` to these positions (world, meters). Positions
 /// that fewer than two cameras see are left out.
-PositionErrors propagateTo(const std::vector<Eigen::Vector3d>& positions,
-                           const BundleResult& result);
+PositionErrors propagateErrorsTo(const std::vector<Eigen::Vector3d>& positions,
+                                 const BundleResult& result);
 
 /// Removes the common rigid motion from errors of positions. `errors` has three rows per position,
 /// and each column is a separate set of errors. With `sizeToo`, also removes the common change of
@@ -61,7 +61,7 @@ Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& positions,
 
 /// Returns the camera parameters of `to` minus those of `from`, in the order of `columns`
 /// (rotations, centers, intrinsics, offsets).
-Eigen::VectorXd cameraDifference(const std::vector<CameraColumn>& columns, const BundleResult& from,
-                                 const BundleResult& to);
+Eigen::VectorXd cameraParameterDifference(const std::vector<CameraColumn>& columns,
+                                          const BundleResult& from, const BundleResult& to);
 
 } // namespace dewpoint::calibration

@@ -21,7 +21,7 @@ void addParameters(std::string& html, const BoardReport::CameraPart& camera) {
   html += "<table><tr><th>parameter</th><th>value</th><th>standard deviation</th></tr>\n";
   for (const EstimatedParameter& parameter : camera.parameters) {
     html += fmt::format("<tr><td>{}</td><td>{:.6g}</td><td>{}</td></tr>\n", parameter.name,
-                        parameter.value, twoDigitsText(parameter.sigma));
+                        parameter.value, twoSignificantDigitsText(parameter.sigma));
   }
   html += "</table>\n";
 }
@@ -40,8 +40,9 @@ std::vector<std::string> tiltCounts(const BoardCoverage& coverage) {
   const char* names[] = {"flat", "left near", "right near", "top near", "bottom near"};
   std::vector<std::string> notes;
   notes.reserve(std::size(names));
-  for (int k = 0; k < BoardCoverage::kTilts; ++k) {
-    notes.push_back(fmt::format("{}: {}", names[k], coverage.tilts[static_cast<std::size_t>(k)]));
+  for (int k = 0; k < BoardCoverage::kTiltCount; ++k) {
+    notes.push_back(
+        fmt::format("{}: {}", names[k], coverage.tiltCounts[static_cast<std::size_t>(k)]));
   }
   return notes;
 }
@@ -79,10 +80,10 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
                  "{:.0f} % of the image",
                  htmlEscaped(camera.name), camera.rmsPx, corners, used, camera.views.size(),
                  inPercent(camera.coverage.coveredFraction()));
-  if (camera.projectionPx) {
+  if (camera.projectionSigmaPx) {
     fmt::format_to(
         out, "; a line of sight is accurate to {:.2f} px (1 sigma) in the worst part of the image",
-        *camera.projectionPx);
+        *camera.projectionSigmaPx);
   }
   if (camera.centerSigma && *camera.centerSigma > 0.0) {
     fmt::format_to(
@@ -97,7 +98,7 @@ void addCamera(std::string& html, const BoardReport::CameraPart& camera) {
       residualDrawing(camera.camera.intrinsics, residualsOf(camera)) +
       "<h3>Coverage</h3><p>Corners seen in each part of the image, and images at each tilt.</p>\n" +
       coverageDrawing(camera.camera.intrinsics, camera.coverage, tiltCounts(camera.coverage)) +
-      "<h3>Pictures</h3>\n" + errorDrawing(camera.views);
+      "<h3>Pictures</h3>\n" + viewErrorDrawing(camera.views);
 }
 
 void addReport(std::string& html, const BoardReport& report) {
@@ -124,7 +125,7 @@ void addReport(std::string& html, const BoardReport& report) {
 
 } // namespace
 
-BoardReport::CameraPart reportPart(const std::string& name, const IntrinsicsResult& result) {
+BoardReport::CameraPart reportPartOf(const std::string& name, const IntrinsicsResult& result) {
   BoardReport::CameraPart part;
   part.name = name;
   part.camera = result.camera;
@@ -132,7 +133,7 @@ BoardReport::CameraPart reportPart(const std::string& name, const IntrinsicsResu
   part.coverage = result.coverage;
   part.views = result.views;
   part.parameters = result.parameters;
-  part.projectionPx = result.maxProjectionSigmaPx;
+  part.projectionSigmaPx = result.maxProjectionSigmaPx;
   return part;
 }
 
@@ -162,7 +163,7 @@ std::string htmlText(const BoardReport& report) {
 }
 
 std::string htmlText(const std::vector<BoardReport>& reports) {
-  std::string html = pageHead(reports.front().title);
+  std::string html = htmlHead(reports.front().title);
   for (const BoardReport& report : reports) {
     addReport(html, report);
   }

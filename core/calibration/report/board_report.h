@@ -19,7 +19,7 @@ struct BoardReport {
     BoardCoverage coverage;
     std::vector<ViewFit> views;
     std::vector<EstimatedParameter> parameters; ///< empty if the intrinsics were given
-    std::optional<double> projectionPx;         ///< IntrinsicsResult::maxProjectionSigmaPx, pixels
+    std::optional<double> projectionSigmaPx;    ///< IntrinsicsResult::maxProjectionSigmaPx, pixels
     /// Standard deviation of the position, meters; empty unless poses were estimated.
     std::optional<double> centerSigma;
     /// Standard deviation of the orientation, radians; empty unless poses were estimated.
@@ -36,7 +36,7 @@ struct BoardReport {
 };
 
 /// Returns the report section about one camera's intrinsics.
-BoardReport::CameraPart reportPart(const std::string& name, const IntrinsicsResult& result);
+BoardReport::CameraPart reportPartOf(const std::string& name, const IntrinsicsResult& result);
 
 /// Returns the report about the poses of all cameras.
 BoardReport reportOf(const BoardDescription& board, const ExtrinsicsResult& result);

@@ -67,7 +67,7 @@ td, th {{ padding: .1rem .9rem .1rem 0; text-align: left; border-bottom: 1px sol
 
 } // namespace
 
-std::string pageHead(const std::string& title) {
+std::string htmlHead(const std::string& title) {
   return fmt::format(kHead, htmlEscaped(title));
 }
 
@@ -104,7 +104,7 @@ std::string coverageDrawing(const Intrinsics& image, const BoardCoverage& covera
   const double height = width * image.height / image.width;
   const double cellWidth = width / BoardCoverage::kColumns;
   const double cellHeight = height / BoardCoverage::kRows;
-  const auto& counts = coverage.corners;
+  const auto& counts = coverage.cornerCounts;
   const double most = std::max(1, *std::ranges::max_element(counts));
   std::string svg = opened(kDrawingWidth, height, "coverage");
   auto out = std::back_inserter(svg);
@@ -126,7 +126,7 @@ std::string coverageDrawing(const Intrinsics& image, const BoardCoverage& covera
   return svg + "</svg>\n";
 }
 
-std::string errorDrawing(const std::vector<ViewFit>& views) {
+std::string viewErrorDrawing(const std::vector<ViewFit>& views) {
   double most = 1e-6;
   for (const ViewFit& view : views) {
     most = std::max(most, view.used ? view.rmsPx : 0.0);

@@ -12,7 +12,7 @@ namespace dewpoint::calibration {
 
 /// Returns the beginning of a self-contained HTML page up to its body, with the styles for the
 /// drawings below.
-std::string pageHead(const std::string& title);
+std::string htmlHead(const std::string& title);
 /// Width of the widest drawings, in SVG units. Origin not recorded.
 inline constexpr double kDrawingWidth = 460.0;
 
@@ -34,6 +34,6 @@ std::string coverageDrawing(const Intrinsics& image, const BoardCoverage& covera
                             const std::vector<std::string>& notes);
 
 /// Returns an SVG with a bar for the error of each image. Images that were left out are hatched.
-std::string errorDrawing(const std::vector<ViewFit>& views);
+std::string viewErrorDrawing(const std::vector<ViewFit>& views);
 
 } // namespace dewpoint::calibration

@@ -38,7 +38,7 @@ std::vector<SpaceLine> wandPath(const WandResult& result) {
   double last = -1e9;
   for (std::size_t k = 0; k < states.size(); ++k) {
     const BundleState& state = states[k];
-    if (!state.known || state.body >= bodies.size()) {
+    if (!state.isKnown || state.body >= bodies.size()) {
       continue;
     }
     if (bodies[state.body].kind == BundleBody::Kind::Stick) {
@@ -60,7 +60,7 @@ void addStatistics(std::string& html, const WandReport& report) {
   const WandResult& result = report.result;
   html += "<table><tr><th>camera</th><th>views</th><th>dropped</th><th>rms px</th>"
           "<th>median px</th><th>moved cm</th><th>rotated</th>";
-  html += report.offsetsFound ? "<th>delay ms</th></tr>\n" : "</tr>\n";
+  html += report.hasTimeOffsets ? "<th>delay ms</th></tr>\n" : "</tr>\n";
   auto out = std::back_inserter(html);
   for (std::size_t c = 0; c < result.cameras.size(); ++c) {
     const Camera& camera = result.cameras[c];
@@ -75,8 +75,8 @@ void addStatistics(std::string& html, const WandReport& report) {
                    pixelsOf(result.bundle.cameraRms.at(c)),
                    pixelsOf(result.cameraMedianResidualPx[c]), inCentimeters(shift.meters),
                    inDegrees(shift.radians));
-    if (report.offsetsFound) {
-      fmt::format_to(out, "<td>{:.2f}</td>", inMilliseconds(-result.offsets[c]) + 0.0);
+    if (report.hasTimeOffsets) {
+      fmt::format_to(out, "<td>{:.2f}</td>", inMilliseconds(-result.timeOffsets[c]) + 0.0);
     }
     html += "</tr>\n";
   }
@@ -103,7 +103,7 @@ std::string htmlText(const WandReport& report) {
   const WandResult& result = report.result;
   const std::string title =
       fmt::format("Poses of {} cameras, calibrated with a wand", result.cameras.size());
-  std::string html = pageHead(title);
+  std::string html = htmlHead(title);
   html += fmt::format("<h1>{}</h1>\n<p><strong>{}</strong></p>\n", htmlEscaped(title),
                       htmlEscaped(report.accuracy));
   for (const DetectedFault& fault : result.faults) {

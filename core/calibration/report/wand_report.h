@@ -15,7 +15,7 @@ struct WandReport {
   WandResult result;                     ///< result of the calibration, including its faults
   std::string accuracy;                  ///< text about the accuracy
   std::vector<BoardCoverage> coverage;   ///< image regions in which the ball was seen, per camera
-  bool offsetsFound = false;             ///< true if time offsets were estimated
+  bool hasTimeOffsets = false;           ///< true if time offsets were estimated
   std::vector<std::string> notices = {}; ///< sentences about missing motion
 };
 

@@ -9,8 +9,8 @@ namespace dewpoint::calibration {
 
 /// Estimates the time offsets of the cameras relative to the first one, to about half a frame. An
 /// offset is the number of seconds to add to the times of a camera's views, as in
-/// WandResult::offsets. Offsets of up to half a second in both directions are tried. If the views
-/// do not determine an offset, it is 0.
+/// WandResult::timeOffsets. Offsets of up to half a second in both directions are tried. If the
+/// views do not determine an offset, it is 0.
 ///
 /// With the correct offset, the rays of two cameras to the moving ball miss each other only because
 /// the poses are approximate. The distance between the rays changes smoothly with the position and

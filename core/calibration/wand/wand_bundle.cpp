@@ -114,7 +114,7 @@ Result<BundleProblem> wandBundle(const WandProblem& problem) {
                                    .point = view->ball,
                                    .pixel = view->pixel,
                                    .sigma = view->sigma,
-                                   .lag = view->time - bundle.states.back().time,
+                                   .timeAfterState = view->time - bundle.states.back().time,
                                    .radius = view->radius});
   }
   return bundle;
@@ -158,7 +158,7 @@ void updateOutlineShifts(const std::array<double, 2>& ballRadii, const BundleRes
   for (BundleObservation& seen : problem.observations) {
     const BundleState& state = now.states[seen.state];
     const double radius = ballRadii[seen.point];
-    if (!state.known || !(radius > 0.0)) {
+    if (!state.isKnown || !(radius > 0.0)) {
       continue;
     }
     const double ratio = radius / projectors[seen.camera].depth(state.ends[seen.point]);

@@ -67,7 +67,7 @@ public:
 private:
   /// From far off the adjustment would not find the offsets: first roughly.
   Status inTime() {
-    if (given_.findOffsets) {
+    if (given_.estimateTimeOffsets) {
       if (auto usable = checkViews(given_); !usable) {
         return usable;
       }
@@ -105,8 +105,8 @@ private:
           rig[c].center() +
           share * given_.initialPositionError * Eigen::Vector3d(place[0], place[1], place[2]);
       auto& pose = rig[c].cameraFromWorld;
-      pose.linear() = rotationFromTurn(share * given_.initialRotationError *
-                                       Eigen::Vector3d(turn[0], turn[1], turn[2])) *
+      pose.linear() = rotationExponential(share * given_.initialRotationError *
+                                          Eigen::Vector3d(turn[0], turn[1], turn[2])) *
                       pose.linear();
       pose.translation() = -pose.linear() * center;
     }
@@ -123,7 +123,7 @@ private:
     }
     setStick(bundle, kLooseStick);
     bundle.loss = RobustLoss::SoftL1;
-    bundle.draft = true;
+    bundle.isDraft = true;
     bundle.maxIterations = kStartIterations;
     for (const double width : kStartWidths) {
       bundle.lossWidth = width;
@@ -144,7 +144,7 @@ private:
   static BundleProblem forStarts(const BundleProblem& bundle) {
     BundleProblem part = subsampledBundle(bundle, kInstantsOfStart, false);
     for (BundleObservation& seen : part.observations) {
-      seen.lag = 0.0;
+      seen.timeAfterState = 0.0;
     }
     return part;
   }
@@ -167,7 +167,7 @@ private:
       }
       // Few views used is no good fit either: what cannot be triangulated has no residual.
       const double median = report.medianPx * double(part.observations.size()) /
-                            double(std::max<std::size_t>(now->used, 1));
+                            double(std::max<std::size_t>(now->usedObservationCount, 1));
       const bool agrees = best && std::abs(median - bestMedian) < kGoodStart * bestMedian;
       if (!best || median < bestMedian) {
         best = std::move(*now);
@@ -189,16 +189,16 @@ private:
   void freeRequested(BundleProblem& bundle) const {
     for (std::size_t c = 0; c < bundle.cameras.size(); ++c) {
       BundleCamera& camera = bundle.cameras[c];
-      camera.offsetFree = given_.findOffsets && c > 0;
-      camera.focalFree = given_.findFocal;
-      camera.distortionFree[0] = given_.findDistortion;
+      camera.isTimeOffsetFree = given_.estimateTimeOffsets && c > 0;
+      camera.isFocalFree = given_.estimateFocalLengths;
+      camera.isDistortionFree[0] = given_.estimateDistortion;
     }
   }
 
   bool followsInTime(const BundleProblem& bundle) const {
-    return given_.findOffsets ||
+    return given_.estimateTimeOffsets ||
            std::any_of(bundle.observations.begin(), bundle.observations.end(),
-                       [](const BundleObservation& seen) { return seen.lag != 0.0; });
+                       [](const BundleObservation& seen) { return seen.timeAfterState != 0.0; });
   }
 
   /// Everything that is asked for, on all views; gross errors are dropped round after round.
@@ -210,7 +210,7 @@ private:
     result_.dropped.assign(bundle.cameras.size(), 0);
     bundle.loss = RobustLoss::SoftL1;
     bundle.lossWidth = 3.0;
-    bundle.draft = true;
+    bundle.isDraft = true;
     for (int round = 0; round < kMostWandRounds; ++round) {
       auto now = adjust(bundle);
       if (!now) {
@@ -221,16 +221,16 @@ private:
       bundle.lossWidth = std::clamp(3.0 * median, 0.5, 3.0);
       result_.problem = bundle;
       result_.bundle = std::move(*now);
-      if (!bundle.draft) {
+      if (!bundle.isDraft) {
         break;
       }
       const bool clean = dropWorstObservations(result_.bundle, limit, bundle, result_.dropped) == 0;
       for (std::size_t c = 0; c < bundle.cameras.size(); ++c) {
         bundle.cameras[c].camera = result_.bundle.cameras[c];
-        bundle.cameras[c].offset = result_.bundle.offsets[c];
+        bundle.cameras[c].timeOffset = result_.bundle.timeOffsets[c];
       }
       updateOutlineShifts(given_.ballRadii, result_.bundle, bundle);
-      bundle.draft = !(clean && round > 0) && round + 2 < kMostWandRounds;
+      bundle.isDraft = !(clean && round > 0) && round + 2 < kMostWandRounds;
     }
     return {};
   }
@@ -254,20 +254,21 @@ private:
     result_.scaleFactor =
         1.0 / fitRigSimilarity(result_.bundle.cameras, given_.initialRig, true).scale;
     result_.scaleSigma = scale->sigma;
-    return uprightWorld(given_, result_.bundle, result_).map([&](const Similarity& upright) {
-      moveWorld(upright, result_.bundle);
-      for (std::size_t c = 0; c < result_.problem.cameras.size(); ++c) {
-        result_.problem.cameras[c].camera = result_.bundle.cameras[c];
-        result_.problem.cameras[c].offset = result_.bundle.offsets[c];
-      }
-    });
+    return changeToUprightWorld(given_, result_.bundle, result_)
+        .map([&](const Similarity& upright) {
+          moveWorld(upright, result_.bundle);
+          for (std::size_t c = 0; c < result_.problem.cameras.size(); ++c) {
+            result_.problem.cameras[c].camera = result_.bundle.cameras[c];
+            result_.problem.cameras[c].timeOffset = result_.bundle.timeOffsets[c];
+          }
+        });
   }
 
   void summarize() {
     result_.cameras = result_.bundle.cameras;
-    result_.offsets = result_.bundle.offsets;
+    result_.timeOffsets = result_.bundle.timeOffsets;
     for (std::size_t c = 0; c < clocks_.size(); ++c) {
-      result_.offsets[c] += clocks_[c];
+      result_.timeOffsets[c] += clocks_[c];
     }
     result_.medianPx = medianResidual(result_.problem, result_.bundle);
     result_.views.assign(result_.cameras.size(), 0);

@@ -57,9 +57,9 @@ struct WandProblem {
   TouchedDistance distance;       ///< the known distance; used for WandScale::Distance
   std::vector<double> floorTimes; ///< times when ball 0 lay on the floor or touched it, seconds
   std::optional<std::array<double, 2>> fallSpan; ///< time span in which ball 0 fell freely, seconds
-  bool findOffsets = false;    ///< estimate time offsets of the cameras relative to the first
-  bool findFocal = false;      ///< estimate focal lengths, keeping their ratio
-  bool findDistortion = false; ///< estimate k1 for every camera
+  bool estimateTimeOffsets = false;  ///< estimate time offsets of the cameras relative to the first
+  bool estimateFocalLengths = false; ///< estimate focal lengths, keeping their ratio
+  bool estimateDistortion = false;   ///< estimate k1 for every camera
   /// Expected error of the initial rig's orientations, radians.
   double initialRotationError = kInitialRotationError;
   /// Expected error of the initial rig's positions, meters.
@@ -86,8 +86,8 @@ struct FreeFall {
 
 /// Output of calibrateFromWand().
 struct WandResult {
-  CameraRig cameras;           ///< same names as the initial cameras
-  std::vector<double> offsets; ///< seconds; true time = camera's time + offset
+  CameraRig cameras;               ///< same names as the initial cameras
+  std::vector<double> timeOffsets; ///< seconds; true time = camera's time + offset
   std::vector<double>
       cameraMedianResidualPx; ///< median length of the residuals that were kept, pixels, per camera
   double medianPx = 0.0;

@@ -92,7 +92,7 @@ Result<FreeFall> fall(const std::array<double, 2>& when, const BundleResult& now
                       Eigen::Vector3d& acceleration) {
   std::vector<const BundleState*> seen;
   for (const BundleState& state : now.states) {
-    if (state.known && state.time >= when[0] && state.time <= when[1]) {
+    if (state.isKnown && state.time >= when[0] && state.time <= when[1]) {
       seen.push_back(&state);
     }
   }
@@ -220,7 +220,7 @@ std::optional<Eigen::Vector3d> ballPositionAt(const BundleResult& now, double ti
                                               std::size_t ball) {
   std::vector<Eigen::Vector3d> positions;
   for (const BundleState& state : now.states) {
-    if (state.known && std::abs(state.time - time) <= kTouchSeconds) {
+    if (state.isKnown && std::abs(state.time - time) <= kTouchSeconds) {
       positions.push_back(state.ends[ball]);
     }
   }
@@ -241,8 +241,8 @@ Result<ScaleEstimate> estimateScale(const WandProblem& problem, const BundleProb
   }
 }
 
-Result<Similarity> uprightWorld(const WandProblem& problem, const BundleResult& now,
-                                WandResult& result) {
+Result<Similarity> changeToUprightWorld(const WandProblem& problem, const BundleResult& now,
+                                        WandResult& result) {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   if (problem.fallSpan) {
     Eigen::Vector3d acceleration;

@@ -35,7 +35,7 @@ Result<ScaleEstimate> estimateScale(const WandProblem& problem, const BundleProb
 /// the fall. If there are floor touches, the floor is then at z = 0. If there is neither, returns
 /// the identity. The scale of `now` must already be correct. Stores the accuracy of the floor and
 /// of the fall in `result`.
-Result<Similarity> uprightWorld(const WandProblem& problem, const BundleResult& now,
-                                WandResult& result);
+Result<Similarity> changeToUprightWorld(const WandProblem& problem, const BundleResult& now,
+                                        WandResult& result);
 
 } // namespace dewpoint::calibration

@@ -45,7 +45,8 @@ Eigen::Matrix3d ontoXAxis(const Eigen::Vector3d& direction) {
 
 } // namespace
 
-Result<FloorChange> floorThrough(const std::vector<Eigen::Vector3d>& points, const CameraRig& rig) {
+Result<FloorChange> changeToFloor(const std::vector<Eigen::Vector3d>& points,
+                                  const CameraRig& rig) {
   if (points.size() < 3) {
     return failure(ErrorCode::Undetermined, "", "floor", "three points are needed");
   }
@@ -85,11 +86,11 @@ Result<Similarity> levelingRotation(const Eigen::Vector3d& from, const Eigen::Ve
   return rotationAbout(from, rotationBetween(line.normalized(), flat.normalized()));
 }
 
-Similarity originAt(const Eigen::Vector3d& point) {
+Similarity changeToOrigin(const Eigen::Vector3d& point) {
   return {1.0, Eigen::Matrix3d::Identity(), -point};
 }
 
-Result<Similarity> xAxisAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+Result<Similarity> changeToXAxis(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const Eigen::Vector3d line = to - from;
   if (!(line.head<2>().norm() > kOnOneLine * line.norm())) {
     return failure(ErrorCode::Undetermined, "", "axis", "one point is above the other");
@@ -125,7 +126,7 @@ Similarity movedBy(const Eigen::Vector3d& shift, double turn) {
   return {1.0, turnAboutVertical(turn), shift};
 }
 
-std::optional<Similarity> uprightTurn(const CameraRig& rig) {
+std::optional<Similarity> uprightRotation(const CameraRig& rig) {
   if (rig.empty()) {
     return std::nullopt;
   }

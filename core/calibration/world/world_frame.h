@@ -28,7 +28,7 @@ struct FloorChange {
 ///
 /// Error: Undetermined (field "floor") if there are fewer than three points, or if they lie on one
 /// line.
-Result<FloorChange> floorThrough(const std::vector<Eigen::Vector3d>& points, const CameraRig& rig);
+Result<FloorChange> changeToFloor(const std::vector<Eigen::Vector3d>& points, const CameraRig& rig);
 
 /// Returns the change of the world frame after which the line from `from` to `to` is horizontal.
 /// The world is rotated about `from`, by the smallest angle. Error: Undetermined (field "level") if
@@ -37,12 +37,12 @@ Result<Similarity> levelingRotation(const Eigen::Vector3d& from, const Eigen::Ve
 
 /// Returns the change of the world frame after which `point` is the origin. The axes keep their
 /// directions.
-Similarity originAt(const Eigen::Vector3d& point);
+Similarity changeToOrigin(const Eigen::Vector3d& point);
 
 /// Returns the rotation of the world about the vertical axis through the origin after which, seen
 /// from above, the x axis points in the direction from `from` to `to`. Error: Undetermined (field
 /// "axis") if one point is above the other.
-Result<Similarity> xAxisAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+Result<Similarity> changeToXAxis(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 /// Returns the change of the world's scale after which the distance between two points is `meters`.
 /// The origin stays where it is. Error: BadValue (field "length") unless the length is positive and
@@ -67,6 +67,6 @@ Similarity movedBy(const Eigen::Vector3d& shift, double turn);
 ///
 /// The mean of the images' upward directions shows which way is up. Returns nothing if the cameras
 /// look steeply down on average, because such cameras may be mounted upside down under a ceiling.
-std::optional<Similarity> uprightTurn(const CameraRig& rig);
+std::optional<Similarity> uprightRotation(const CameraRig& rig);
 
 } // namespace dewpoint::calibration

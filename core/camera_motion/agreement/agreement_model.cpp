@@ -88,7 +88,7 @@ AgreementModel::regionImagesOf(std::size_t color, std::size_t camera,
   const SightingHistory& history = histories_[color][camera];
   const double focal = focals_[calibration];
   const double anyShape = radii_[color] > 0.0 ? 0.0 : kAnyShape;
-  const std::size_t stride = history.countedSightings() / kMostCounted + 1;
+  const std::size_t stride = history.countEvidence() / kMostCounted + 1;
   std::size_t counted = 0;
   std::vector<RegionImage> instants;
   instants.reserve(history.images().size());
@@ -98,7 +98,7 @@ AgreementModel::regionImagesOf(std::size_t color, std::size_t camera,
     for (const RegionSighting& sighting : image.regions) {
       const auto& [center, radius, sigma, byShape] = sighting.region;
       const double bias = std::hypot(byShape, anyShape * radius);
-      const bool counts = sighting.isCounted && counted++ % stride == 0;
+      const bool counts = sighting.countsAsEvidence && counted++ % stride == 0;
       const double uncertain =
           std::hypot(sigma, anyShape * radius, kMotionSigma * interval_ * sighting.rate.norm());
       SeenRegion seen{sighting.direction, sighting.directionRate, radius / focal,
@@ -123,7 +123,7 @@ double AgreementModel::biasOf(const Views& views, std::size_t camera) {
   for (const auto& color : views) {
     for (const RegionImage& instant : color[camera]) {
       for (const SeenRegion& seen : instant.seen) {
-        if (seen.isCounted) {
+        if (seen.countsAsEvidence) {
           biases.push_back(seen.bias);
         }
       }
@@ -159,7 +159,7 @@ void AgreementModel::compare(const Views& views, const std::vector<Pose>& poses,
     for (std::size_t a = 0; a < count; ++a) {
       for (const RegionImage& instant : views[color][a]) {
         for (const SeenRegion& seen : instant.seen) {
-          if (!seen.isCounted) {
+          if (!seen.countsAsEvidence) {
             continue;
           }
           const Eigen::Vector3d u = rotations[a] * seen.direction;
@@ -209,9 +209,10 @@ Eigen::VectorXd AgreementModel::priorInformation(const AgreementHypothesis& hypo
   Eigen::VectorXd priors(static_cast<Eigen::Index>(kUnknowns * cameras_.size()));
   for (std::size_t k = 0; k < cameras_.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(kUnknowns * k);
-    const double turn =
-        std::hypot(hypothesis.freeTurn == k ? kFreeTurnSigma : kTurnSigma, biasOf(views, k));
-    const double delay = hypothesis.freeDelay == k ? kFreeDelaySigma : kDelaySigma * interval_;
+    const double turn = std::hypot(hypothesis.freeRotationCamera == k ? kFreeTurnSigma : kTurnSigma,
+                                   biasOf(views, k));
+    const double delay =
+        hypothesis.freeDelayCamera == k ? kFreeDelaySigma : kDelaySigma * interval_;
     priors.segment<3>(at).setConstant(1.0 / (turn * turn));
     priors[at + 3] = 1.0 / (delay * delay);
   }
@@ -293,7 +294,7 @@ void AgreementModel::summarizePairs(AgreementFit& fit) const {
       least = std::min(least, ofCamera[camera] / countOfCamera[camera]);
     }
   }
-  fit.leastMean = std::isfinite(least) ? least : 0.0;
+  fit.lowestMeanLogLikelihood = std::isfinite(least) ? least : 0.0;
   fit.pairLogLikelihoods = std::move(likelihoods);
   fit.pairCounts = std::move(counts);
 }
@@ -323,11 +324,12 @@ AgreementFit AgreementModel::fit(const AgreementHypothesis& hypothesis) const {
   // From coarse to fine: what is far off finds its counterpart first.
   static constexpr std::array kFromFar{0.09, 0.03, 0.01, 0.003, 0.0, 0.0, 0.0};
   static constexpr std::array kFromNear{0.01, 0.003, 0.0, 0.0, 0.0};
-  const std::span<const double> widenings =
-      hypothesis.freeTurn ? std::span<const double>(kFromFar) : std::span<const double>(kFromNear);
+  const std::span<const double> widenings = hypothesis.freeRotationCamera
+                                                ? std::span<const double>(kFromFar)
+                                                : std::span<const double>(kFromNear);
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(priors.size());
-  if (hypothesis.freeDelay) {
-    unknowns[static_cast<Eigen::Index>(kUnknowns * *hypothesis.freeDelay) + 3] =
+  if (hypothesis.freeDelayCamera) {
+    unknowns[static_cast<Eigen::Index>(kUnknowns * *hypothesis.freeDelayCamera) + 3] =
         hypothesis.initialDelay;
   }
   std::optional<AgreementFit> best;

@@ -31,11 +31,11 @@ struct AgreementHypothesis {
   std::vector<std::size_t> calibrations = {};
   /// Camera that may point in a wrong direction. The standard deviation of its rotation error is 3
   /// degrees instead of the usual 0.2 degrees.
-  std::optional<std::size_t> freeTurn = {};
+  std::optional<std::size_t> freeRotationCamera = {};
   /// Camera whose images may be delayed. The standard deviation of its delay is 0.25 s. For other
   /// cameras, it is 0.3 image intervals, as is usual without synchronization.
-  std::optional<std::size_t> freeDelay = {};
-  /// Start value for the delay of `freeDelay`, in seconds.
+  std::optional<std::size_t> freeDelayCamera = {};
+  /// Start value for the delay of `freeDelayCamera`, in seconds.
   double initialDelay = 0.0;
 };
 
@@ -55,15 +55,15 @@ struct AgreementFit {
 
   /// Mean log likelihood per comparison for the camera that agrees least with the others; 0 if
   /// nothing was compared.
-  double leastMean = 0.0;
+  double lowestMeanLogLikelihood = 0.0;
 };
 
 /// Model of how likely it is that several cameras see their colored regions where they do, when it
 /// is unknown which region shows which object.
 ///
-/// Each sighting that counts (RegionSighting::isCounted) is compared with the regions that each
-/// other camera saw at the same time. At most one of these regions shows the same object. The ray
-/// to this region must pass close to the ray of the sighting, in front of both cameras, and the
+/// Each sighting that counts (RegionSighting::countsAsEvidence) is compared with the regions that
+/// each other camera saw at the same time. At most one of these regions shows the same object. The
+/// ray to this region must pass close to the ray of the sighting, in front of both cameras, and the
 /// sizes must match. Rays are compared by the sine of the angle between one ray and the epipolar
 /// plane of the other ray, so that the unit of the rig does not matter. This is the first-order
 /// ("Sampson") error, normalized by the uncertainty of both centers.

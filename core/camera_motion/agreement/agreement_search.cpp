@@ -36,7 +36,7 @@ public:
 
   void add(CameraDisagreement disagreement, const AgreementFit& fit) {
     disagreement.logOdds = kFaultPrior + fit.logEvidence - asDeclared_.logEvidence;
-    all_.push_back({std::move(disagreement), fit.leastMean > kExplained});
+    all_.push_back({std::move(disagreement), fit.lowestMeanLogLikelihood > kExplained});
   }
   /// What is known is that some cameras see unrelated things.
   void addUnknown(std::vector<std::size_t> cameras, double logEvidence) {
@@ -116,7 +116,7 @@ void addLate(const AgreementModel& model, Candidates& candidates) {
   const double earliest = model.cameraCount() > 2 ? -kMostDelay : step;
   for (std::size_t camera = 0; camera < model.cameraCount(); ++camera) {
     AgreementHypothesis hypothesis;
-    hypothesis.freeDelay = camera;
+    hypothesis.freeDelayCamera = camera;
     double best = -1e18;
     for (double delay = earliest; delay <= kMostDelay; delay += step) {
       if (const double value = model.approximateLogLikelihood(camera, delay); value > best) {
@@ -136,7 +136,7 @@ void addRotated(const AgreementModel& model, Candidates& candidates) {
   std::vector<AgreementFit> fits;
   for (std::size_t camera = 0; camera < model.cameraCount(); ++camera) {
     AgreementHypothesis hypothesis;
-    hypothesis.freeTurn = camera;
+    hypothesis.freeRotationCamera = camera;
     fits.push_back(model.fit(hypothesis));
     if (model.cameraCount() > 2) {
       candidates.add({.fault = CameraFault::Rotated,
@@ -174,11 +174,11 @@ void addUnknown(const AgreementModel& model, const AgreementFit& asDeclared,
 } // namespace
 
 bool isGoodFit(const AgreementFit& asDeclared) {
-  return asDeclared.leastMean > kWellExplained && asDeclared.logPrior > kUsualErrors;
+  return asDeclared.lowestMeanLogLikelihood > kWellExplained && asDeclared.logPrior > kUsualErrors;
 }
 
 bool isBadFit(const AgreementFit& asDeclared) {
-  return asDeclared.leastMean < kUnexplained;
+  return asDeclared.lowestMeanLogLikelihood < kUnexplained;
 }
 
 std::optional<CameraDisagreement> findFault(const AgreementModel& model, const CameraRig& rig,

@@ -117,7 +117,7 @@ bool CameraAgreement::hasEnoughSightings() const {
   double images = 0.0;
   for (const auto& color : histories_) {
     for (const SightingHistory& history : color) {
-      counted += history.countedSightings();
+      counted += history.countEvidence();
       for (const SightingImage& image : history.images()) {
         regions += static_cast<double>(image.regions.size());
         images += image.regions.empty() ? 0.0 : 1.0;
@@ -134,7 +134,7 @@ void CameraAgreement::check(double time) {
   }
   const AgreementModel model(rig_, histories_, radii_);
   const AgreementFit asDeclared = model.fit({});
-  if (asDeclared.leastMean == 0.0) {
+  if (asDeclared.lowestMeanLogLikelihood == 0.0) {
     setSparseChecking(sparse_); // hardly ever seen at one instant
   } else if (isGoodFit(asDeclared)) {
     onGoodFit(model, asDeclared, time);
@@ -163,7 +163,7 @@ void CameraAgreement::onGoodFit(const AgreementModel& model, const AgreementFit&
   wait_ = kEvery;
   goodSince_ = goodSince_.value_or(time);
   const auto ratio = model.sizeRatio(asDeclared.errors);
-  const double unit = ratio ? unitFromRatio(*ratio) : 0.0;
+  const double unit = ratio ? lengthUnitFromRatio(*ratio) : 0.0;
   if (unit > 0.0) {
     report(CameraDisagreement{.fault = CameraFault::Unit, .scale = unit});
   } else if (time - *goodSince_ >= kGoodAgain) {

@@ -13,9 +13,9 @@ struct SeenRegion {
   Eigen::Vector3d direction; ///< direction to the center: unit vector, camera axes
   Eigen::Vector3d rate;      ///< change of `direction` per second
   double radius;
-  double sigma;   ///< standard deviation of the center, per axis
-  double bias;    ///< part of `sigma` that is constant while the object moves
-  bool isCounted; ///< RegionSighting::isCounted
+  double sigma;          ///< standard deviation of the center, per axis
+  double bias;           ///< part of `sigma` that is constant while the object moves
+  bool countsAsEvidence; ///< RegionSighting::countsAsEvidence
 };
 
 /// Result of matchRegions(): how well two regions, each in the image of another camera, match as

@@ -20,7 +20,7 @@ constexpr double kUnitTolerance = 1.3;
 
 } // namespace
 
-double unitFromRatio(double ratio) {
+double lengthUnitFromRatio(double ratio) {
   for (const double unit : std::array{kMillimeter, kCentimeter, kInch}) {
     const double off = ratio * unit;
     if (off < kUnitTolerance && off > 1.0 / kUnitTolerance) {
@@ -37,7 +37,7 @@ std::vector<CameraDisagreement> checkRig(const CameraRig& rig) {
     const bool isNarrow = kMillimeter * spread < kNarrowestInMillimeters;
     found.push_back({.fault = CameraFault::Unit, .scale = isNarrow ? kCentimeter : kMillimeter});
   }
-  for (const auto& [first, second] : calibration::camerasOfOnePose(rig)) {
+  for (const auto& [first, second] : calibration::camerasWithSamePose(rig)) {
     found.push_back({.fault = CameraFault::SamePose, .cameras = {first, second}});
   }
   return found;

@@ -17,6 +17,6 @@ std::vector<CameraDisagreement> checkRig(const CameraRig& rig);
 /// centimeters, 0.0254 for inches. `ratio` is the factor by which the lengths in the calibration
 /// are too large if they are taken as meters. Returns 0 if `ratio` does not suit any of these
 /// units.
-double unitFromRatio(double ratio);
+double lengthUnitFromRatio(double ratio);
 
 } // namespace dewpoint::camera_motion

@@ -21,11 +21,11 @@ constexpr double kLeastMoved = 6.0;  ///< pixels: more than noise moves a small 
 SightingHistory::SightingHistory(const ColorRanges& color, const Camera& camera)
     : search_(color), unprojector_(geometry::withoutPose(camera)) {}
 
-std::size_t SightingHistory::countedSightings() const {
+std::size_t SightingHistory::countEvidence() const {
   std::size_t count = 0;
   for (const SightingImage& image : images_) {
     count += static_cast<std::size_t>(
-        std::ranges::count(image.regions, true, &RegionSighting::isCounted));
+        std::ranges::count(image.regions, true, &RegionSighting::countsAsEvidence));
   }
   return count;
 }
@@ -52,13 +52,13 @@ void SightingHistory::add(const cv::Mat& image, double time) {
       counted.push_back({sighting.track, center});
       continue;
     }
-    sighting.isCounted = (center - last->center).norm() >=
-                         std::max(kLeastMoved, kCountsAfter * sighting.region.radius);
-    counted.push_back({sighting.track, sighting.isCounted ? center : last->center});
+    sighting.countsAsEvidence = (center - last->center).norm() >=
+                                std::max(kLeastMoved, kCountsAfter * sighting.region.radius);
+    counted.push_back({sighting.track, sighting.countsAsEvidence ? center : last->center});
   }
   counted_ = std::move(counted);
   images_.push_back(std::move(now));
-  while (images_.front().time < time - kKeptSeconds) {
+  while (images_.front().time < time - kHistorySeconds) {
     images_.pop_front();
   }
 }

@@ -23,7 +23,7 @@ struct RegionSighting {
   /// True if this sighting may be used as evidence. The region must have moved by at least its own
   /// radius since the last sighting of this track that counted, or since the track began. A region
   /// at rest therefore never counts, and a region that moves slowly does not count in every image.
-  bool isCounted = false;
+  bool countsAsEvidence = false;
 };
 
 /// All sightings of one color in one image.
@@ -36,7 +36,7 @@ struct SightingImage {
 class SightingHistory {
 public:
   /// Time span for which images are kept, in seconds.
-  static constexpr double kKeptSeconds = 4.0;
+  static constexpr double kHistorySeconds = 4.0;
 
   SightingHistory(const ColorRanges& color, const Camera& camera);
 
@@ -44,8 +44,8 @@ public:
   /// tracks. An image that is not later than the previous image is ignored.
   void add(const cv::Mat& image, double time);
   void clear() { images_.clear(); }
-  /// Returns the number of sightings that count as evidence (RegionSighting::isCounted).
-  std::size_t countedSightings() const;
+  /// Returns the number of sightings that count as evidence (RegionSighting::countsAsEvidence).
+  std::size_t countEvidence() const;
   /// Returns the sightings of each image, in order of time.
   const std::deque<SightingImage>& images() const { return images_; }
 

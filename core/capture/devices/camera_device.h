@@ -35,9 +35,9 @@ struct OfferedFormat {
 /// USB bus to which a device is connected. Devices with the same bus number share the capacity of
 /// the bus.
 struct UsbLink {
-  int bus = 0;             ///< number of the bus; 0 if the device is not a USB device
-  double deviceMbit = 0.0; ///< speed of the device, Mbit/s: 12, 480, 5000, ...
-  double busMbit = 0.0;    ///< speed of the bus, Mbit/s
+  int bus = 0;                      ///< number of the bus; 0 if the device is not a USB device
+  double deviceMbitPerSecond = 0.0; ///< speed of the device, Mbit/s: 12, 480, 5000, ...
+  double busMbitPerSecond = 0.0;    ///< speed of the bus, Mbit/s
 
   bool operator==(const UsbLink&) const = default;
 };

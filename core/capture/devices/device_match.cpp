@@ -14,13 +14,13 @@ bool contradicts(const std::string& a, const std::string& b) {
 }
 
 bool isSameModel(const DeviceIdentity& wanted, const DeviceIdentity& present) {
-  return !contradicts(wanted.vendorProduct, present.vendorProduct) &&
+  return !contradicts(wanted.vendorAndProductId, present.vendorAndProductId) &&
          !contradicts(wanted.name, present.name);
 }
 
 /// Whether the model is known to be the same, rather than not known to differ.
 bool isKnownModel(const DeviceIdentity& wanted, const DeviceIdentity& present) {
-  const bool hasProduct = !wanted.vendorProduct.empty() && !present.vendorProduct.empty();
+  const bool hasProduct = !wanted.vendorAndProductId.empty() && !present.vendorAndProductId.empty();
   const bool hasName = !wanted.name.empty() && !present.name.empty();
   return (hasProduct || hasName) && isSameModel(wanted, present);
 }

@@ -73,7 +73,7 @@ std::optional<CameraDevice> deviceAt(const fs::path& root, const LinuxCallsPtr& 
   device.path = "/dev/" + node;
   device.address = byPath.empty() ? device.path : fmt::format("/{}/{}", kByPath, byPath);
   device.identity.serial = facts.serial;
-  device.identity.vendorProduct = facts.vendorProduct;
+  device.identity.vendorAndProductId = facts.vendorAndProductId;
   device.identity.bus = busOf(byPath, {});
   device.usb = facts.usb;
   LinuxNode opened(calls, (root / "dev" / node).string());

@@ -67,16 +67,17 @@ SysfsFacts sysfsFacts(const fs::path& root, const std::string& node) {
   std::string hub;
   for (fs::path up = interface; up.has_relative_path(); up = up.parent_path()) {
     if (hub.empty() && fs::exists(up / "idVendor", problem)) {
-      facts.vendorProduct = attribute(up / "idVendor") + ":" + attribute(up / "idProduct");
+      facts.vendorAndProductId = attribute(up / "idVendor") + ":" + attribute(up / "idProduct");
       facts.product = attribute(up / "product");
       facts.serial = attribute(up / "serial");
       facts.usb.bus = toNumber<int>(attribute(up / "busnum")).value_or(0);
-      facts.usb.deviceMbit = toNumber<double>(attribute(up / "speed")).value_or(0.0);
-      facts.usb.busMbit = facts.usb.deviceMbit;
+      facts.usb.deviceMbitPerSecond = toNumber<double>(attribute(up / "speed")).value_or(0.0);
+      facts.usb.busMbitPerSecond = facts.usb.deviceMbitPerSecond;
       hub = "usb" + attribute(up / "busnum");
     }
     if (!hub.empty() && up.filename() == hub) {
-      facts.usb.busMbit = toNumber<double>(attribute(up / "speed")).value_or(facts.usb.busMbit);
+      facts.usb.busMbitPerSecond =
+          toNumber<double>(attribute(up / "speed")).value_or(facts.usb.busMbitPerSecond);
       break;
     }
   }

@@ -11,10 +11,10 @@ namespace dewpoint::capture {
 
 /// Properties of a video device node, read from sysfs. Unknown texts are empty.
 struct SysfsFacts {
-  int index = 0;             ///< index of the node among the nodes of its device
-  std::string product;       ///< product name in the USB descriptor
-  std::string serial;        ///< serial number in the USB descriptor
-  std::string vendorProduct; ///< USB vendor and product number, hexadecimal: "046d:082d"
+  int index = 0;                  ///< index of the node among the nodes of its device
+  std::string product;            ///< product name in the USB descriptor
+  std::string serial;             ///< serial number in the USB descriptor
+  std::string vendorAndProductId; ///< USB vendor and product number, hexadecimal: "046d:082d"
   UsbLink usb;
 };
 

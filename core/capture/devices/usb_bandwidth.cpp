@@ -157,17 +157,17 @@ std::vector<BandwidthShortage> bandwidthShortages(std::span<const BandwidthReque
   std::map<int, double> available;
   for (std::size_t k = 0; k < requests.size(); ++k) {
     const auto& [device, format] = requests[k];
-    if (device.usb.bus == 0 || device.usb.busMbit <= 0.0) {
+    if (device.usb.bus == 0 || device.usb.busMbitPerSecond <= 0.0) {
       continue;
     }
     Load load;
     load.request = k;
     load.format = completedFormat(format, device.formats);
     load.bits = bitsPerSecond(load.format);
-    load.own = kUsableShare * kMega * device.usb.deviceMbit;
+    load.own = kUsableShare * kMega * device.usb.deviceMbitPerSecond;
     load.choices = choicesOf(device, load.format);
     buses[device.usb.bus].push_back(std::move(load));
-    available[device.usb.bus] = kUsableShare * kMega * device.usb.busMbit;
+    available[device.usb.bus] = kUsableShare * kMega * device.usb.busMbitPerSecond;
   }
   std::vector<BandwidthShortage> shortages;
   for (const auto& [bus, loads] : buses) {

@@ -125,7 +125,7 @@ public:
     }
     const auto result = calibrateFromWand(*problem);
     if (!result) {
-      trial.failure = sentence(result.error());
+      trial.failure = errorSentence(result.error());
       return trial;
     }
     measure(*result, trial);
@@ -142,7 +142,7 @@ private:
     }
     options.stickLength = stick ? kStick : 0.0;
     options.usesBallDiameter = !stick;
-    options.findOffsets = kind == WandCase::Unsynced;
+    options.estimateTimeOffsets = kind == WandCase::Unsynced;
     if (kind == WandCase::Far) {
       options.initialPositionError = 0.3;
       options.initialRotationError = 10.0 * kDegree;
@@ -169,7 +169,7 @@ private:
       truth.push_back(rig_[c].center());
     }
     for (const BundleState& state : result.bundle.states) {
-      for (std::size_t ball = 0; state.known && ball < balls; ++ball) {
+      for (std::size_t ball = 0; state.isKnown && ball < balls; ++ball) {
         found.push_back(state.ends[ball]);
         truth.push_back(wave_.end(ball, state.time));
       }
@@ -186,7 +186,7 @@ private:
     trial.scaleError = 1.0 / fitSimilarity(found, truth, true).scale - 1.0;
     for (std::size_t c = 0; c < rig_.size(); ++c) {
       const double clock = trial.kind == WandCase::Unsynced ? clocks_.at(c) : 0.0;
-      trial.offsetError = std::max(trial.offsetError, std::abs(result.offsets[c] - clock));
+      trial.offsetError = std::max(trial.offsetError, std::abs(result.timeOffsets[c] - clock));
     }
     trial.medianPx = result.medianPx;
     trial.solveSeconds = result.seconds;

@@ -183,7 +183,7 @@ std::optional<SkippedRun> skippedBy(const SuiteJob& job, const Error& error) {
     return std::nullopt;
   }
   return SkippedRun{job.scenario->name, job.grade, job.seed,
-                    error.detail.empty() ? sentence(error) : error.detail};
+                    error.detail.empty() ? errorSentence(error) : error.detail};
 }
 
 bool isRunIn(const ScenarioDeclaration& scenario, Grade grade) {

@@ -98,7 +98,7 @@ nlohmann::ordered_json liveLatencyJson(const LiveLatency& live) {
 
 void NoticeLog::update(const std::vector<Error>& notices, double time) {
   std::vector<std::string> present;
-  std::ranges::transform(notices, std::back_inserter(present), sentence);
+  std::ranges::transform(notices, std::back_inserter(present), errorSentence);
   for (NoticePeriod& period : periods_) {
     if (period.to) {
       continue;

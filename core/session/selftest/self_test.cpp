@@ -106,7 +106,7 @@ Result<SceneRun> trackScene(SessionInputs& inputs, const std::function<bool()>& 
   const auto frames =
       static_cast<std::int64_t>(kSelfTestSeconds * inputs.source->framesPerSecond());
   const RecordRunOptions order{
-      .frames = {0, frames}, .threads = filterThreadCount(0), .observers = observers};
+      .frames = {0, frames}, .threads = threadCountForFilter(0), .observers = observers};
   auto run = recordRun(inputs.project, *inputs.source, inputs.backgroundImages, order,
                        [&](auto /*done*/, auto /*total*/) { return shouldContinue(); });
   if (!run || run->endError) {
@@ -147,7 +147,7 @@ void addTracking(const SelfTestInputs& parts, SelfTestLines& lines) {
           .map([&](const std::vector<Evaluation>& targets) { return outcomeOf(scene, targets); });
     });
   });
-  lines.push_back(line ? *line : SelfTestLine{Problem, "tracking", sentence(line.error())});
+  lines.push_back(line ? *line : SelfTestLine{Problem, "tracking", errorSentence(line.error())});
 }
 
 constexpr std::array kSelfTests{&addVersions, &addMachine, &addDisk,

@@ -48,7 +48,7 @@ Result<IntrinsicsResult> lensOf(const BoardDetections::PerCamera& camera,
   lensRequest.width = camera.width;
   lensRequest.height = camera.height;
   lensRequest.model = request.model;
-  lensRequest.pixels = request.pixelShape;
+  lensRequest.pixelShape = request.pixelShape;
   return calibrateIntrinsics(lensRequest, progress);
 }
 
@@ -178,7 +178,7 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
     return result;
   }
   if (!reportProgress(progress, CalibrationStage::Assessment, 0.0)) {
-    return canceled();
+    return canceledError();
   }
   for (std::size_t i = 0; i < taking.size(); ++i) {
     rigRequest.cameras[i].views = std::move(views[i]); // all of them, not only the best
@@ -207,7 +207,7 @@ BoardReport reportOf(const BoardDetections& seen, const BoardCalibrationRequest&
   report.board = request.board;
   for (std::size_t k = 0; k < lenses.cameras.size(); ++k) {
     if (lenses.cameras[k]) {
-      report.cameras.push_back(reportPart(seen.cameras[k].name, *lenses.cameras[k]));
+      report.cameras.push_back(reportPartOf(seen.cameras[k].name, *lenses.cameras[k]));
     }
   }
   report.title = fmt::format("Intrinsics of {} camera{} from a board", report.cameras.size(),

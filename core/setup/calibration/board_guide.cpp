@@ -153,11 +153,11 @@ void BoardGuide::calibrateLens(std::size_t camera) {
   lensRequest.width = state_.cameras[camera].width;
   lensRequest.height = state_.cameras[camera].height;
   lensRequest.model = request_.board.model;
-  lensRequest.pixels = request_.board.pixelShape;
+  lensRequest.pixelShape = request_.board.pixelShape;
   if (const auto result = calibrateIntrinsics(lensRequest)) {
     guidance.acceptCalibration(*result);
     state_.cameras[camera].rmsPx = result->rmsPx;
-    state_.cameras[camera].lens.projectionPx = result->independentProjectionSigmaPx;
+    state_.cameras[camera].lens.projectionSigmaPx = result->independentProjectionSigmaPx;
     Camera& known = project_.cameras[camera].camera;
     known.intrinsics = result->camera.intrinsics;
     known.distortion = result->camera.distortion;
@@ -203,7 +203,7 @@ void BoardGuide::storeRigState(const RigGuidance::State& state) {
       }
     }
   }
-  if (state.finished && state.instants < request_.maxInstants) {
+  if (state.finished && state.instantCount < request_.maxInstants) {
     calibrateRig();
   } else if (state.finished) {
     state_.phase = BoardGuideState::Phase::Finished;

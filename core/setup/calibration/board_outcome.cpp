@@ -72,7 +72,7 @@ void recordPoses(const BoardCalibrationRequest& request, BoardOutcome& outcome) 
       camera.calibrated.pose =
           recordOfPose(camera.camera, CalibrationOrigin::Board, positionError(fits[k].centerSigma));
     }
-    if (fits[k].lensRefined && !fits[k].views.empty()) {
+    if (fits[k].isLensRefined && !fits[k].views.empty()) {
       camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Board);
     }
   }
@@ -80,7 +80,7 @@ void recordPoses(const BoardCalibrationRequest& request, BoardOutcome& outcome) 
   world.scale = CalibrationOrigin::Board;
   world.scaleError = outcome.accuracy ? outcome.accuracy->scale95 : std::nullopt;
   world.accuracy = outcome.accuracy ? std::optional(outcome.accuracy->position95) : std::nullopt;
-  world.accuracyOutside = outcome.accuracy ? outcome.accuracy->outside95 : std::nullopt;
+  world.accuracyOutside = outcome.accuracy ? outcome.accuracy->outsidePosition95 : std::nullopt;
   world.check.reset();
   if (request.floorFrame) {
     world.floor = CalibrationOrigin::Board;
@@ -93,7 +93,7 @@ void addPoorLenses(const Project& project, ExtrinsicsResult& extrinsics) {
     const ProjectCamera& camera = project.cameras[k];
     const auto& lens = camera.calibrated.lens;
     const CameraFit& fit = extrinsics.fits[k];
-    if (fit.views.empty() || fit.lensRefined || !lens || !describes(*lens, camera.camera) ||
+    if (fit.views.empty() || fit.isLensRefined || !lens || !describes(*lens, camera.camera) ||
         lens->error.value_or(0.0) <= kWorstRayPx) {
       continue;
     }
@@ -112,7 +112,7 @@ Status addExtrinsics(const BoardDetections& seen, const BoardCalibrationRequest&
     return tl::make_unexpected(extrinsics.error());
   }
   if (!reportProgress(progress, CalibrationStage::Assessment, 0.5)) {
-    return canceled();
+    return canceledError();
   }
   const auto accuracy =
       assessBoard(*extrinsics, request.board, request.floorFrame, lensesOf(outcome, *extrinsics));
@@ -121,7 +121,7 @@ Status addExtrinsics(const BoardDetections& seen, const BoardCalibrationRequest&
   }
   outcome.accuracy = accuracy ? std::optional(*accuracy) : std::nullopt;
   outcome.accuracySummary =
-      accuracy ? accuracySummary(*accuracy) : "none; " + sentence(accuracy.error());
+      accuracy ? accuracySummary(*accuracy) : "none; " + errorSentence(accuracy.error());
   addPoorLenses(outcome.project, *extrinsics);
   outcome.project = withCameras(std::move(outcome.project), extrinsics->cameras);
   outcome.extrinsics = std::move(*extrinsics);
@@ -202,8 +202,8 @@ std::vector<std::string> outcomeRemarks(const BoardOutcome& outcome) {
     }
   }
   if (outcome.extrinsicsError) {
-    remarks.push_back(
-        "The poses of the cameras were not found: " + sentence(*outcome.extrinsicsError) + ".");
+    remarks.push_back("The poses of the cameras were not found: " +
+                      errorSentence(*outcome.extrinsicsError) + ".");
   }
   if (outcome.extrinsics) {
     for (const std::string& notice : outcome.extrinsics->notices) {

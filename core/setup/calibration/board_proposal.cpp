@@ -33,7 +33,7 @@ Result<std::vector<BoardGuess>> proposeBoards(FrameSetSource& source,
   std::vector<cv::Mat> images;
   for (const std::int64_t frame : evenlySpacedFrames(*total, frames)) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection, 0.0)) {
-      return canceled();
+      return canceledError();
     }
     const auto set = picker.read(frame);
     if (!set) {

@@ -86,7 +86,7 @@ Result<std::optional<BoardGuess>> otherBoardIn(const std::vector<cv::Mat>& image
   return guessBoards(images, requested, progress)
       .map([&](const std::vector<BoardGuess>& guesses) -> std::optional<BoardGuess> {
         if (guesses.empty() ||
-            (!guesses.front().mirrored && isSameBoard(guesses.front().board, requested))) {
+            (!guesses.front().isMirrored && isSameBoard(guesses.front().board, requested))) {
           return std::nullopt;
         }
         return guesses.front();
@@ -125,8 +125,8 @@ Status addOtherBoards(OtherBoards where, const KeptImages& kept, const BoardDesc
       return tl::make_unexpected(other.error());
     }
     // A few views of the requested board are worth more than as many of a mere guess.
-    if (*other && (*other)->images > static_cast<int>(boardViewsOf(seen))) {
-      for (std::size_t k = 0; (*other)->mirrored && k < seen.cameras.size(); ++k) {
+    if (*other && (*other)->imageCount > static_cast<int>(boardViewsOf(seen))) {
+      for (std::size_t k = 0; (*other)->isMirrored && k < seen.cameras.size(); ++k) {
         seen.cameras[k].sides = countSides((*other)->board, kept.of(k));
       }
       seen.otherBoard = std::move(*other);
@@ -141,7 +141,7 @@ Status addOtherBoards(OtherBoards where, const KeptImages& kept, const BoardDesc
     if (!other) {
       return tl::make_unexpected(other.error());
     }
-    if (*other && (*other)->mirrored) {
+    if (*other && (*other)->isMirrored) {
       seen.cameras[k].sides = countSides((*other)->board, kept.of(k));
     }
     seen.cameras[k].otherBoard = std::move(*other);
@@ -229,7 +229,7 @@ Status searchFrames(const std::vector<std::int64_t>& frames, const BoardDetector
   for (std::size_t k = 0; k < frames.size(); ++k) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
                         static_cast<double>(k) / static_cast<double>(frames.size()))) {
-      return canceled();
+      return canceledError();
     }
     const auto set = picker.read(frames[k]);
     if (!set) {
@@ -280,7 +280,7 @@ Result<BoardDetections> searchedPictures(OtherBoards where,
     if (!reportProgress(progress, CalibrationStage::BoardDetection,
                         static_cast<double>(camera.searchedImages) /
                             static_cast<double>(pictures.size()))) {
-      return canceled();
+      return canceledError();
     }
     const auto picture = readGrayPicture(file);
     if (!picture) {

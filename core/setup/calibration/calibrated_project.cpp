@@ -171,12 +171,12 @@ Project withPointSolution(Project project, const PointSolution& solution, bool f
     if (found.status == PoseStatus::None) {
       ProjectCamera& camera = project.cameras.at(static_cast<std::size_t>(found.camera));
       camera.calibrated.pose = recordOfPose(camera.camera, CalibrationOrigin::Points);
-      if (focal && found.clicks >= kFewestPointsOfFocal) { // else it was kept
+      if (focal && found.clickCount >= kFewestPointsOfFocal) { // else it was kept
         camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Points);
       }
     }
   }
-  if (solution.anySolved()) {
+  if (solution.hasSolvedCamera()) {
     // The positions of the points are in the world frame, and in meters.
     project.calibrated = {};
     project.calibrated.scale = CalibrationOrigin::Points;

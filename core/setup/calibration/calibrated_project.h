@@ -25,7 +25,7 @@ void setCalibration(ProjectCamera& camera, const Camera& calibration);
 Project withCameras(Project project, const CameraRig& rig);
 
 /// Returns the project with its cameras' delays changed by the time offsets found in their images
-/// (WandResult::offsets, seconds; negative for cameras that are delayed more than the project
+/// (WandResult::timeOffsets, seconds; negative for cameras that are delayed more than the project
 /// states). Simulated cameras are unchanged.
 Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 

@@ -81,7 +81,7 @@ CheckedCalibration checkCalibration(const std::filesystem::path& file) {
     checked.formatTitle = recognizedTitle(file);
     return checked;
   }
-  if (const auto format = calibrationFormat(read->format)) {
+  if (const auto format = findCalibrationFormat(read->format)) {
     checked.formatTitle = (*format)->title;
   }
   if (!read->hasPoses) {

@@ -77,15 +77,15 @@ Result<CreatedProject> withOneCamera(Project project, std::size_t index, const C
 }
 
 Result<double> roundTripError(const CameraRig& rig, const std::string& file) {
-  const auto ours = calibrationFormat("dewpoint");
+  const auto ours = findCalibrationFormat("dewpoint");
   const auto again = (*ours)->read({file, calibrationText(rig)}, {});
   if (!again) {
     return tl::make_unexpected(again.error());
   }
   double largest = 0.0;
   for (std::size_t k = 0; k < rig.size(); ++k) {
-    const auto found = difference(rig[k], again->rig.at(k), Eigen::Isometry3d::Identity());
-    largest = std::max(largest, found.largestPixels);
+    const auto found = compareCameras(rig[k], again->rig.at(k), Eigen::Isometry3d::Identity());
+    largest = std::max(largest, found.maxDifferencePx);
   }
   return largest;
 }
@@ -140,7 +140,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
     return tl::make_unexpected(made.error());
   }
   CalibrationImport result;
-  result.formatTitle = (*calibrationFormat(read->format))->title;
+  result.formatTitle = (*findCalibrationFormat(read->format))->title;
   result.decisions = read->decisions;
   result.decisions.insert(result.decisions.end(), made->decisions.begin(), made->decisions.end());
   result.wasMatchedByOrder = made->wasMatchedByOrder;
@@ -169,7 +169,7 @@ Result<CalibrationImport> importCalibration(const Project& project, const Import
   if (!loss) {
     return tl::make_unexpected(loss.error());
   }
-  result.largestPixels = *loss;
+  result.maxDifferencePx = *loss;
   result.faults = camera_motion::checkRig(rig);
   result.project = withCameras(std::move(made->project), rig);
   if (const auto good = checkProject(result.project); !good) {
@@ -224,7 +224,7 @@ Result<CalibrationConversion> previewExport(const Project& project, CalibrationO
     conversion.error().file = wanted.string();
     return conversion;
   }
-  conversion->written.clear();
+  conversion->writtenFiles.clear();
   return conversion;
 }
 

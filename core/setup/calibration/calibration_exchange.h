@@ -49,8 +49,8 @@ struct CalibrationImport {
   /// (checkRig()).
   std::vector<camera_motion::CameraDisagreement> faults;
   /// Largest change of a projection, in pixels, if the cameras of the file are saved in Dewpoint's
-  /// own format and read again (difference()).
-  double largestPixels = 0.0;
+  /// own format and read again (compareCameras()).
+  double maxDifferencePx = 0.0;
 };
 
 /// Imports the calibration of any supported tool for a project's cameras. Cameras are matched by

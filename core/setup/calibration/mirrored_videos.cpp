@@ -77,7 +77,7 @@ Result<MirroredVideos> findMirroredVideos(FrameSetSource& source, const BoardDes
   std::vector<BoardSides> sides;
   for (const std::int64_t frame : evenlySpacedFrames(*total, frames)) {
     if (!reportProgress(progress, CalibrationStage::BoardDetection, 1.0)) {
-      return canceled();
+      return canceledError();
     }
     const auto set = picker.read(frame);
     if (!set) {

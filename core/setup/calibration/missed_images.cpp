@@ -46,7 +46,7 @@ Status MissedImages::explain(const BoardDetector& detector, const CalibrationPro
     }
     for (std::size_t i = 0; i < images_[k].size(); ++i) {
       if (!reportProgress(progress, CalibrationStage::BoardDetection, 1.0)) {
-        return canceled();
+        return canceledError();
       }
       camera.missedImages[i].miss = diagnoseMissedBoard(detector, images_[k][i]);
     }

@@ -68,7 +68,7 @@ void WandCollector::search(const FrameSet& frames) {
     for (const MarkerObservation& view : found[c]) {
       const cv::Mat& image = frames.frames[c]->image;
       const int region = BoardCoverage::regionOf(view.pixel, image.cols, image.rows);
-      ++cameras_[c].coverage.corners.at(static_cast<std::size_t>(region));
+      ++cameras_[c].coverage.cornerCounts.at(static_cast<std::size_t>(region));
     }
     cameras_[c].count += shown ? found[c].size() : 0;
     std::ranges::move(found[c], std::back_inserter(views_[c]));

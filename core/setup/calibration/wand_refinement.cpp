@@ -36,7 +36,7 @@ constexpr double kSevereGap = 0.5; ///< MotionGap::severity
 /// the former cameras. Gross errors have been dropped already.
 std::optional<double> errorBefore(const WandOptions& options, const CameraRig& before,
                                   const WandResult& result) {
-  const bool onlyCameras = !options.findOffsets && !result.floorFound && !result.freeFall &&
+  const bool onlyCameras = !options.estimateTimeOffsets && !result.floorFound && !result.freeFall &&
                            result.scale != WandScale::Distance &&
                            result.scale != WandScale::Diameter;
   if (!onlyCameras || before.size() != result.problem.cameras.size()) {
@@ -44,13 +44,13 @@ std::optional<double> errorBefore(const WandOptions& options, const CameraRig& b
   }
   BundleProblem problem = result.problem;
   for (std::size_t k = 0; k < before.size(); ++k) {
-    const double offset = problem.cameras[k].offset;
-    problem.cameras[k] = {.camera = before[k], .poseFixed = true, .offset = offset};
+    const double offset = problem.cameras[k].timeOffset;
+    problem.cameras[k] = {.camera = before[k], .isPoseFixed = true, .timeOffset = offset};
   }
   for (BundleState& state : problem.states) {
-    state.known = false; // the solution's positions are no start in the former world
+    state.isKnown = false; // the solution's positions are no start in the former world
   }
-  problem.draft = true;
+  problem.isDraft = true;
   const auto adjusted = adjustBundle(problem);
   return adjusted ? std::optional(adjusted->rms) : std::nullopt;
 }
@@ -81,7 +81,7 @@ Result<WandRefinement> assessed(const Project& project, const WandOptions& optio
   refinement.options = options;
   refinement.accuracy = assessWand(*result, options.floorTimes);
   refinement.beforePx = errorBefore(options, before, *result);
-  refinement.gaps = missingMotion(*result);
+  refinement.gaps = findMissingMotion(*result);
   refinement.camerasBefore = std::move(before);
   refinement.result = std::move(*result);
   addRecords(project, refinement);
@@ -100,7 +100,7 @@ void recordCameras(const WandRefinement& refinement, Project& project) {
     const double sigma = sigmaOf(k);
     camera.calibrated.pose = recordOfPose(camera.camera, CalibrationOrigin::Wand,
                                           sigma > 0.0 ? std::optional(sigma) : std::nullopt);
-    if (refinement.options.findFocal || refinement.options.findDistortion) {
+    if (refinement.options.estimateFocalLengths || refinement.options.estimateDistortion) {
       camera.calibrated.lens = recordOfLens(camera.camera, CalibrationOrigin::Wand);
     }
   }
@@ -117,19 +117,19 @@ void recordWorld(const WandRefinement& refinement, WorldRecord& world) {
     world.floor = CalibrationOrigin::Wand;
   }
   world.accuracy = accuracy ? std::optional(accuracy->position95) : std::nullopt;
-  world.accuracyOutside = accuracy ? accuracy->outside95 : std::nullopt;
+  world.accuracyOutside = accuracy ? accuracy->outsidePosition95 : std::nullopt;
 }
 
 } // namespace
 
 bool isInaccurate(const WandRefinement& refinement) {
   return refinement.accuracy &&
-         refinement.accuracy->cameras95 > refinement.options.initialPositionError;
+         refinement.accuracy->cameraPart95 > refinement.options.initialPositionError;
 }
 
 bool isUnnecessary(const WandRefinement& refinement) {
-  return refinement.beforePx && refinement.accuracy && refinement.accuracy->heldOut > 0 &&
-         *refinement.beforePx <= refinement.accuracy->heldOutPx;
+  return refinement.beforePx && refinement.accuracy && refinement.accuracy->leftOutPointCount > 0 &&
+         *refinement.beforePx <= refinement.accuracy->leftOutRmsPx;
 }
 
 std::string unnecessaryText(const WandRefinement& refinement) {
@@ -137,7 +137,7 @@ std::string unnecessaryText(const WandRefinement& refinement) {
                      "px in images that they were not computed from): keep the old ones, or wave "
                      "longer and through more of the volume",
                      refinement.beforePx.value_or(0.0),
-                     refinement.accuracy ? refinement.accuracy->heldOutPx : 0.0);
+                     refinement.accuracy ? refinement.accuracy->leftOutRmsPx : 0.0);
 }
 
 double newPositionError(const WandRefinement& refinement) {
@@ -152,8 +152,8 @@ double newPositionError(const WandRefinement& refinement) {
 
 bool isKnownBetter(const WandRefinement& refinement) {
   if (!refinement.wasCalibratedBefore || !refinement.beforePx || !refinement.accuracy ||
-      refinement.accuracy->heldOut == 0 ||
-      *refinement.beforePx >= kContradicted * refinement.accuracy->heldOutPx) {
+      refinement.accuracy->leftOutPointCount == 0 ||
+      *refinement.beforePx >= kContradicted * refinement.accuracy->leftOutRmsPx) {
     return false;
   }
   if (refinement.beforeError) {
@@ -225,8 +225,8 @@ Result<WandRefinement> refineFromViews(const Project& project,
 Project withRefinement(Project project, const WandRefinement& refinement) {
   const WandResult& result = refinement.result;
   project = withCameras(std::move(project), result.cameras);
-  if (refinement.options.findOffsets) {
-    project = withTimeOffsets(std::move(project), result.offsets);
+  if (refinement.options.estimateTimeOffsets) {
+    project = withTimeOffsets(std::move(project), result.timeOffsets);
   }
   recordCameras(refinement, project);
   recordWorld(refinement, project.calibrated);
@@ -238,7 +238,7 @@ std::vector<BoardCoverage> coverageOf(const WandResult& result) {
   for (const BundleObservation& seen : result.problem.observations) {
     const Intrinsics& image = result.cameras[seen.camera].intrinsics;
     const int region = BoardCoverage::regionOf(seen.pixel, image.width, image.height);
-    ++coverage[seen.camera].corners.at(static_cast<std::size_t>(region));
+    ++coverage[seen.camera].cornerCounts.at(static_cast<std::size_t>(region));
   }
   return coverage;
 }
@@ -249,9 +249,9 @@ std::string htmlText(const WandRefinement& refinement) {
   report.result = refinement.result;
   report.accuracy = refinement.accuracy
                         ? accuracySummary(*refinement.accuracy)
-                        : "Accuracy unknown: " + sentence(refinement.accuracy.error());
+                        : "Accuracy unknown: " + errorSentence(refinement.accuracy.error());
   report.coverage = coverageOf(refinement.result);
-  report.offsetsFound = refinement.options.findOffsets;
+  report.hasTimeOffsets = refinement.options.estimateTimeOffsets;
   for (const MotionGap& gap : refinement.gaps) {
     report.notices.push_back(motionGapText(gap, refinement.camerasBefore));
   }

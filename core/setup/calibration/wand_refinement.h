@@ -29,7 +29,7 @@ struct WandRefinement {
   /// Largest recorded error of the camera positions in `camerasBefore` (PoseRecord::error), meters;
   /// empty if no error is recorded.
   std::optional<double> beforeError = std::nullopt;
-  /// Kinds of motion that the recording lacks; see missingMotion().
+  /// Kinds of motion that the recording lacks; see findMissingMotion().
   std::vector<MotionGap> gaps = {};
 };
 
@@ -40,7 +40,7 @@ bool isInaccurate(const WandRefinement& refinement);
 
 /// Returns whether the recording gives no reason to change the cameras. This is the case if the old
 /// cameras fit the images at least as well as the new cameras fit images that were not used to
-/// compute them (CalibrationAccuracy::heldOutPx).
+/// compute them (CalibrationAccuracy::leftOutRmsPx).
 bool isUnnecessary(const WandRefinement& refinement);
 
 /// Returns a sentence that says that the old cameras fit the images as well as the new ones.

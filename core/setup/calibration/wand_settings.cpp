@@ -84,9 +84,9 @@ WandOptions toWandOptions(const WandSettings& settings, const std::vector<Marked
   if (begin && end) {
     options.fallSpan = std::array<double, 2>{*begin, *end};
   }
-  options.findOffsets = settings.findOffsets;
-  options.findFocal = settings.findFocal;
-  options.findDistortion = settings.findDistortion;
+  options.estimateTimeOffsets = settings.estimateTimeOffsets;
+  options.estimateFocalLengths = settings.estimateFocalLengths;
+  options.estimateDistortion = settings.estimateDistortion;
   options.initialPositionError = settings.initialPositionError;
   options.initialRotationError = settings.initialRotationError;
   if (settings.usesOnlySelectedFrames && selected) {

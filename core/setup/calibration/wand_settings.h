@@ -30,9 +30,9 @@ struct WandSettings {
       WandScaleSource::Cameras; ///< source of the scale if the wand is one ball
   /// For WandScaleSource::Distance: distance between the two touched positions, meters.
   double distance = 1.0;
-  bool findOffsets = false;
-  bool findFocal = false;
-  bool findDistortion = false;
+  bool estimateTimeOffsets = false;
+  bool estimateFocalLengths = false;
+  bool estimateDistortion = false;
   bool usesOnlySelectedFrames = false; ///< search only the selected frames
   double initialPositionError = WandOptions().initialPositionError; ///< see WandOptions, meters
   double initialRotationError = WandOptions().initialRotationError; ///< see WandOptions, radians

@@ -116,9 +116,9 @@ Result<WandProblem> wandProblem(const Project& project, const WandOptions& optio
   problem.distance = options.distance.value_or(TouchedDistance{});
   problem.floorTimes = options.floorTimes;
   problem.fallSpan = options.fallSpan;
-  problem.findOffsets = options.findOffsets;
-  problem.findFocal = options.findFocal;
-  problem.findDistortion = options.findDistortion;
+  problem.estimateTimeOffsets = options.estimateTimeOffsets;
+  problem.estimateFocalLengths = options.estimateFocalLengths;
+  problem.estimateDistortion = options.estimateDistortion;
   problem.initialPositionError = options.initialPositionError;
   problem.initialRotationError = options.initialRotationError;
   return problem;
@@ -148,8 +148,8 @@ Result<WandResult> calibrateFromViews(const Project& project,
   auto result = calibrateFromWand(*problem, [&](const WandProgress& now) {
     return !callback || callback({false, now.step, now.steps, now.rms});
   });
-  if (result && options.findOffsets) { // a camera that is late is none of the faults then
-    problem->views = shiftedInTime(std::move(problem->views), result->offsets);
+  if (result && options.estimateTimeOffsets) { // a camera that is late is none of the faults then
+    problem->views = shiftedInTime(std::move(problem->views), result->timeOffsets);
   }
   const bool canceled = !result && result.error().code == ErrorCode::Canceled;
   const auto report = canceled ? FaultReport{} : findWandFaults(*problem).value_or(FaultReport{});

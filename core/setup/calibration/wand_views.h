@@ -43,9 +43,9 @@ struct WandOptions {
   double stickLength = 0.0; ///< for a stick: distance between its two balls, meters
   std::int64_t firstFrame = 0;
   std::optional<std::int64_t> endFrame; ///< one past the last frame; not set: all
-  bool findOffsets = false;
-  bool findFocal = false;
-  bool findDistortion = false;
+  bool estimateTimeOffsets = false;
+  bool estimateFocalLengths = false;
+  bool estimateDistortion = false;
   /// True to determine the scale from the radius of the ball in the project.
   bool usesBallDiameter = false;
   std::optional<TouchedDistance> distance;

@@ -49,19 +49,19 @@ Result<FloorChange> changeOf(WorldStep step, const CameraRig& rig, const Positio
   const auto rigid = [](const Similarity& change) { return FloorChange{change, 0.0}; };
   switch (step) {
   case WorldStep::Floor:
-    return floorThrough(at, rig);
+    return changeToFloor(at, rig);
   case WorldStep::Level:
     return levelingRotation(at[0], at[1]).map(rigid);
   case WorldStep::Origin:
-    return rigid(originAt(at[0]));
+    return rigid(changeToOrigin(at[0]));
   case WorldStep::XAxis:
-    return xAxisAlong(at[0], at[1]).map(rigid);
+    return changeToXAxis(at[0], at[1]).map(rigid);
   case WorldStep::Length:
     return scaleToLength(at[0], at[1], meters).map(rigid);
   case WorldStep::Upright:
     break;
   }
-  if (const auto upright = uprightTurn(rig)) {
+  if (const auto upright = uprightRotation(rig)) {
     return rigid(*upright);
   }
   return failure(ErrorCode::Undetermined, "", "cameras",
@@ -122,7 +122,7 @@ Result<Project> withLengthCheck(Project project, const MeasuredPoint& from, cons
 }
 
 bool canTurnUpright(const Project& project) {
-  return uprightTurn(rigOf(project)).has_value();
+  return uprightRotation(rigOf(project)).has_value();
 }
 
 } // namespace dewpoint::setup

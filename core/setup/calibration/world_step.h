@@ -14,7 +14,7 @@ namespace dewpoint::setup {
 /// Change of the world frame that follows from points clicked in the images.
 enum class WorldStep {
   Upright, ///< quarter turns until the images are upright; needs no point
-  Floor,   ///< three or more points of the floor; see floorThrough()
+  Floor,   ///< three or more points of the floor; see changeToFloor()
   Level,   ///< two points at the same height
   Origin,  ///< one point
   XAxis,   ///< two points; the x axis points from the first to the second

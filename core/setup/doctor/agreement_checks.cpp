@@ -32,7 +32,7 @@ void checkAgreement(Examination& examination) {
   }
   auto source = examination.options.open(project);
   if (!source) {
-    examination.add(FindingKind::CannotOpen, {sentence(source.error())});
+    examination.add(FindingKind::CannotOpen, {errorSentence(source.error())});
     return;
   }
   const MethodFamily family = methodFamily(project.method);
@@ -45,7 +45,7 @@ void checkAgreement(Examination& examination) {
   while (agreement.found().empty()) {
     const auto set = (*source)->next();
     if (!set) {
-      examination.add(FindingKind::CannotOpen, {sentence(set.error())});
+      examination.add(FindingKind::CannotOpen, {errorSentence(set.error())});
       return;
     }
     if (!*set || seconds((*set)->time) > kCheckedSeconds ||

@@ -33,7 +33,7 @@ std::vector<Finding> examine(const Project& project, const ExaminationOptions& o
 
 std::vector<Finding> examineUnreadable(const std::filesystem::path& file, const Error& error) {
   std::string reason = error.field.empty() ? "" : error.field + ": ";
-  reason += phrase(error.code);
+  reason += errorPhrase(error.code);
   reason += error.detail.empty() ? "" : " (" + error.detail + ")";
   std::vector<Finding> findings{
       {FindingKind::ProjectUnreadable, {reason}, error.file.empty() ? file.string() : error.file}};

@@ -23,7 +23,7 @@ std::string cameraKey(std::size_t camera, const char* key) {
 }
 
 std::string messageWithoutFile(const Error& error) {
-  return error.detail.empty() ? std::string(phrase(error.code)) : error.detail;
+  return error.detail.empty() ? std::string(errorPhrase(error.code)) : error.detail;
 }
 
 } // namespace dewpoint::setup

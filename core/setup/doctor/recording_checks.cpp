@@ -166,7 +166,7 @@ private:
 
   void checkGaps(const FrameReader& reader) {
     const std::int64_t length =
-        CaptureSchedule::lengthOf({footage_.frameCount, 0.0, {}, footage_.sequenceNumbers});
+        CaptureSchedule::frameSetCountOf({footage_.frameCount, 0.0, {}, footage_.sequenceNumbers});
     if (length > footage_.frameCount && camera_.times.empty()) {
       hasFault_ = true;
       examination_.addForFile(camera_.location, FindingKind::ImagesMissing,
@@ -243,7 +243,7 @@ void takeSceneImages(Examination& examination) {
   }
   auto source = examination.options.open(examination.project);
   if (!source) {
-    examination.add(FindingKind::CannotOpen, {sentence(source.error())});
+    examination.add(FindingKind::CannotOpen, {errorSentence(source.error())});
     return;
   }
   const std::int64_t frames = (*source)->frameCount().value_or(1);
@@ -273,7 +273,7 @@ void compareLengths(Examination& examination) {
       continue;
     }
     const std::int64_t length =
-        CaptureSchedule::lengthOf({footage.frameCount, 0.0, {}, footage.sequenceNumbers});
+        CaptureSchedule::frameSetCountOf({footage.frameCount, 0.0, {}, footage.sequenceNumbers});
     least = list.empty() ? length : std::min(least, length);
     most = std::max(most, length);
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", examination.nameOf(k), length);

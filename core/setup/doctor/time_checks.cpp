@@ -107,7 +107,7 @@ void compareTables(Examination& examination) {
     }
     pictures.push_back({footage.frameCount, examination.project.cameras[k].delay, footage.times});
   }
-  const double rate = pictures.empty() ? 0.0 : CaptureSchedule::rateOf(pictures);
+  const double rate = pictures.empty() ? 0.0 : CaptureSchedule::highestRateOf(pictures);
   if (rate > 0.0 && CaptureSchedule(pictures, rate).frameCount() == 0) {
     examination.add(FindingKind::TimesApart, {}, "times");
   }

@@ -100,7 +100,8 @@ bool isSameSource(const ProjectCamera& camera, const CameraSource& source) {
 }
 
 bool isSameModel(const DeviceIdentity& one, const DeviceIdentity& other) {
-  return !one.isEmpty() && one.vendorProduct == other.vendorProduct && one.name == other.name;
+  return !one.isEmpty() && one.vendorAndProductId == other.vendorAndProductId &&
+         one.name == other.name;
 }
 
 } // namespace

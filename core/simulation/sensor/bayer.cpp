@@ -54,7 +54,7 @@ void addPixelNoise(cv::Mat& raw, const PixelNoise& noise, double gain, const Ran
   const std::size_t count = raw.total();
   // Eight values from the four words of one draw.
   for (std::size_t i = 0; i < count; i += 8) {
-    const auto words = stream.words(static_cast<std::uint32_t>(i / 8));
+    const auto words = stream.randomWords(static_cast<std::uint32_t>(i / 8));
     const std::size_t end = std::min<std::size_t>(8, count - i);
     for (std::size_t k = 0; k < end; ++k) {
       const std::uint32_t pick = (words[k / 2] >> (16U * (k % 2))) & 0xFFFFU;

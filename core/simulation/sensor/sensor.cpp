@@ -23,7 +23,7 @@ cv::Mat digitize(const cv::Mat& image, double noiseSigma, const RandomStream& st
   for (std::size_t i = 0; i < values; i += 8) {
     std::array<std::uint32_t, 4> words{};
     if (sigma > 0.0F) {
-      words = stream.words(static_cast<std::uint32_t>(i / 8));
+      words = stream.randomWords(static_cast<std::uint32_t>(i / 8));
     }
     const std::size_t end = std::min<std::size_t>(8, values - i);
     for (std::size_t k = 0; k < end; ++k) {

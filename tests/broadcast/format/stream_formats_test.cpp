@@ -27,19 +27,19 @@ TEST(StreamFormats, EachHasItsOwnIdAndSaysWhatItContains) {
     EXPECT_FALSE(format.fields.empty());
     EXPECT_FALSE(format.encode(exampleFrame()).empty());
   }
-  EXPECT_EQ(broadcast::jsonLines().id, "json");
-  EXPECT_EQ(broadcast::csvRows().id, "csv");
-  EXPECT_EQ(broadcast::oscMessages().id, "osc");
-  EXPECT_EQ(broadcast::tuioCursors().id, "tuio");
+  EXPECT_EQ(broadcast::jsonLinesFormat().id, "json");
+  EXPECT_EQ(broadcast::csvRowsFormat().id, "csv");
+  EXPECT_EQ(broadcast::oscMessagesFormat().id, "osc");
+  EXPECT_EQ(broadcast::tuioCursorsFormat().id, "tuio");
 }
 
 TEST(StreamFormats, JsonIsOneLineForAFrame) {
-  EXPECT_EQ(broadcast::jsonLines().preamble(exampleRig()),
+  EXPECT_EQ(broadcast::jsonLinesFormat().preamble(exampleRig()),
             R"({"type":"rig","axes":"z-up","unit":"m","volume":[[0,-2,0],[2,2,1]],"cameras":[)"
             R"({"name":"left","position":[1,2,3],"direction":[0,0,-1]},)"
             R"({"name":"the \"right\", one","position":[-1.5,0,2],"direction":[1,0,0]}]})"
             "\n");
-  EXPECT_EQ(broadcast::jsonLines().encode(exampleFrame()),
+  EXPECT_EQ(broadcast::jsonLinesFormat().encode(exampleFrame()),
             Lines{R"({"type":"frame","frame":12,"sequence":7,"time":0.4,"targets":[)"
                   R"({"id":1,"name":"pink ball","state":"held","position":[0.5,1,0.25],)"
                   R"("velocity":[1,0,-0.5],"covariance":[4e-06,1e-06,0,9e-06,2e-06,1e-06],)"
@@ -52,18 +52,18 @@ TEST(StreamFormats, JsonIsOneLineForAFrame) {
 TEST(StreamFormats, JsonStaysValidWhateverTheNamesAndNumbers) {
   FrameMessage frame = exampleFrame();
   frame.targets[0].name = "line\nend \xff";
-  frame.targets[0].existence = std::numeric_limits<double>::quiet_NaN();
-  const std::string line = broadcast::jsonLines().encode(frame).front();
+  frame.targets[0].existenceProbability = std::numeric_limits<double>::quiet_NaN();
+  const std::string line = broadcast::jsonLinesFormat().encode(frame).front();
   EXPECT_EQ(line.find('\n'), line.size() - 1);
   EXPECT_NE(line.find(R"("line\nend )"), std::string::npos);
   EXPECT_NE(line.find(R"("existence":null)"), std::string::npos);
 }
 
 TEST(StreamFormats, CsvIsOneRowForATarget) {
-  EXPECT_EQ(broadcast::csvRows().preamble(exampleRig()),
+  EXPECT_EQ(broadcast::csvRowsFormat().preamble(exampleRig()),
             "time_s,frame,id,target,state,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,cov_xx_m2,cov_xy_m2,"
             "cov_xz_m2,cov_yy_m2,cov_yz_m2,cov_zz_m2,existence,cameras\n");
-  EXPECT_EQ(broadcast::csvRows().encode(exampleFrame()),
+  EXPECT_EQ(broadcast::csvRowsFormat().encode(exampleFrame()),
             (Lines{"0.4,12,1,pink ball,held,0.5,1,0.25,1,0,-0.5,4e-06,1e-06,0,9e-06,2e-06,1e-06,"
                    "0.75,\"left;the \"\"right\"\", one\"\n",
                    "0.4,12,2,blue,lost,,,,,,,,,,,,,0.125,\n"}));
@@ -106,7 +106,7 @@ TEST(StreamFormats, OscIsABundleOfDocumentedMessages) {
                     text("the \"right\", one"));
   expected += sized(text("/dewpoint/absent") + text(",issf") + number(2) + text("blue") +
                     text("lost") + real(0.125F));
-  EXPECT_EQ(broadcast::oscMessages().encode(exampleFrame()), Lines{expected});
+  EXPECT_EQ(broadcast::oscMessagesFormat().encode(exampleFrame()), Lines{expected});
 }
 
 TEST(StreamFormats, TuioIsAliveSetAndFseq) {
@@ -118,7 +118,7 @@ TEST(StreamFormats, TuioIsAliveSetAndFseq) {
                     real(0.25F) + real(0.75F) + real(0.25F) + real(0.5F) + real(0.0F) +
                     real(-0.5F) + real(static_cast<float>(0.125 / std::sqrt(0.5))));
   expected += sized(text("/tuio/3Dcur") + text(",si") + text("fseq") + number(7));
-  EXPECT_EQ(broadcast::tuioCursors().encode(exampleFrame()), Lines{expected});
+  EXPECT_EQ(broadcast::tuioCursorsFormat().encode(exampleFrame()), Lines{expected});
 }
 
 TEST(StreamFormats, ManyTargetsAreDividedIntoDatagrams) {
@@ -129,7 +129,7 @@ TEST(StreamFormats, ManyTargetsAreDividedIntoDatagrams) {
     frame.targets.push_back(one);
     frame.targets.back().id = id;
   }
-  for (const auto* format : {&broadcast::oscMessages(), &broadcast::tuioCursors()}) {
+  for (const auto* format : {&broadcast::oscMessagesFormat(), &broadcast::tuioCursorsFormat()}) {
     const Lines datagrams = format->encode(frame);
     EXPECT_GT(datagrams.size(), 3U) << format->id;
     for (const std::string& datagram : datagrams) {

@@ -79,7 +79,7 @@ TEST(FrameMessage, HasEverythingThatIsKnownOfATarget) {
   EXPECT_TRUE(target.velocity->isApprox(Eigen::Vector3d(1.0, 0.0, -0.2), 1e-9));
   EXPECT_LT(target.acceleration.norm(), 1e-9);
   EXPECT_DOUBLE_EQ(target.covariance(2, 2), 9e-6);
-  EXPECT_DOUBLE_EQ(target.existence, 0.875);
+  EXPECT_DOUBLE_EQ(target.existenceProbability, 0.875);
   EXPECT_EQ(target.cameras, std::vector<int>{0});
 }
 
@@ -92,7 +92,7 @@ TEST(FrameMessage, OfATargetThatIsNotHeldOnlyItsStateIsKnown) {
   EXPECT_FALSE(target.position);
   EXPECT_FALSE(target.velocity);
   EXPECT_TRUE(target.cameras.empty());
-  EXPECT_DOUBLE_EQ(target.existence, 0.25);
+  EXPECT_DOUBLE_EQ(target.existenceProbability, 0.25);
 }
 
 TEST(FrameMessage, AxesAndUnitAreThoseThatAreChosen) {

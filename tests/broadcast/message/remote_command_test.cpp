@@ -97,7 +97,7 @@ TEST(RemoteGate, WrongTokensLockItForAWhile) {
             std::string::npos);
   EXPECT_EQ(calls, 0);
   EXPECT_NE(
-      gate.handle(right, begin + RemoteGate::kLockTime + std::chrono::seconds(1)).find("true"),
+      gate.handle(right, begin + RemoteGate::kLockoutTime + std::chrono::seconds(1)).find("true"),
       std::string::npos);
   EXPECT_EQ(calls, 1);
 }

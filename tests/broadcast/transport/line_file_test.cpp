@@ -38,7 +38,7 @@ TEST(LineFile, WritesAFileFromItsBeginning) {
   (*file)->send({"a\n", "b\n"});
   (*file)->send({"c\n"});
   EXPECT_EQ(readTextFile(path).value_or(""), "header\na\nb\nc\n");
-  EXPECT_EQ((*file)->report().sent, 4);
+  EXPECT_EQ((*file)->report().sentPieces, 4);
 }
 
 TEST(LineFile, AFileThatCannotBeWrittenIsReported) {
@@ -54,18 +54,18 @@ TEST(LineFile, APipeWaitsForNobodyAndGreetsEachReader) {
   ASSERT_TRUE(file);
   (*file)->setPreamble("header\n");
   (*file)->send({"lost\n"}); // nobody reads it
-  EXPECT_EQ((*file)->report().clients, 0);
-  EXPECT_TRUE((*file)->report().lacksReader);
+  EXPECT_EQ((*file)->report().clientCount, 0);
+  EXPECT_TRUE((*file)->report().hasNoReader);
   for (int reader = 0; reader < 2; ++reader) {
     FileDescriptor pipe(::open(path.c_str(), O_RDONLY | O_NONBLOCK));
     (*file)->send({"a\n"});
     EXPECT_EQ(textIn(pipe), "header\na\n");
-    EXPECT_EQ((*file)->report().clients, 1);
-    EXPECT_FALSE((*file)->report().lacksReader);
+    EXPECT_EQ((*file)->report().clientCount, 1);
+    EXPECT_FALSE((*file)->report().hasNoReader);
     pipe.close();
     (*file)->send({"b\n"}); // the reader has gone: no signal ends the program
-    EXPECT_EQ((*file)->report().clients, 0);
-    EXPECT_TRUE((*file)->report().lacksReader);
+    EXPECT_EQ((*file)->report().clientCount, 0);
+    EXPECT_TRUE((*file)->report().hasNoReader);
     EXPECT_EQ((*file)->report().problem, "");
   }
 }
@@ -80,13 +80,13 @@ TEST(LineFile, AFullPipeLosesWholeLines) {
   for (int k = 0; k < 500; ++k) {
     (*file)->send({line});
   }
-  EXPECT_GT((*file)->report().dropped, 300);
+  EXPECT_GT((*file)->report().droppedPieces, 300);
   std::string all;
   for (std::string more = textIn(pipe); !more.empty(); more = textIn(pipe)) {
     all += more;
   }
   EXPECT_EQ(all.size() % line.size(), 0U);
-  EXPECT_EQ(all.size() / line.size(), static_cast<std::size_t>((*file)->report().sent));
+  EXPECT_EQ(all.size() / line.size(), static_cast<std::size_t>((*file)->report().sentPieces));
 }
 
 } // namespace

@@ -27,7 +27,7 @@ std::unique_ptr<LineServer> serverWithoutCommands() {
 }
 
 bool hasClients(const LineServer& server, int count) {
-  return becomesTrue([&] { return server.report().clients == count; });
+  return becomesTrue([&] { return server.report().clientCount == count; });
 }
 
 TEST(LineServer, SendsTheOpeningAndThenEveryLineToEveryClient) {
@@ -69,7 +69,7 @@ TEST(LineServer, ASlowClientMissesLinesAndHoldsUpNobody) {
       EXPECT_NE(quick.readUntil("x" + last).find("x" + last), std::string::npos);
     }
   }
-  EXPECT_GT(server->report().dropped, 0);
+  EXPECT_GT(server->report().droppedPieces, 0);
   // It then gets whole lines, and the newest.
   const std::string late = slow.readUntil("x" + last);
   EXPECT_NE(late.find("x" + last), std::string::npos);
@@ -118,7 +118,7 @@ TEST(LineServer, AClientThatOnlyListensStaysAndOneThatLeavesIsForgotten) {
   // The end of the other one shows when something is sent.
   EXPECT_TRUE(becomesTrue([&] {
     server->send({"x\n"});
-    return server->report().clients == 1;
+    return server->report().clientCount == 1;
   }));
   server->send({"end\n"});
   EXPECT_NE(listener.readUntil("end\n").find("end\n"), std::string::npos);

@@ -46,7 +46,7 @@ TestSocket webSocketOf(const WebServer& server) {
   const std::string answer = client.readUntil("\r\n\r\n");
   EXPECT_NE(answer.find("101"), std::string::npos) << answer;
   EXPECT_NE(answer.find("s3pPLMBiTxaQ9kYGzzhZRbK+xOo="), std::string::npos) << answer;
-  EXPECT_TRUE(becomesTrue([&] { return server.report().clients == 1; }));
+  EXPECT_TRUE(becomesTrue([&] { return server.report().clientCount == 1; }));
   return client;
 }
 
@@ -84,7 +84,7 @@ TEST(WebServer, ThePageHasTheTextsOfItsLanguage) {
   texts.waiting = "Verbunden. </script>";
   texts.frame = "Bild %1, %2";
   texts.states["held"] = "verfolgt";
-  texts.onlyOnePage = "Es gibt nur eine Seite, /.";
+  texts.pageNotFound = "Es gibt nur eine Seite, /.";
   const auto server = webServer();
   EXPECT_NE(answerTo(*server, request(*server, "GET /")).find("<html lang=\"en\">"),
             std::string::npos);
@@ -98,7 +98,7 @@ TEST(WebServer, ThePageHasTheTextsOfItsLanguage) {
   }
   EXPECT_EQ(page.find("{{"), std::string::npos);
   EXPECT_EQ(page.find("Waiting for images"), std::string::npos);
-  EXPECT_NE(answerTo(*server, request(*server, "GET /other")).find(texts.onlyOnePage),
+  EXPECT_NE(answerTo(*server, request(*server, "GET /other")).find(texts.pageNotFound),
             std::string::npos);
 }
 

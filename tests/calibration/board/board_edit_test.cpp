@@ -47,7 +47,7 @@ TEST(BoardEdit, AnImpossibleBoardIsSaidInTheWordsOfTheParser) {
     const auto checked = checkBoard(board);
     ASSERT_FALSE(parsed) << boardText(board);
     ASSERT_FALSE(checked) << boardText(board);
-    EXPECT_EQ(sentence(checked.error()), sentence(parsed.error()));
+    EXPECT_EQ(errorSentence(checked.error()), errorSentence(parsed.error()));
   }
 }
 

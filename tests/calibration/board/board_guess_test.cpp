@@ -32,9 +32,9 @@ BoardGuess bestGuess(const std::vector<cv::Mat>& images,
 
 std::string bestText(const char* shown, const char* requested = "chessboard:10x8:0.03") {
   const BoardGuess best = bestGuess(viewsOfBoard(shown), requested);
-  EXPECT_GE(best.images, 4) << shown;
-  EXPECT_EQ(best.searched, 6) << shown;
-  EXPECT_FALSE(best.mirrored) << shown;
+  EXPECT_GE(best.imageCount, 4) << shown;
+  EXPECT_EQ(best.searchedImageCount, 6) << shown;
+  EXPECT_FALSE(best.isMirrored) << shown;
   return boardText(best.board);
 }
 
@@ -75,7 +75,7 @@ TEST(BoardGuess, MirroredImages) {
     cv::flip(image.clone(), image, 1);
   }
   const BoardGuess best = bestGuess(images);
-  EXPECT_TRUE(best.mirrored);
+  EXPECT_TRUE(best.isMirrored);
   EXPECT_EQ(boardText(best.board), "charuco:7x5:0.03:0.0225:DICT_4X4_50");
   EXPECT_NE(proposalText(best).find("mirror"), std::string::npos);
 }
@@ -85,7 +85,7 @@ TEST(BoardGuess, AFewOfManyImagesAreEnough) {
   const auto views = viewsOfBoard("charuco:7x5:0.054:0.0405:DICT_4X4_50", 1);
   images.insert(images.end(), views.begin(), views.end());
   EXPECT_EQ(bestGuess(images).images, 1);
-  EXPECT_EQ(bestGuess(images).searched, 7);
+  EXPECT_EQ(bestGuess(images).searchedImageCount, 7);
 }
 
 TEST(BoardGuess, NothingWithoutABoard) {
@@ -110,7 +110,7 @@ TEST(BoardGuess, TheSameImagesGiveTheSameBoards) {
   const auto first = bestGuess(images);
   const auto second = bestGuess(images);
   EXPECT_EQ(first.board, second.board);
-  EXPECT_EQ(first.corners, second.corners);
+  EXPECT_EQ(first.cornerCount, second.cornerCount);
 }
 
 TEST(BoardGuess, StopsWhenTold) {

@@ -98,12 +98,12 @@ TEST(BoardGuidance, FollowingTheAdviceEndsByItself) {
     }
   }
   EXPECT_EQ(state.advice, GuidanceAdvice::Finished);
-  ASSERT_TRUE(state.projectionPx);
-  EXPECT_LE(*state.projectionPx, 0.3);
-  for (const int count : state.coverage.tilts) {
+  ASSERT_TRUE(state.projectionSigmaPx);
+  EXPECT_LE(*state.projectionSigmaPx, 0.3);
+  for (const int count : state.coverage.tiltCounts) {
     EXPECT_GE(count, 1);
   }
-  EXPECT_LT(state.views, 40);
+  EXPECT_LT(state.viewCount, 40);
 }
 
 TEST(RigGuidance, NamesThePairThatIsMissingAndEnds) {
@@ -128,8 +128,8 @@ TEST(RigGuidance, NamesThePairThatIsMissingAndEnds) {
     }
   }
   EXPECT_TRUE(state.finished);
-  EXPECT_GE(guidance.sharedInstants(1, 2), 2);
-  EXPECT_EQ(guidance.sharedInstants(0, 2), 0);
+  EXPECT_GE(guidance.sharedInstantCount(1, 2), 2);
+  EXPECT_EQ(guidance.sharedInstantCount(0, 2), 0);
 }
 
 } // namespace

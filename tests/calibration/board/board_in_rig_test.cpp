@@ -61,7 +61,7 @@ TEST_F(BoardInRigTest, OneCameraIsEnough) {
 
 TEST_F(BoardInRigTest, ASymmetricBoardMayBeNumberedFromEitherEnd) {
   board_ = parseBoard("chessboard:7x5:0.03").value(); // odd by odd inner corners: two ways
-  ASSERT_EQ(board_.symmetry(), 2);
+  ASSERT_EQ(board_.symmetryOrder(), 2);
   truth_ = boardAt(board_, {0.02, 0.03, 0.8}, 0.5, -0.3, 0.2);
   const auto found =
       boardInRig(board_, rig_, {seenBy(0), rotated(seenBy(1), board_, 2), seenBy(2)});

@@ -36,7 +36,7 @@ TEST(BoardMiss, ABoardFarAwayIsTooSmall) {
   const BoardDescription board = boardOf("chessboard:9x6:0.025");
   const BoardMiss miss = diagnoseMissedBoard(BoardDetector(board), boardFacing(board, 2.0));
   ASSERT_EQ(miss.reason, BoardMiss::Reason::TooSmall) << missReasonText(miss);
-  EXPECT_NEAR(miss.squarePx, 0.85 * 640 * 0.025 / 2.0, 1.5);
+  EXPECT_NEAR(miss.squareSizePx, 0.85 * 640 * 0.025 / 2.0, 1.5);
 }
 
 TEST(BoardMiss, AHiddenCharucoBoardShowsTooFewCorners) {
@@ -57,8 +57,8 @@ TEST(BoardMiss, AHiddenCharucoBoardShowsTooFewCorners) {
   ASSERT_FALSE(BoardDetector(board).detect(image, DetectionEffort::Exact));
   const BoardMiss miss = diagnoseMissedBoard(BoardDetector(board), image);
   ASSERT_EQ(miss.reason, BoardMiss::Reason::TooFewCorners) << missReasonText(miss);
-  EXPECT_GE(miss.corners, 1);
-  EXPECT_LE(miss.corners, 3);
+  EXPECT_GE(miss.cornerCount, 1);
+  EXPECT_LE(miss.cornerCount, 3);
 }
 
 } // namespace

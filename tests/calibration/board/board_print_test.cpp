@@ -16,7 +16,7 @@ TEST(BoardPrint, WritesAPdfOfOnePage) {
   for (const char* text : {"chessboard:9x6:0.025", "charuco:7x5:0.025:0.019:DICT_4X4_50",
                            "charuco:5x6:0.03:0.022:DICT_5X5_100:legacy:inverted"}) {
     const auto printed = printBoard(boardOf(text), *paperNamed("a4"), file);
-    ASSERT_TRUE(printed) << sentence(printed.error());
+    ASSERT_TRUE(printed) << errorSentence(printed.error());
     const auto bytes = readTextFile(file);
     ASSERT_TRUE(bytes);
     EXPECT_TRUE(bytes->starts_with("%PDF-"));
@@ -29,8 +29,8 @@ TEST(BoardPrint, ABoardLargerThanThePaperIsSplitOnSheets) {
   const auto file = std::filesystem::temp_directory_path() / "dewpoint-board-sheets-test.pdf";
   for (const char* text : {"chessboard:9x6:0.05", "charuco:7x5:0.1:0.075:DICT_4X4_50:inverted"}) {
     for (const Paper& paper : papers()) {
-      const auto sheets = sheetsToPrint(boardOf(text), paper);
-      ASSERT_TRUE(sheets) << sentence(sheets.error());
+      const auto sheets = countSheetsToPrint(boardOf(text), paper);
+      ASSERT_TRUE(sheets) << errorSentence(sheets.error());
       EXPECT_GT(*sheets, 1) << text << " " << paper.name;
       ASSERT_TRUE(printBoard(boardOf(text), paper, file));
       const auto bytes = readTextFile(file);
@@ -40,11 +40,11 @@ TEST(BoardPrint, ABoardLargerThanThePaperIsSplitOnSheets) {
     }
   }
   std::filesystem::remove(file);
-  EXPECT_EQ(sheetsToPrint(boardOf("chessboard:9x6:0.025"), *paperNamed("A4")).value(), 1);
+  EXPECT_EQ(countSheetsToPrint(boardOf("chessboard:9x6:0.025"), *paperNamed("A4")).value(), 1);
   // 500 x 350 mm on parts of 184 x 255 mm that overlap by 10 mm: 3 x 2; lengthwise 271 x 168: 2
   // x 3.
-  EXPECT_EQ(sheetsToPrint(boardOf("chessboard:9x6:0.05"), *paperNamed("A4")).value(), 6);
-  EXPECT_EQ(sheetsToPrint(boardOf("chessboard:9x6:0.05"), *paperNamed("A3")).value(), 2);
+  EXPECT_EQ(countSheetsToPrint(boardOf("chessboard:9x6:0.05"), *paperNamed("A4")).value(), 6);
+  EXPECT_EQ(countSheetsToPrint(boardOf("chessboard:9x6:0.05"), *paperNamed("A3")).value(), 2);
 }
 
 TEST(BoardPrint, TheSheetsTogetherAreTheBoard) {
@@ -128,7 +128,7 @@ TEST(BoardReport, IsOnePageWithEverythingInIt) {
   BoardReport report;
   report.title = "Lens <1>";
   report.board = request.board;
-  report.cameras.push_back(reportPart("left & right", *result));
+  report.cameras.push_back(reportPartOf("left & right", *result));
   report.boardPoses.push_back({0, worldFromFlatBoard()});
   const std::string html = htmlText(report);
   for (const char* part : {"Lens &lt;1&gt;", "left &amp; right", "chessboard:9x6:0.025", "<svg",

@@ -11,7 +11,7 @@ TEST(Board, TextComesBack) {
                            "charuco:5x8:0.03:0.02:DICT_6X6_250:legacy",
                            "charuco:4x5:0.054:0.0405:DICT_4X4_1000:inverted"}) {
     const auto board = parseBoard(text);
-    ASSERT_TRUE(board) << sentence(board.error());
+    ASSERT_TRUE(board) << errorSentence(board.error());
     EXPECT_EQ(boardText(*board), text);
   }
 }
@@ -38,11 +38,11 @@ TEST(Board, ErrorsNameThePart) {
 }
 
 TEST(Board, SymmetryFollowsFromTheColors) {
-  EXPECT_EQ(parseBoard("chessboard:9x6:0.025")->symmetry(), 1);
-  EXPECT_EQ(parseBoard("chessboard:7x5:0.025")->symmetry(), 2);
-  EXPECT_EQ(parseBoard("chessboard:6x6:0.025")->symmetry(), 4);
-  EXPECT_EQ(parseBoard("chessboard:7x7:0.025")->symmetry(), 2);
-  EXPECT_EQ(parseBoard("charuco:7x5:0.054:0.04:DICT_4X4_50")->symmetry(), 1);
+  EXPECT_EQ(parseBoard("chessboard:9x6:0.025")->symmetryOrder(), 1);
+  EXPECT_EQ(parseBoard("chessboard:7x5:0.025")->symmetryOrder(), 2);
+  EXPECT_EQ(parseBoard("chessboard:6x6:0.025")->symmetryOrder(), 4);
+  EXPECT_EQ(parseBoard("chessboard:7x7:0.025")->symmetryOrder(), 2);
+  EXPECT_EQ(parseBoard("charuco:7x5:0.054:0.04:DICT_4X4_50")->symmetryOrder(), 1);
 }
 
 TEST(Board, LegacyMattersForEvenRowsOnly) {

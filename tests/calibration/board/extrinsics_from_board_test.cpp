@@ -69,14 +69,14 @@ void expectRing(const ExtrinsicsResult& result, double meters) {
 
 TEST(ExtrinsicsFromBoard, ExactCornersGiveExactPoses) {
   const auto result = calibrateExtrinsics(extrinsicsRequest("chessboard:9x6:0.025", 0.0));
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   expectRing(*result, 1e-5);
   EXPECT_LT(result->rmsPx, 1e-3);
 }
 
 TEST(ExtrinsicsFromBoard, NoisyCornersStayNear) {
   const auto result = calibrateExtrinsics(extrinsicsRequest("chessboard:9x6:0.025", 0.2));
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   // The world hangs on one small board at instant 0, 1.5 m away: it may tilt by half a degree. How
   // the cameras stand to each other is known better.
   expectRing(*result, 0.02);
@@ -96,12 +96,12 @@ TEST(ExtrinsicsFromBoard, LensesThatTheViewsDoNotDetermineAreKept) {
   auto request = extrinsicsRequest("chessboard:9x6:0.025", 0.5);
   request.refineIntrinsics = true;
   for (BoardCamera& camera : request.cameras) {
-    camera.lensError = 1.0;
+    camera.intrinsicsErrorPx = 1.0;
   }
   const auto result = calibrateExtrinsics(request);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t k = 0; k < result->cameras.size(); ++k) {
-    EXPECT_FALSE(result->fits[k].lensRefined) << k;
+    EXPECT_FALSE(result->fits[k].isLensRefined) << k;
     EXPECT_EQ(result->cameras[k].intrinsics.focalX, request.cameras[k].camera.intrinsics.focalX);
   }
   ASSERT_EQ(result->notices.size(), 4U);
@@ -118,7 +118,7 @@ TEST(ExtrinsicsFromBoard, SymmetricBoardIsCountedAlike) {
     }
   }
   const auto result = calibrateExtrinsics(request);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   expectRing(*result, 0.01);
   EXPECT_TRUE(result->notices.empty());
 }
@@ -130,7 +130,7 @@ TEST(ExtrinsicsFromBoard, BadViewsAreLeftOutAndNamed) {
     pixel += Eigen::Vector2d(25.0, -10.0); // a frame of another instant
   }
   const auto result = calibrateExtrinsics(request);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   expectRing(*result, 0.01);
   const auto& fits = result->fits[2].views;
   const auto left = std::ranges::find(fits, false, &ViewFit::used);
@@ -154,7 +154,7 @@ TEST(ExtrinsicsFromBoard, TheFirstCameraKeepsAGivenPose) {
   request.worldInstant.reset();
   request.cameras[0].camera.cameraFromWorld = ring()[0].cameraFromWorld;
   const auto result = calibrateExtrinsics(request);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   expectRing(*result, 1e-5);
 }
 

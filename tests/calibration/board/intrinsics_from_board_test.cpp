@@ -25,7 +25,7 @@ IntrinsicsRequest intrinsicsRequest(const Camera& camera, double sigmaPx, int co
 TEST(IntrinsicsFromBoard, TruthLiesWithinTheStatedDeviations) {
   const Camera truth = testCamera();
   const auto result = calibrateIntrinsics(intrinsicsRequest(truth, 0.1, 15));
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   // Two coordinates of sigma 0.1 px each, less the part the 98 parameters take.
   EXPECT_NEAR(result->rmsPx, 0.1 * std::sqrt(2.0), 0.01);
   ASSERT_EQ(result->parameters[0].name, "f"); // pixels are square here
@@ -80,7 +80,7 @@ TEST(IntrinsicsFromBoard, EightCoefficientsAndFisheye) {
   auto request = intrinsicsRequest(wide, 0.05, 20);
   request.model = IntrinsicsModel::EightCoefficients;
   const auto rational = calibrateIntrinsics(request);
-  ASSERT_TRUE(rational) << sentence(rational.error());
+  ASSERT_TRUE(rational) << errorSentence(rational.error());
   EXPECT_NEAR(rational->rmsPx, 0.05 * std::sqrt(2.0), 0.01);
   EXPECT_NEAR(rational->camera.intrinsics.focalX, wide.intrinsics.focalX, 3.0);
 
@@ -91,7 +91,7 @@ TEST(IntrinsicsFromBoard, EightCoefficientsAndFisheye) {
   request = intrinsicsRequest(fish, 0.05, 20);
   request.model = IntrinsicsModel::Fisheye;
   const auto fisheye = calibrateIntrinsics(request);
-  ASSERT_TRUE(fisheye) << sentence(fisheye.error());
+  ASSERT_TRUE(fisheye) << errorSentence(fisheye.error());
   EXPECT_NEAR(fisheye->rmsPx, 0.05 * std::sqrt(2.0), 0.01);
   EXPECT_NEAR(fisheye->camera.intrinsics.focalX, 300.0, 1.0);
   EXPECT_EQ(fisheye->camera.lens, LensModel::Fisheye);
@@ -139,7 +139,7 @@ TEST(IntrinsicsFromBoard, OpenCvLeft13) {
   }
   ASSERT_EQ(request.views.size(), 13U);
   const auto result = calibrateIntrinsics(request);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_NEAR(result->rmsPx, 0.39259, 0.001);
   const auto& camera = result->camera;
   EXPECT_NEAR(camera.intrinsics.focalX, 535.916, 0.05);

@@ -37,7 +37,7 @@ std::vector<BundleCamera> nudged(const CameraRig& rig) {
     BundleCamera camera;
     camera.camera = rig[c];
     camera.camera.cameraFromWorld.linear() =
-        rotationFromTurn(0.0175 * way) * rig[c].cameraFromWorld.linear();
+        rotationExponential(0.0175 * way) * rig[c].cameraFromWorld.linear();
     camera.camera.cameraFromWorld.translation() += 0.04 * way.reverse();
     cameras.push_back(camera);
   }
@@ -128,9 +128,9 @@ TEST(BundleAdjustment, AStickBringsTheRigBackToTheBit) {
   const CameraRig rig = fourCameras();
   BundleProblem problem = wavedProblem(rig, true, 40);
   problem.cameras[0].camera = rig[0];
-  problem.cameras[0].poseFixed = true;
+  problem.cameras[0].isPoseFixed = true;
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(result->rms, 1e-6);
   for (std::size_t c = 0; c < rig.size(); ++c) {
     EXPECT_LT(distance(result->cameras[c], rig[c]), 1e-7);
@@ -159,7 +159,7 @@ TEST(BundleAdjustment, TheCovarianceForetellsTheErrors) {
       problem.observations[i].sigma = 0.3;
     }
     const auto result = adjustBundle(problem);
-    ASSERT_TRUE(result) << sentence(result.error());
+    ASSERT_TRUE(result) << errorSentence(result.error());
     EXPECT_NEAR(result->noiseFactor, 1.0, 0.15);
     for (std::size_t c = 1; c < rig.size(); ++c) {
       const Eigen::Vector3d way = result->cameras[c].center() - result->cameras[0].center();
@@ -185,11 +185,11 @@ TEST(BundleAdjustment, FindsFocalLengthsAndALens) {
     camera.camera.intrinsics.focalX *= 1.03;
     camera.camera.intrinsics.focalY *= 1.03;
     camera.camera.distortion[0] = 0.0;
-    camera.focalFree = true;
-    camera.distortionFree[0] = true;
+    camera.isFocalFree = true;
+    camera.isDistortionFree[0] = true;
   }
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (const Camera& camera : result->cameras) {
     EXPECT_NEAR(camera.intrinsics.focalX, 500.0, 1e-3);
     EXPECT_NEAR(camera.intrinsics.focalY, 510.0, 1e-3);
@@ -202,13 +202,13 @@ TEST(BundleAdjustment, FindsTimeOffsets) {
   const std::vector<double> offsets{0.0, 0.012, -0.016, 0.005};
   BundleProblem problem = wavedProblem(rig, true, 90, 0.0, offsets);
   for (std::size_t c = 1; c < rig.size(); ++c) {
-    problem.cameras[c].offsetFree = true;
+    problem.cameras[c].isTimeOffsetFree = true;
   }
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
     // What a quartic through instants 33 ms apart misses of this motion is below 1e-5 m.
-    EXPECT_NEAR(result->offsets[c], offsets[c], 2e-5);
+    EXPECT_NEAR(result->timeOffsets[c], offsets[c], 2e-5);
   }
   EXPECT_LT(result->rms, 0.01);
 }
@@ -226,11 +226,11 @@ TEST(BundleAdjustment, ABoardOnTheFloorIsTheWorld) {
     BundleState state;
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     if (f > 0) {
-      pose.linear() = rotationFromTurn({0.2 * f, -0.1 * f, 0.3});
+      pose.linear() = rotationExponential({0.2 * f, -0.1 * f, 0.3});
       pose.translation() << 0.05 * f, -0.1, 0.2 + 0.05 * f;
     }
-    state.known = true;
-    state.fixed = f == 0;
+    state.isKnown = true;
+    state.isFixed = f == 0;
     state.worldFromBoard = pose;
     for (std::size_t c = 0; c < rig.size(); ++c) {
       for (std::size_t p = 0; p < board.points.size(); ++p) {
@@ -244,7 +244,7 @@ TEST(BundleAdjustment, ABoardOnTheFloorIsTheWorld) {
     problem.states.push_back(state);
   }
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
     EXPECT_LT(distance(result->cameras[c], rig[c]), 1e-7);
   }
@@ -260,7 +260,7 @@ TEST(BundleAdjustment, ARobustLossBearsGrossErrors) {
   problem.loss = RobustLoss::Cauchy;
   problem.lossWidth = 1.0;
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 1; c < rig.size(); ++c) {
     EXPECT_NEAR(distance(result->cameras[c], result->cameras[0]), distance(rig[c], rig[0]), 2e-3);
   }
@@ -280,7 +280,7 @@ TEST(BundleAdjustment, TheMiddleOfABallsOutlineIsCorrected) {
     seen.outlineShift = std::pow(radius / sphere.depth(ball), 2);
   }
   const auto result = adjustBundle(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(result->rms, 1e-6);
 }
 

@@ -16,7 +16,7 @@ using abreast::kSix;
 
 BundleStart startOf(const BundleProblem& problem) {
   auto start = initializeBundle(problem);
-  EXPECT_TRUE(start) << sentence(start.error());
+  EXPECT_TRUE(start) << errorSentence(start.error());
   return std::move(*start);
 }
 
@@ -38,12 +38,12 @@ TEST(BundleModel, BlocksHoldTheStart) {
   ASSERT_EQ(model.states.size(), 6U);
   EXPECT_LT((Eigen::Map<const Eigen::Vector3d>(model.states[2].values.data()) - ballAt(0.2)).norm(),
             1e-9);
-  EXPECT_EQ(model.usedObservations, 12U);
+  EXPECT_EQ(model.usedObservationCount, 12U);
   EXPECT_EQ(model.solver.NumResidualBlocks(), 12);
   // Pose, lens and offset of the camera that looks, and the state.
   EXPECT_EQ(model.blocksOf(5),
             (std::vector<double*>{model.cameras[1].pose.data(), model.cameras[1].lens.data(),
-                                  &model.cameras[1].offset, model.states[2].values.data()}));
+                                  &model.cameras[1].timeOffset, model.states[2].values.data()}));
   EXPECT_NEAR(costOf(model), 0.0, 1e-15); // the pixels are exact
 }
 
@@ -77,9 +77,9 @@ TEST(BundleModel, WhatIsBehindACameraIsNotUsed) {
   BundleStart start = startOf(problem);
   start.states[3].ends[0].z() = -4.0;
   BundleModel model(problem, start);
-  EXPECT_EQ(model.usedObservations, 10U);
-  EXPECT_FALSE(model.start.observationUsed[6]);
-  EXPECT_FALSE(model.start.observationUsed[7]);
+  EXPECT_EQ(model.usedObservationCount, 10U);
+  EXPECT_FALSE(model.start.isObservationUsed[6]);
+  EXPECT_FALSE(model.start.isObservationUsed[7]);
   EXPECT_EQ(model.costFunctions[6], nullptr);
   EXPECT_NE(model.costFunctions[5], nullptr);
   EXPECT_FALSE(model.isInProblem(model.states[3].values.data()));
@@ -87,18 +87,18 @@ TEST(BundleModel, WhatIsBehindACameraIsNotUsed) {
 
 TEST(BundleModel, OnlyWhatIsFreeVaries) {
   BundleProblem problem = ballSeenAt(kSix);
-  problem.cameras[0].poseFixed = true;
-  problem.cameras[1].focalFree = true;
-  problem.cameras[1].offsetFree = true;
-  problem.states[5].fixed = true;
+  problem.cameras[0].isPoseFixed = true;
+  problem.cameras[1].isFocalFree = true;
+  problem.cameras[1].isTimeOffsetFree = true;
+  problem.states[5].isFixed = true;
   problem.states[5].ends[0] = ballAt(0.5);
   BundleModel model(problem, startOf(problem));
   EXPECT_FALSE(model.isVariable(model.cameras[0].pose.data()));
   EXPECT_TRUE(model.isVariable(model.cameras[1].pose.data()));
   EXPECT_FALSE(model.isVariable(model.cameras[0].lens.data()));
   EXPECT_TRUE(model.isVariable(model.cameras[1].lens.data()));
-  EXPECT_FALSE(model.isVariable(&model.cameras[0].offset));
-  EXPECT_TRUE(model.isVariable(&model.cameras[1].offset));
+  EXPECT_FALSE(model.isVariable(&model.cameras[0].timeOffset));
+  EXPECT_TRUE(model.isVariable(&model.cameras[1].timeOffset));
   EXPECT_TRUE(model.isVariable(model.states[0].values.data()));
   EXPECT_FALSE(model.isVariable(model.states[5].values.data()));
   // Of the lens one number of twelve: the focal length.
@@ -111,13 +111,13 @@ TEST(BundleModel, EntriesOfALensAreHeldOneByOne) {
   std::vector<int> all(kLensSize);
   std::iota(all.begin(), all.end(), 0);
   EXPECT_EQ(BundleModel::fixedLensEntries(camera), all);
-  camera.focalFree = true;         // entry 0
-  camera.centerFree = true;        // 2 and 3
-  camera.distortionFree[0] = true; // 4
-  camera.distortionFree[7] = true; // 11
+  camera.isFocalFree = true;          // entry 0
+  camera.isPrincipalPointFree = true; // 2 and 3
+  camera.isDistortionFree[0] = true;  // 4
+  camera.isDistortionFree[7] = true;  // 11
   EXPECT_EQ(BundleModel::fixedLensEntries(camera), (std::vector<int>{1, 5, 6, 7, 8, 9, 10}));
-  camera.aspectFree = true;
-  camera.distortionFree.fill(true);
+  camera.isAspectFree = true;
+  camera.isDistortionFree.fill(true);
   EXPECT_TRUE(BundleModel::fixedLensEntries(camera).empty());
 }
 
@@ -152,7 +152,7 @@ TEST(BundleModel, ASticksLengthIsAResidual) {
 TEST(BundleModel, PriorsPullToTheStart) {
   BundleProblem problem = ballSeenAt(kSix);
   problem.cameras[1].posePrior = PosePrior{0.01, 0.01};
-  problem.cameras[1].focalFree = true;
+  problem.cameras[1].isFocalFree = true;
   problem.cameras[1].focalPriorSigma = 0.02;
   BundleStart start = startOf(problem);
   BundleModel model(problem, start);
@@ -174,7 +174,7 @@ TEST(BundleModel, PriorsPullToTheStart) {
 
 TEST(BundleModel, ALateImageDependsOnTheStatesAroundIt) {
   BundleProblem problem = ballSeenAt(kSix);
-  problem.cameras[1].offsetFree = true;
+  problem.cameras[1].isTimeOffsetFree = true;
   BundleModel model(problem, startOf(problem));
   // Camera 2 at the third instant: its own blocks and those of instants 0 to 4.
   const auto blocks = model.blocksOf(5);
@@ -186,7 +186,7 @@ TEST(BundleModel, ALateImageDependsOnTheStatesAroundIt) {
   EXPECT_NEAR(costOf(model), 0.0, 1e-12);
   // 10 ms later the ball is 10 mm, 5 mm and 2 mm farther; the path of five instants on a straight
   // line says so exactly.
-  model.cameras[1].offset = 0.01;
+  model.cameras[1].timeOffset = 0.01;
   const Eigen::Vector2d off =
       abreast::pixelOf(1.0, ballAt(0.21)) - abreast::pixelOf(1.0, ballAt(0.2));
   std::vector<ceres::ResidualBlockId> all;

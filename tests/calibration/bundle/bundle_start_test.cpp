@@ -38,18 +38,18 @@ TEST(BundleStart, FreePointsAreTriangulated) {
   EXPECT_EQ(problem.observations[0].pixel, Eigen::Vector2d(345.0, 252.5));
   EXPECT_EQ(problem.observations[1].pixel, Eigen::Vector2d(220.0, 252.5));
   const auto start = initializeBundle(problem);
-  ASSERT_TRUE(start) << sentence(start.error());
+  ASSERT_TRUE(start) << errorSentence(start.error());
   for (std::size_t k = 0; k < kSix.size(); ++k) {
-    EXPECT_TRUE(start->stateUsed[k]);
+    EXPECT_TRUE(start->isStateUsed[k]);
     EXPECT_LT((start->states[k].ends[0] - ballAt(kSix[k])).norm(), 1e-9) << k;
   }
-  EXPECT_EQ(std::ranges::count(start->observationUsed, true), 12);
+  EXPECT_EQ(std::ranges::count(start->isObservationUsed, true), 12);
   EXPECT_FALSE(start->moving); // all images are of their states' instants
 }
 
 TEST(BundleStart, AStartThatIsKnownIsKept) {
   BundleProblem problem = ballSeenAt(kSix);
-  problem.states[2].known = true;
+  problem.states[2].isKnown = true;
   problem.states[2].ends[0] = {9.0, 9.0, 9.0};
   const auto start = initializeBundle(problem);
   ASSERT_TRUE(start);
@@ -60,15 +60,15 @@ TEST(BundleStart, WhatOneCameraSeesSaysNothing) {
   BundleProblem problem = ballSeenAt({0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6});
   hide(problem, 3, 1);
   const auto start = initializeBundle(problem);
-  ASSERT_TRUE(start) << sentence(start.error());
-  EXPECT_FALSE(start->stateUsed[3]);
-  EXPECT_FALSE(start->observationUsed[indexOf(problem, 3, 0)]);
-  EXPECT_EQ(std::ranges::count(start->stateUsed, true), 6);
+  ASSERT_TRUE(start) << errorSentence(start.error());
+  EXPECT_FALSE(start->isStateUsed[3]);
+  EXPECT_FALSE(start->isObservationUsed[indexOf(problem, 3, 0)]);
+  EXPECT_EQ(std::ranges::count(start->isStateUsed, true), 6);
   // Unless the world is defined by it.
-  problem.states[3].fixed = true;
+  problem.states[3].isFixed = true;
   const auto fixed = initializeBundle(problem);
   ASSERT_TRUE(fixed);
-  EXPECT_TRUE(fixed->stateUsed[3]);
+  EXPECT_TRUE(fixed->isStateUsed[3]);
 }
 
 TEST(BundleStart, BothEndsOfAStickMustBeSeenByTwoCameras) {
@@ -84,13 +84,13 @@ TEST(BundleStart, BothEndsOfAStickMustBeSeenByTwoCameras) {
     }
   }
   const auto start = initializeBundle(problem);
-  ASSERT_TRUE(start) << sentence(start.error());
+  ASSERT_TRUE(start) << errorSentence(start.error());
   EXPECT_LT((start->states[1].ends[1] - ballAt(0.1) - Eigen::Vector3d(0.5, 0.0, 0.0)).norm(), 1e-9);
   problem.observations.pop_back(); // of the last state's other end
   const auto fewer = initializeBundle(problem);
-  ASSERT_TRUE(fewer) << sentence(fewer.error());
-  EXPECT_FALSE(fewer->stateUsed[5]);
-  EXPECT_TRUE(fewer->stateUsed[4]);
+  ASSERT_TRUE(fewer) << errorSentence(fewer.error());
+  EXPECT_FALSE(fewer->isStateUsed[5]);
+  EXPECT_TRUE(fewer->isStateUsed[4]);
 }
 
 TEST(BundleStart, ABoardNeedsFourPoints) {
@@ -101,7 +101,7 @@ TEST(BundleStart, ABoardNeedsFourPoints) {
   for (std::size_t k = 0; k < 2; ++k) {
     BundleState state;
     state.time = double(k);
-    state.known = true;
+    state.isKnown = true;
     state.worldFromBoard.translation() = Eigen::Vector3d(0.0, 0.0, 5.0);
     problem.states.push_back(state);
     for (std::size_t point = 0; point < (k == 0 ? 6U : 3U); ++point) {
@@ -113,10 +113,10 @@ TEST(BundleStart, ABoardNeedsFourPoints) {
     }
   }
   const auto start = initializeBundle(problem);
-  ASSERT_TRUE(start) << sentence(start.error());
-  EXPECT_TRUE(start->stateUsed[0]); // one camera is enough for a board
-  EXPECT_FALSE(start->stateUsed[1]);
-  problem.states[0].known = false;
+  ASSERT_TRUE(start) << errorSentence(start.error());
+  EXPECT_TRUE(start->isStateUsed[0]); // one camera is enough for a board
+  EXPECT_FALSE(start->isStateUsed[1]);
+  problem.states[0].isKnown = false;
   const auto nowhere = initializeBundle(problem);
   ASSERT_FALSE(nowhere);
   EXPECT_EQ(nowhere.error().field, "board");
@@ -129,7 +129,7 @@ TEST(BundleStart, ACameraThatIsNotKnownNeedsSixObservations) {
   EXPECT_EQ(few.error().code, ErrorCode::Undetermined);
   EXPECT_EQ(few.error().field, "camera 1");
   EXPECT_NE(few.error().detail.find("5 usable observations, at least 6"), std::string::npos);
-  problem.cameras[0].poseFixed = true;
+  problem.cameras[0].isPoseFixed = true;
   EXPECT_EQ(initializeBundle(problem).error().field, "camera 2");
   problem.cameras[1].posePrior = PosePrior{};
   EXPECT_TRUE(initializeBundle(problem));
@@ -143,8 +143,8 @@ TEST(BundleStart, ACameraThatIsNotKnownNeedsSixObservations) {
 /// The instants a point is followed through, around each state, for images that are late.
 std::vector<StateIndices> knotsOf(const std::vector<double>& times) {
   BundleProblem problem = ballSeenAt(times);
-  problem.cameras[1].offsetFree = true;
-  problem.cameras[0].poseFixed = problem.cameras[1].poseFixed = true;
+  problem.cameras[1].isTimeOffsetFree = true;
+  problem.cameras[0].isPoseFixed = problem.cameras[1].isPoseFixed = true;
   const auto start = initializeBundle(problem);
   EXPECT_TRUE(start);
   std::vector<StateIndices> knots;
@@ -184,16 +184,16 @@ TEST(BundleStart, APathIsNotFollowedThroughALongGap) {
 // the other one saw.
 TEST(BundleStart, WhatLosesItsSupportIsDroppedRoundAfterRound) {
   BundleProblem problem = ballSeenAt({0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 1.0, 1.1});
-  problem.cameras[1].offsetFree = true;
+  problem.cameras[1].isTimeOffsetFree = true;
   const auto start = initializeBundle(problem);
-  ASSERT_TRUE(start) << sentence(start.error());
+  ASSERT_TRUE(start) << errorSentence(start.error());
   for (const std::size_t state : {6U, 7U}) {
-    EXPECT_FALSE(start->stateUsed[state]);
-    EXPECT_FALSE(start->observationUsed[indexOf(problem, state, 0)]);
-    EXPECT_FALSE(start->observationUsed[indexOf(problem, state, 1)]);
+    EXPECT_FALSE(start->isStateUsed[state]);
+    EXPECT_FALSE(start->isObservationUsed[indexOf(problem, state, 0)]);
+    EXPECT_FALSE(start->isObservationUsed[indexOf(problem, state, 1)]);
   }
-  EXPECT_EQ(std::ranges::count(start->stateUsed, true), 6);
-  EXPECT_EQ(std::ranges::count(start->observationUsed, true), 12);
+  EXPECT_EQ(std::ranges::count(start->isStateUsed, true), 6);
+  EXPECT_EQ(std::ranges::count(start->isObservationUsed, true), 12);
 }
 
 TEST(BundleStart, SenselessNumbersAreRefused) {
@@ -213,7 +213,7 @@ TEST(BundleStart, SenselessNumbersAreRefused) {
   EXPECT_EQ(fieldOf([](auto& p) { p.observations[0].point = 1; }), "observations");
   EXPECT_EQ(fieldOf([&](auto& p) { p.observations[0].pixel.x() = nan; }), "observations");
   EXPECT_EQ(fieldOf([](auto& p) { p.observations[0].sigma = 0.0; }), "observations");
-  EXPECT_EQ(fieldOf([&](auto& p) { p.observations[0].lag = nan; }), "observations");
+  EXPECT_EQ(fieldOf([&](auto& p) { p.observations[0].timeAfterState = nan; }), "observations");
 }
 
 } // namespace

@@ -36,7 +36,7 @@ void expectPixelsMove(const Camera& before, const Camera& after,
 TEST(CalibrationAdaptation, ACropShiftsThePrincipalPointByHalfTheDifference) {
   const Camera before = calibrated(1920, 1088);
   const auto after = fittedToSize(before, 1900, 1080, SizeFit::Crop);
-  ASSERT_TRUE(after) << sentence(after.error());
+  ASSERT_TRUE(after) << errorSentence(after.error());
   EXPECT_EQ(after->intrinsics.width, 1900);
   EXPECT_EQ(after->intrinsics.height, 1080);
   expectPixelsMove(before, *after, [](const Eigen::Vector2d& pixel) {
@@ -49,7 +49,7 @@ TEST(CalibrationAdaptation, ACropShiftsThePrincipalPointByHalfTheDifference) {
 TEST(CalibrationAdaptation, ATrimmedImageKeepsItsPixels) {
   const Camera before = calibrated(1920, 1088);
   const auto after = fittedToSize(before, 1920, 1080, SizeFit::Trim);
-  ASSERT_TRUE(after) << sentence(after.error());
+  ASSERT_TRUE(after) << errorSentence(after.error());
   EXPECT_EQ(after->intrinsics.height, 1080);
   expectPixelsMove(before, *after, [](const Eigen::Vector2d& pixel) { return pixel; });
 }
@@ -57,7 +57,7 @@ TEST(CalibrationAdaptation, ATrimmedImageKeepsItsPixels) {
 TEST(CalibrationAdaptation, ScalingKeepsTheEdgesOfTheImage) {
   const Camera before = calibrated(1920, 1088);
   const auto after = fittedToSize(before, 960, 272, SizeFit::Scale);
-  ASSERT_TRUE(after) << sentence(after.error());
+  ASSERT_TRUE(after) << errorSentence(after.error());
   expectPixelsMove(before, *after, [](const Eigen::Vector2d& pixel) {
     return Eigen::Vector2d((pixel.x() + 0.5) / 2.0 - 0.5, (pixel.y() + 0.5) / 4.0 - 0.5);
   });
@@ -68,7 +68,7 @@ TEST(CalibrationAdaptation, ARotationTurnsThePoseToo) {
   for (const auto& [fit, degrees] :
        {std::pair(SizeFit::Rotate90, 90), std::pair(SizeFit::Rotate270, 270)}) {
     const auto after = fittedToSize(before, 1080, 1920, fit);
-    ASSERT_TRUE(after) << sentence(after.error());
+    ASSERT_TRUE(after) << errorSentence(after.error());
     EXPECT_EQ(after->intrinsics.width, 1080);
     EXPECT_LT((after->center() - before.center()).norm(), 1e-12);
     expectPixelsMove(before, *after, [degrees = degrees](const Eigen::Vector2d& pixel) {
@@ -91,7 +91,7 @@ TEST(CalibrationAdaptation, FitsHaveNames) {
 
 TEST(CalibrationAdaptation, CamerasGetOtherNames) {
   const auto names = parseCameraRenaming({"left=camera 2", "camera 2=camera 1"});
-  ASSERT_TRUE(names) << sentence(names.error());
+  ASSERT_TRUE(names) << errorSentence(names.error());
   CameraRig rig(3);
   for (std::size_t k = 0; k < rig.size(); ++k) {
     rig[k].name = "camera " + std::to_string(k + 1);

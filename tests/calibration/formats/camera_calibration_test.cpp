@@ -33,7 +33,7 @@ Error errorOfCamera(const std::string& from, const std::string& to) {
 
 TEST(CameraCalibration, ReadsEveryKey) {
   const auto camera = parse(std::string(kGood) + "unit = 0.03\nname = \"left\"\n");
-  ASSERT_TRUE(camera) << sentence(camera.error());
+  ASSERT_TRUE(camera) << errorSentence(camera.error());
   EXPECT_EQ(camera->name, "left");
   EXPECT_EQ(camera->intrinsics.width, 640);
   EXPECT_EQ(camera->intrinsics.focalY, 510.0);
@@ -52,7 +52,7 @@ TEST(CameraCalibration, ARodriguesVectorIsTheSameRotation) {
   const double quarter = std::numbers::pi / 2; // about +Z: the matrix above
   const auto camera =
       parse(kGood, "[[0, -1, 0], [1, 0, 0], [0, 0, 1]]", "[0, 0, " + std::to_string(quarter) + "]");
-  ASSERT_TRUE(camera) << sentence(camera.error());
+  ASSERT_TRUE(camera) << errorSentence(camera.error());
   EXPECT_TRUE(camera->cameraFromWorld.linear().isApprox(parse(kGood)->cameraFromWorld.linear(),
                                                         1e-6)); // std::to_string gives 6 digits
 }
@@ -79,7 +79,7 @@ TEST(CalibrationFile, ComesBackAsItWas) {
   const auto file = std::filesystem::path(testing::TempDir()) / "calibration_round_trip.toml";
   ASSERT_TRUE(saveCalibration({camera, camera}, file));
   const auto rig = loadCalibration(file);
-  ASSERT_TRUE(rig) << sentence(rig.error());
+  ASSERT_TRUE(rig) << errorSentence(rig.error());
   ASSERT_EQ(rig->size(), 2U);
   EXPECT_EQ(rig->front().name, camera.name);
   EXPECT_EQ(rig->front().distortion, camera.distortion);

@@ -41,7 +41,7 @@ CalibrationOutput target(const CalibrationFormat& format) {
   if (format.layout != FileLayout::FilePerCamera) {
     result.path += format.extension;
   }
-  result.replace = true;
+  result.replacesExisting = true;
   return result;
 }
 
@@ -51,12 +51,12 @@ TEST(ConvertCalibration, LosesNothingWhereTheModelsAgree) {
       continue;
     }
     const auto conversion = writeCalibration(plainRig(), target(format));
-    ASSERT_TRUE(conversion) << format.name << ": " << sentence(conversion.error());
+    ASSERT_TRUE(conversion) << format.name << ": " << errorSentence(conversion.error());
     ASSERT_EQ(conversion->cameras.size(), 2U);
-    EXPECT_LT(conversion->largestPixels, 1e-6) << format.name;
+    EXPECT_LT(conversion->maxDifferencePx, 1e-6) << format.name;
     for (const auto& camera : conversion->cameras) {
-      EXPECT_FALSE(camera.refitted);
-      EXPECT_EQ(camera.lostDirections, 0);
+      EXPECT_FALSE(camera.isRefitted);
+      EXPECT_EQ(camera.lostDirectionCount, 0);
     }
     EXPECT_FALSE(conversion->decisions.empty());
   }
@@ -71,11 +71,11 @@ TEST(ConvertCalibration, GoesThereAndBackThroughEveryFormat) {
     const auto there = target(format);
     ASSERT_TRUE(writeCalibration(rig, there)) << format.name;
     CalibrationHints hints;
-    if (!format.unit) {
-      hints.unit = format.defaultUnit;
+    if (!format.metersPerUnit) {
+      hints.metersPerUnit = format.defaultMetersPerUnit;
     }
     const auto back = readCalibration(there.path, hints);
-    ASSERT_TRUE(back) << format.name << ": " << sentence(back.error());
+    ASSERT_TRUE(back) << format.name << ": " << errorSentence(back.error());
     ASSERT_EQ(back->rig.size(), 2U) << format.name;
     for (std::size_t k = 0; k < 2; ++k) {
       EXPECT_TRUE(back->rig[k].cameraFromWorld.isApprox(rig[k].cameraFromWorld, 1e-9))
@@ -86,22 +86,22 @@ TEST(ConvertCalibration, GoesThereAndBackThroughEveryFormat) {
 
 TEST(ConvertCalibration, RenamesAndFitsOnTheWay) {
   const CameraRig rig = plainRig();
-  const auto in = target(**calibrationFormat("dewpoint"));
+  const auto in = target(**findCalibrationFormat("dewpoint"));
   ASSERT_TRUE(writeCalibration(rig, in));
-  auto out = target(**calibrationFormat("anipose"));
-  out.unit = 1.0;
+  auto out = target(**findCalibrationFormat("anipose"));
+  out.metersPerUnit = 1.0;
   CalibrationChanges changes;
   changes.adaptation = {{{"renamed", rig[1].name}}, SizeFit::Scale};
   const auto& intrinsics = rig[1].intrinsics;
   changes.size = {2 * intrinsics.width, 2 * intrinsics.height};
   const auto conversion = convertCalibration(in.path, {}, out, changes);
-  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  ASSERT_TRUE(conversion) << errorSentence(conversion.error());
   const auto back = readCalibration(out.path, [] {
     CalibrationHints hints;
-    hints.unit = 1.0;
+    hints.metersPerUnit = 1.0;
     return hints;
   }());
-  ASSERT_TRUE(back) << sentence(back.error());
+  ASSERT_TRUE(back) << errorSentence(back.error());
   EXPECT_EQ(back->rig[0].name, rig[0].name);
   EXPECT_EQ(back->rig[1].name, "renamed");
   EXPECT_NEAR(back->rig[1].intrinsics.focalX, 2.0 * intrinsics.focalX, 1e-6);
@@ -110,16 +110,16 @@ TEST(ConvertCalibration, RenamesAndFitsOnTheWay) {
 
 TEST(ConvertCalibration, NamesCamerasOfOnePose) {
   CameraRig rig = plainRig();
-  const auto in = target(**calibrationFormat("dewpoint"));
+  const auto in = target(**findCalibrationFormat("dewpoint"));
   ASSERT_TRUE(writeCalibration(rig, in));
-  const auto out = target(**calibrationFormat("anipose"));
+  const auto out = target(**findCalibrationFormat("anipose"));
   auto conversion = convertCalibration(in.path, {}, out);
-  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  ASSERT_TRUE(conversion) << errorSentence(conversion.error());
   EXPECT_TRUE(conversion->notices.empty());
   rig[1].cameraFromWorld = rig[0].cameraFromWorld;
   ASSERT_TRUE(writeCalibration(rig, in));
   conversion = convertCalibration(in.path, {}, out);
-  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  ASSERT_TRUE(conversion) << errorSentence(conversion.error());
   ASSERT_EQ(conversion->notices.size(), 1U);
   EXPECT_NE(
       conversion->notices.front().find(rig[0].name + " and " + rig[1].name + " have the same pose"),
@@ -133,20 +133,20 @@ TEST(ConvertCalibration, RefitsALensThatTheFormatCannotHoldAndSaysTheLoss) {
   // scipy.optimize.least_squares over the same pixels leaves 8.969 and 0.549 px with k1 k2 p1 p2,
   // both in a corner.
   for (const char* name : {"pose2sim", "kalibr"}) {
-    const auto conversion = writeCalibration(rig, target(**calibrationFormat(name)));
-    ASSERT_TRUE(conversion) << sentence(conversion.error());
-    EXPECT_NEAR(conversion->cameras[0].largestPixels, 8.969, 1e-3) << name;
-    EXPECT_NEAR(conversion->cameras[1].largestPixels, 0.549, 1e-3) << name;
-    EXPECT_TRUE(conversion->cameras[0].refitted && conversion->cameras[1].refitted);
+    const auto conversion = writeCalibration(rig, target(**findCalibrationFormat(name)));
+    ASSERT_TRUE(conversion) << errorSentence(conversion.error());
+    EXPECT_NEAR(conversion->cameras[0].maxDifferencePx, 8.969, 1e-3) << name;
+    EXPECT_NEAR(conversion->cameras[1].maxDifferencePx, 0.549, 1e-3) << name;
+    EXPECT_TRUE(conversion->cameras[0].isRefitted && conversion->cameras[1].isRefitted);
   }
   for (const char* name : {"anipose", "qualisys"}) { // these know k3
-    const auto conversion = writeCalibration(rig, target(**calibrationFormat(name)));
-    ASSERT_TRUE(conversion) << sentence(conversion.error());
-    EXPECT_LT(conversion->cameras[0].largestPixels, 1e-6) << name;
-    EXPECT_TRUE(conversion->cameras[1].refitted) << name;
-    EXPECT_LT(conversion->cameras[1].largestPixels, 0.549) << name;
+    const auto conversion = writeCalibration(rig, target(**findCalibrationFormat(name)));
+    ASSERT_TRUE(conversion) << errorSentence(conversion.error());
+    EXPECT_LT(conversion->cameras[0].maxDifferencePx, 1e-6) << name;
+    EXPECT_TRUE(conversion->cameras[1].isRefitted) << name;
+    EXPECT_LT(conversion->cameras[1].maxDifferencePx, 0.549) << name;
   }
-  EXPECT_EQ(writeCalibration(rig, target(**calibrationFormat("mrcal")))->cameras[0].refitted,
+  EXPECT_EQ(writeCalibration(rig, target(**findCalibrationFormat("mrcal")))->cameras[0].isRefitted,
             false);
 }
 
@@ -154,13 +154,13 @@ TEST(LensRefit, IsMuchBetterThanDroppingTheCoefficient) {
   Camera camera = plainRig()[0];
   camera.distortion[4] = -0.05;
   const LensRefit refit = refitLens(camera, {4, false});
-  ASSERT_TRUE(refit.refitted);
+  ASSERT_TRUE(refit.isRefitted);
   EXPECT_EQ(refit.camera.distortion[4], 0.0);
   Camera cut = camera; // k3 simply dropped
   cut.distortion[4] = 0.0;
-  const double dropped = difference(camera, cut, Eigen::Isometry3d::Identity()).largestPixels;
-  EXPECT_LT(refit.largestPixels, 0.1 * dropped);
-  EXPECT_LT(refit.rootMeanSquarePixels, refit.largestPixels);
+  const double dropped = compareCameras(camera, cut, Eigen::Isometry3d::Identity()).maxDifferencePx;
+  EXPECT_LT(refit.maxDifferencePx, 0.1 * dropped);
+  EXPECT_LT(refit.rmsDifferencePx, refit.maxDifferencePx);
 }
 
 TEST(LensRefit, AMildFisheyeFitsAPinholeOfEight) {
@@ -168,36 +168,36 @@ TEST(LensRefit, AMildFisheyeFitsAPinholeOfEight) {
                                        LensModel::Fisheye); // 35 degrees to the corner
   const LensRefit refit = refitLens(camera, {8, false});
   EXPECT_EQ(refit.camera.lens, LensModel::Pinhole);
-  EXPECT_LT(refit.largestPixels, 0.01);
+  EXPECT_LT(refit.maxDifferencePx, 0.01);
 }
 
 TEST(ConvertCalibration, AnAskedUnitIsWritten) {
-  auto wanted = target(**calibrationFormat("anipose"));
-  wanted.unit = 0.01;
+  auto wanted = target(**findCalibrationFormat("anipose"));
+  wanted.metersPerUnit = 0.01;
   const auto conversion = writeCalibration(plainRig(), wanted);
   ASSERT_TRUE(conversion);
-  EXPECT_LT(conversion->largestPixels, 1e-6);
-  wanted = target(**calibrationFormat("kalibr"));
-  wanted.unit = 0.001;
+  EXPECT_LT(conversion->maxDifferencePx, 1e-6);
+  wanted = target(**findCalibrationFormat("kalibr"));
+  wanted.metersPerUnit = 0.001;
   EXPECT_EQ(writeCalibration(plainRig(), wanted).error().field, "unit");
 }
 
 TEST(ConvertCalibration, RefusesWhatTheFormatCannotHold) {
   CameraRig rig = plainRig();
   rig.push_back(rig.front());
-  EXPECT_EQ(writeCalibration(rig, target(**calibrationFormat("opencv-stereo"))).error().code,
+  EXPECT_EQ(writeCalibration(rig, target(**findCalibrationFormat("opencv-stereo"))).error().code,
             ErrorCode::Mismatch);
-  EXPECT_FALSE(writeCalibration(rig, target(**calibrationFormat("multical"))));
-  auto wanted = target(**calibrationFormat("mrcal"));
+  EXPECT_FALSE(writeCalibration(rig, target(**findCalibrationFormat("multical"))));
+  auto wanted = target(**findCalibrationFormat("mrcal"));
   wanted.path = ownFolder() / "unasked";
   std::filesystem::remove_all(wanted.path);
-  wanted.replace = false;
+  wanted.replacesExisting = false;
   ASSERT_TRUE(writeCalibration(plainRig(), wanted));
   EXPECT_EQ(writeCalibration(plainRig(), wanted).error().code, ErrorCode::FileUnwritable);
 }
 
 TEST(ConvertCalibration, OpenCvReadsWhatIsWrittenForIt) {
-  const auto wanted = target(**calibrationFormat("opencv-stereo"));
+  const auto wanted = target(**findCalibrationFormat("opencv-stereo"));
   ASSERT_TRUE(writeCalibration(plainRig(), wanted));
   const cv::FileStorage inner(wanted.path.string(), cv::FileStorage::READ);
   ASSERT_TRUE(inner.isOpened());
@@ -216,13 +216,14 @@ TEST(ConvertCalibration, MrcalProjectsTheSameFromOurFile) {
   }
   CameraRig rig = plainRig();
   rig[0].distortion = {0.4, -0.1, 0.001, -0.0005, 0.01, 0.35, -0.02, 0.004};
-  auto wanted = target(**calibrationFormat("mrcal"));
+  auto wanted = target(**findCalibrationFormat("mrcal"));
   const auto conversion = writeCalibration(rig, wanted);
-  ASSERT_TRUE(conversion) << sentence(conversion.error());
+  ASSERT_TRUE(conversion) << errorSentence(conversion.error());
   const auto answer = wanted.path / "answer.txt";
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string program =
-        "import mrcal, numpy as np; m = mrcal.cameramodel('" + conversion->written[k].string() +
+        "import mrcal, numpy as np; m = mrcal.cameramodel('" +
+        conversion->writtenFiles[k].string() +
         "'); p = mrcal.transform_point_rt(m.extrinsics_rt_fromref(), np.array([0.3, -0.2, 0.7])); "
         "print('%.12f %.12f' % tuple(mrcal.project(p, *m.intrinsics())))";
     ASSERT_EQ(std::system(("/usr/bin/python3 -c \"" + program + "\" > " + answer.string()).c_str()),

@@ -27,7 +27,7 @@ struct Golden {
 
 CalibrationHints unit(double meters) {
   CalibrationHints hints;
-  hints.unit = meters;
+  hints.metersPerUnit = meters;
   return hints;
 }
 
@@ -84,7 +84,7 @@ TEST(FormatGolden, EveryFilePutsItsPointsWhereItsToolDoes) {
   std::map<std::string, ParsedCalibration> read;
   for (const auto& [file, golden] : kFiles) {
     auto calibration = readCalibration(kGolden / file, golden.hints);
-    ASSERT_TRUE(calibration) << sentence(calibration.error());
+    ASSERT_TRUE(calibration) << errorSentence(calibration.error());
     EXPECT_EQ(calibration->format, golden.format) << file;
     EXPECT_FALSE(calibration->decisions.empty());
     read[file] = *calibration;
@@ -111,7 +111,7 @@ TEST(FormatGolden, TheTwoFilesOfAPairAreOneFolder) {
                                std::filesystem::copy_options::overwrite_existing);
   }
   const auto folderRead = readCalibration(folder, stereo());
-  ASSERT_TRUE(folderRead) << sentence(folderRead.error());
+  ASSERT_TRUE(folderRead) << errorSentence(folderRead.error());
   EXPECT_EQ(folderRead->format, "opencv-stereo");
   EXPECT_EQ(folderRead->rig, readCalibration(kGolden / "intrinsics.yml", stereo())->rig);
   for (const char* name : {"more_intrinsics.yml", "more_extrinsics.yml"}) {
@@ -142,8 +142,8 @@ Error errorOfGolden(const std::string& file, const std::string& from, const std:
 }
 
 void expectSentence(const Error& error, const std::string& field, const std::string& words) {
-  EXPECT_EQ(error.field, field) << sentence(error);
-  EXPECT_NE(error.detail.find(words), std::string::npos) << sentence(error);
+  EXPECT_EQ(error.field, field) << errorSentence(error);
+  EXPECT_NE(error.detail.find(words), std::string::npos) << errorSentence(error);
 }
 
 /// The error of a golden file as it is.
@@ -199,7 +199,7 @@ TEST(FormatGolden, PosesTheWrongWayRoundAreSuspected) {
   CalibrationHints hints;
   hints.posesAreWorldFromCamera = true;
   const auto rotated = readCalibration(file, hints);
-  ASSERT_TRUE(rotated) << sentence(rotated.error());
+  ASSERT_TRUE(rotated) << errorSentence(rotated.error());
   hints.posesAreWorldFromCamera = false; // a person may know better
   EXPECT_TRUE(readCalibration(file, hints));
 }

@@ -22,7 +22,7 @@ Result<ParsedCalibration> readText(const std::string& name, const std::string& t
 
 CalibrationHints inMeters() {
   CalibrationHints hints;
-  hints.unit = 1.0;
+  hints.metersPerUnit = 1.0;
   return hints;
 }
 
@@ -47,7 +47,7 @@ TEST(FormatPlain, ReadsCamerasByName) {
   "dist_coeffs": [[-0.1, 0, 0, 0, 0]], "rvec": [[1.5707963267948966], [0], [0]],
   "tvec": [[0], [0], [2]]}})",
                              inMeters());
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   EXPECT_EQ(read->format, "plain");
   ASSERT_EQ(read->rig.size(), 2U);
   expectTheCamera(read->rig[0], "left");
@@ -69,7 +69,7 @@ cameras:
     rotation: [1.5707963267948966, 0, 0]
     translation: [0, 0, 2000]
 )");
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   ASSERT_EQ(read->rig.size(), 2U);
   expectTheCamera(read->rig[0], "a");
   expectTheCamera(read->rig[1], "camera 2"); // its matrix is written column by column
@@ -102,7 +102,7 @@ T: !!opencv-matrix
    data: [ 0., 0., 2. ]
 )",
                              inMeters());
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   EXPECT_EQ(read->format, "plain");
   expectTheCamera(read->rig.front(), "front");
 }
@@ -116,7 +116,7 @@ TEST(FormatPlain, ReadsAFolderWithAFilePerCamera) {
     std::ofstream(folder / name) << text;
   }
   const auto read = readCalibration(folder, inMeters());
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   ASSERT_EQ(read->rig.size(), 2U);
   expectTheCamera(read->rig[1], "cam2");
 }
@@ -137,7 +137,7 @@ TEST(FormatPlain, NoFileOfAFolderDecidesTheUnitOfAnother) {
   EXPECT_EQ(read.error().field, "cam2.json: unit");
   EXPECT_NE(read.error().detail.find("--unit"), std::string::npos) << read.error().detail;
   const auto asked = readCalibration(folder, inMeters());
-  ASSERT_TRUE(asked) << sentence(asked.error());
+  ASSERT_TRUE(asked) << errorSentence(asked.error());
   expectTheCamera(asked->rig[0], "cam1");
   expectTheCamera(asked->rig[1], "cam2");
   EXPECT_NE(
@@ -155,23 +155,23 @@ TEST(FormatPlain, AsksForWhatIsMissing) {
   CalibrationHints hints = inMeters();
   auto read = readText("a.json", matrix + pose + "}", hints);
   ASSERT_FALSE(read);
-  EXPECT_NE(read.error().detail.find("--size"), std::string::npos) << sentence(read.error());
+  EXPECT_NE(read.error().detail.find("--size"), std::string::npos) << errorSentence(read.error());
   hints.size = {640, 480};
   EXPECT_TRUE(readText("a.json", matrix + pose + "}", hints));
 
   const std::string four = matrix + pose + R"(, "dist": [0.1, 0, 0, 0]})";
   read = readText("b.json", four, hints);
   ASSERT_FALSE(read);
-  EXPECT_NE(read.error().detail.find("--lens"), std::string::npos) << sentence(read.error());
+  EXPECT_NE(read.error().detail.find("--lens"), std::string::npos) << errorSentence(read.error());
   hints.lens = LensModel::Fisheye;
   read = readText("b.json", four, hints);
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   EXPECT_EQ(read->rig.front().lens, LensModel::Fisheye);
 
-  hints.unit.reset();
+  hints.metersPerUnit.reset();
   read = readText("c.json", matrix + pose + "}", hints);
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().field, "unit") << sentence(read.error());
+  EXPECT_EQ(read.error().field, "unit") << errorSentence(read.error());
 }
 
 TEST(FormatPlain, NamesTheFieldThatIsWrong) {
@@ -179,10 +179,10 @@ TEST(FormatPlain, NamesTheFieldThatIsWrong) {
 "K": [500, 0, 320, 0, 510, 240, 0, 0, 1], )";
   auto read = readText("a.json", start + R"("R": [1, 0, 0, 0, 1, 0, 0, 0, 1]}})", inMeters());
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().field, "front.t") << sentence(read.error());
+  EXPECT_EQ(read.error().field, "front.t") << errorSentence(read.error());
   read = readText("a.json", start + R"("R": [1, 0, 0], "t": [0, 0]}})", inMeters());
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().field, "front.t") << sentence(read.error());
+  EXPECT_EQ(read.error().field, "front.t") << errorSentence(read.error());
   read = readText("a.json", start + R"("R": [1, 0, 0, 0, 1, 0, 0, 0, -1], "t": [0, 0, 1]}})",
                   inMeters());
   ASSERT_FALSE(read);

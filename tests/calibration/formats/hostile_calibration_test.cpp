@@ -57,7 +57,7 @@ protected:
     hints.size = {1280, 720};
     auto calibration = readCalibration(file, hints);
     if (!calibration && calibration.error().field == "unit") {
-      hints.unit = 0.001;
+      hints.metersPerUnit = 0.001;
       calibration = readCalibration(file, hints);
     }
     return calibration;
@@ -65,7 +65,7 @@ protected:
   /// What is wrong; empty: nothing.
   std::string problemOf(const std::string& name, const std::string& text) {
     const auto calibration = read(name, text);
-    const std::string sentence = calibration ? "" : base::sentence(calibration.error());
+    const std::string sentence = calibration ? "" : base::errorSentence(calibration.error());
     EXPECT_EQ(sentence.find('\n'), std::string::npos);
     const std::string start = (folder_ / name).string() + ": ";
     return sentence.starts_with(start) ? sentence.substr(start.size()) : sentence;
@@ -78,7 +78,7 @@ TEST_F(HostileCalibration, NumbersThatAreNotFiniteAreInNoCamera) {
   for (const Sample& sample : kSamples) {
     const std::string whole = textOf(sample);
     const auto good = read(sample.file, whole, sample.format);
-    ASSERT_TRUE(good) << sample.format << ": " << base::sentence(good.error());
+    ASSERT_TRUE(good) << sample.format << ": " << base::errorSentence(good.error());
     for (const NumberPlace& place : numberPlaces(whole)) {
       for (const char* number : {"nan", "1e308"}) {
         std::string text = whole;
@@ -116,8 +116,8 @@ TEST_F(HostileCalibration, OfWindowsIsTheSame) {
     const std::string text = textOf(sample);
     const auto calibration = read(sample.file, text);
     const auto same = read(sample.file, asOfWindows(text));
-    ASSERT_TRUE(calibration) << sample.format << ": " << base::sentence(calibration.error());
-    ASSERT_TRUE(same) << sample.format << ": " << base::sentence(same.error());
+    ASSERT_TRUE(calibration) << sample.format << ": " << base::errorSentence(calibration.error());
+    ASSERT_TRUE(same) << sample.format << ": " << base::errorSentence(same.error());
     EXPECT_EQ(same->rig, calibration->rig) << sample.format;
   }
 }

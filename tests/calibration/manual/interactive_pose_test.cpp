@@ -64,7 +64,7 @@ TEST_P(Drags, ThePointFollowsHeldPointsStayAndTheWayBackLeadsBack) {
     const Eigen::Vector2d from = dragged.pixel;
     dragged.pixel += Eigen::Vector2d(draw.between(-30, 30), draw.between(-30, 30));
     for (const DragMode mode : {DragMode::Turn, DragMode::Slide}) {
-      const Drag drag = dragPoint(camera, held, dragged, {mode, false});
+      const DragResult drag = dragPoint(camera, held, dragged, {mode, false});
       for (const ImageAnchor& anchor : held) {
         EXPECT_LT(missAt(drag.camera, anchor), 1e-6) << "seed " << seed;
       }
@@ -72,8 +72,8 @@ TEST_P(Drags, ThePointFollowsHeldPointsStayAndTheWayBackLeadsBack) {
         continue; // points too near to each other: said, and nothing jumped
       }
       ++reached;
-      EXPECT_LT(drag.miss, 1e-6) << "seed " << seed;
-      const Drag back = dragPoint(drag.camera, held, {dragged.world, from}, {mode, false});
+      EXPECT_LT(drag.missPx, 1e-6) << "seed " << seed;
+      const DragResult back = dragPoint(drag.camera, held, {dragged.world, from}, {mode, false});
       const bool isUnique = heldCount != 1 || mode == DragMode::Turn;
       if (back.limit == DragLimit::None && isUnique) {
         EXPECT_LT(poseDifference(back.camera, camera), 1e-6) << "seed " << seed;
@@ -101,7 +101,7 @@ TEST(InteractivePose, ASmallDragIsASmallChangeEverywhere) {
     Camera before = start;
     for (int k = 0; k < 60; ++k) {
       dragged.pixel += Eigen::Vector2d(1.0, 0.4);
-      const Drag drag = dragPoint(start, held, dragged, {});
+      const DragResult drag = dragPoint(start, held, dragged, {});
       EXPECT_LT(poseDifference(drag.camera, before), 0.6) << "seed " << seed << " step " << k;
       before = drag.camera;
     }
@@ -112,7 +112,7 @@ TEST(InteractivePose, ADragBackToItsBeginningChangesNothing) {
   Draw draw(3);
   const Camera camera = someCamera(draw, true);
   const std::vector<ImageAnchor> held{seenBy(camera, draw.point()), seenBy(camera, draw.point())};
-  const Drag drag = dragPoint(camera, held, seenBy(camera, draw.point()), {});
+  const DragResult drag = dragPoint(camera, held, seenBy(camera, draw.point()), {});
   EXPECT_TRUE(drag.camera == camera) << "to the bit";
 }
 
@@ -122,7 +122,7 @@ TEST(InteractivePose, OneHeldPointRollsAndMovesAlongItsRay) {
   const ImageAnchor held = seenBy(camera, {0.2, 0.1, 0.3});
   ImageAnchor dragged = seenBy(camera, {-0.5, 0.4, 0.0});
   dragged.pixel += Eigen::Vector2d(14.0, -9.0);
-  const Drag drag = dragPoint(camera, {held}, dragged, {});
+  const DragResult drag = dragPoint(camera, {held}, dragged, {});
   ASSERT_EQ(drag.limit, DragLimit::None);
   const Eigen::Vector3d ray = (held.world - camera.center()).normalized();
   const Eigen::Vector3d moved = drag.camera.center() - camera.center();
@@ -141,11 +141,11 @@ TEST(InteractivePose, ThreeHeldPointsLeaveTheFocalLengthOnly) {
     dragged.pixel += Eigen::Vector2d(6.0, 4.0);
     EXPECT_EQ(dragPoint(camera, held, dragged, {}).limit, DragLimit::Fixed);
     EXPECT_TRUE(dragPoint(camera, held, dragged, {}).camera == camera);
-    const Drag drag = dragPoint(camera, held, dragged, {DragMode::Turn, true});
+    const DragResult drag = dragPoint(camera, held, dragged, {DragMode::Turn, true});
     for (const ImageAnchor& anchor : held) {
       EXPECT_LT(missAt(drag.camera, anchor), 1e-6) << "seed " << seed;
     }
-    EXPECT_LT(drag.miss, Eigen::Vector2d(6.0, 4.0).norm() + 1e-9) << "seed " << seed;
+    EXPECT_LT(drag.missPx, Eigen::Vector2d(6.0, 4.0).norm() + 1e-9) << "seed " << seed;
     nearer += drag.camera.intrinsics.focalX != camera.intrinsics.focalX ? 1 : 0;
   }
   EXPECT_GE(nearer, 15);
@@ -158,7 +158,7 @@ TEST(InteractivePose, RefusesWithAReason) {
   // The dragged point behind the held one, on its ray: nothing that holds one moves the other.
   ImageAnchor behind = seenBy(camera, held.world + 0.4 * (held.world - camera.center()));
   behind.pixel.x() += 20.0;
-  const Drag same = dragPoint(camera, {held}, behind, {});
+  const DragResult same = dragPoint(camera, {held}, behind, {});
   EXPECT_NE(same.limit, DragLimit::None);
   EXPECT_LT(poseDifference(same.camera, camera), 1e-3);
   const ImageAnchor unseen{camera.center() - camera.opticalAxis(), {100.0, 100.0}};
@@ -169,10 +169,10 @@ TEST(InteractivePose, RefusesWithAReason) {
   const ImageAnchor other = seenBy(camera, {0.8, 0.3, 0.0});
   ImageAnchor far = seenBy(camera, {-0.5, 0.2, 0.4});
   far.pixel = {630.0, 5.0};
-  const Drag stopped = dragPoint(camera, {held, other}, far, {});
+  const DragResult stopped = dragPoint(camera, {held, other}, far, {});
   EXPECT_LT(missAt(stopped.camera, held), 1e-6);
   EXPECT_LT(missAt(stopped.camera, other), 1e-6);
-  EXPECT_TRUE(stopped.limit != DragLimit::None || stopped.miss < 1e-6);
+  EXPECT_TRUE(stopped.limit != DragLimit::None || stopped.missPx < 1e-6);
 }
 
 TEST(InteractivePose, DerivativesAreThoseOfTheProjection) {
@@ -253,12 +253,12 @@ TEST(Conversions, AGridSuitsItsRig) {
   Camera camera;
   camera.intrinsics = {640, 480, 500, 500, 319.5, 239.5};
   camera.cameraFromWorld = lookAt({3.0, -3.0, 2.0}, {1.0, 2.0, 0.0});
-  const ReferenceGrid grid = gridFor({camera});
+  const ReferenceGrid grid = referenceGridFor({camera});
   EXPECT_TRUE(checkGrid(grid));
   // 5.7 m away: half a meter from line to line, around (1, 2).
   EXPECT_EQ(grid.step, 0.5);
   EXPECT_LT((grid.center() - Eigen::Vector3d(1.0, 2.0, 0.0)).norm(), 1e-9);
-  EXPECT_EQ(gridFor({}), ReferenceGrid());
+  EXPECT_EQ(referenceGridFor({}), ReferenceGrid());
 }
 
 TEST(Conversions, TargetsAndFocalLengths) {

@@ -72,7 +72,7 @@ TEST(MeasuredPoints, ExactPointsGiveTheCamerasBack) {
       EXPECT_FALSE(solution.cameras[c].proposal) << count;
     }
     EXPECT_LT(solution.rmsPx, 1e-5);
-    EXPECT_FALSE(solution.isWorstWrong);
+    EXPECT_FALSE(solution.isWorstPointWrong);
     EXPECT_EQ(solution.residuals.size(), 2 * count);
   }
 }
@@ -120,24 +120,24 @@ TEST(MeasuredPoints, TheMistypedPointIsNamed) {
   auto points = pointsSeenBy(rig, 8);
   points[5].world.x() += 0.1; // 10 cm: the tape was read wrongly
   const PointSolution solution = solveFromPoints(displaced(rig), points);
-  ASSERT_TRUE(solution.worst);
-  EXPECT_EQ(*solution.worst, 5);
-  EXPECT_TRUE(solution.isWorstWrong);
+  ASSERT_TRUE(solution.worstPoint);
+  EXPECT_EQ(*solution.worstPoint, 5);
+  EXPECT_TRUE(solution.isWorstPointWrong);
   points.erase(points.begin() + 5);
   EXPECT_LT(apart(solveFromPoints(displaced(rig), points).rig[0], rig[0]), 1e-6);
 }
 
 TEST(MeasuredPoints, APointIsElsewhereInFramesInWhichItWasNotClicked) {
   MeasuredPoint point;
-  EXPECT_FALSE(isClickedElsewhere(point, 5)); // not clicked
+  EXPECT_FALSE(isClickedOnlyInOtherFrames(point, 5)); // not clicked
   setClickIn(point, 0, {1.0, 2.0}, 5);
-  EXPECT_FALSE(isClickedElsewhere(point, 5));
-  EXPECT_TRUE(isClickedElsewhere(point, 6));
+  EXPECT_FALSE(isClickedOnlyInOtherFrames(point, 5));
+  EXPECT_TRUE(isClickedOnlyInOtherFrames(point, 6));
   setClickIn(point, 1, {3.0, 4.0}, 6);
-  EXPECT_FALSE(isClickedElsewhere(point, 6)); // in one camera
-  EXPECT_TRUE(isClickedElsewhere(point, 7));
+  EXPECT_FALSE(isClickedOnlyInOtherFrames(point, 6)); // in one camera
+  EXPECT_TRUE(isClickedOnlyInOtherFrames(point, 7));
   setClickIn(point, 1, {3.0, 4.0}); // nobody knows
-  EXPECT_FALSE(isClickedElsewhere(point, 7));
+  EXPECT_FALSE(isClickedOnlyInOtherFrames(point, 7));
 }
 
 TEST(MeasuredPoints, TapeErrorsDoNotShakeTheCameras) {
@@ -151,7 +151,7 @@ TEST(MeasuredPoints, TapeErrorsDoNotShakeTheCameras) {
   // 3 mm on 8 points around the middle: some millimeters at the cameras, 3.5 m away.
   EXPECT_LT(apart(solution.rig[0], rig[0]), 0.03);
   EXPECT_LT(solution.rmsPx, 2.0);
-  EXPECT_FALSE(solution.isWorstWrong);
+  EXPECT_FALSE(solution.isWorstPointWrong);
 }
 
 TEST(MeasuredPoints, WhatIsNotEnoughIsNamed) {
@@ -159,7 +159,7 @@ TEST(MeasuredPoints, WhatIsNotEnoughIsNamed) {
   const auto few = solveFromPoints(displaced(rig), pointsSeenBy(rig, 3));
   EXPECT_EQ(few.cameras.at(0).status, PoseStatus::TooFew);
   EXPECT_TRUE(few.rig == displaced(rig)) << "it stays as it was";
-  EXPECT_FALSE(few.anySolved());
+  EXPECT_FALSE(few.hasSolvedCamera());
   const auto least = solveFromPoints(displaced(rig), pointsSeenBy(rig, kFewestPointsOfPose));
   EXPECT_NE(least.cameras.at(0).status, PoseStatus::TooFew);
   std::vector<MeasuredPoint> line;

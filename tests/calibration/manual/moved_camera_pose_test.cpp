@@ -48,7 +48,7 @@ double angleBetween(const Camera& a, const Camera& b) {
 TEST(EstimateMovedPose, WithoutSightingsTurnsTheCamera) {
   const Eigen::Vector3d turn(0.01, -0.02, 0.005);
   const auto moved = estimateMovedPose(camera(), {.turn = turn}, {});
-  ASSERT_TRUE(moved) << sentence(moved.error());
+  ASSERT_TRUE(moved) << errorSentence(moved.error());
   EXPECT_LT(angleBetween(moved->camera, rotatedCamera(camera(), turn)), 1e-9);
   EXPECT_LT((moved->camera.center() - camera().center()).norm(), 1e-9);
 }
@@ -60,9 +60,9 @@ TEST(EstimateMovedPose, FindsTurnAndShiftFromTheTarget) {
   const CameraMotionPrior prior{.turn = Eigen::Vector3d(0.52, -0.75, 0.33) * kDegree};
   const auto seen = sightings(bumped, 300, 0.5);
   const auto moved = estimateMovedPose(camera(), prior, seen);
-  ASSERT_TRUE(moved) << sentence(moved.error());
-  EXPECT_GT(moved->pixelsBefore, 4.0); // 0.94 degrees at 500 px are 8 px
-  EXPECT_LT(moved->pixelsAfter, 0.7);  // the median of a Rayleigh of 0.5 px is 0.59
+  ASSERT_TRUE(moved) << errorSentence(moved.error());
+  EXPECT_GT(moved->medianPxBefore, 4.0); // 0.94 degrees at 500 px are 8 px
+  EXPECT_LT(moved->medianPxAfter, 0.7);  // the median of a Rayleigh of 0.5 px is 0.59
   EXPECT_LT(angleBetween(moved->camera, bumped), 0.05 * kDegree);
   EXPECT_LT((moved->camera.center() - bumped.center()).norm(), 0.003);
   // What is left is what is said to be left: within four sigma.
@@ -78,9 +78,9 @@ TEST(EstimateMovedPose, IsNotFooledByWrongSightings) {
   const auto seen = sightings(bumped, 200, 0.5, 40);
   const auto moved =
       estimateMovedPose(camera(), {.turn = Eigen::Vector3d(0.1, 0.2, 0.0) * kDegree}, seen);
-  ASSERT_TRUE(moved) << sentence(moved.error());
+  ASSERT_TRUE(moved) << errorSentence(moved.error());
   EXPECT_LT(angleBetween(moved->camera, bumped), 0.05 * kDegree);
-  EXPECT_LE(moved->used, 160);
+  EXPECT_LE(moved->usedSightingCount, 160);
 }
 
 TEST(EstimateMovedPose, SaysWhenNoPoseNearbyFits) {

@@ -94,13 +94,13 @@ TEST(CameraPlacement, ASecondCameraLooksAcrossTheFirst) {
   // line through both there is none. Anything between 45 and 135 degrees is near the best.
   const CameraRig rig{at({-2, 0, 1.5})};
   const auto found = placeCamera(rig, lens(), settings());
-  ASSERT_TRUE(found) << sentence(found.error());
+  ASSERT_TRUE(found) << errorSentence(found.error());
   EXPECT_TRUE(onWallOrCeiling(found->camera.center())) << found->camera.center().transpose();
   const double cosine = found->camera.opticalAxis().dot(rig[0].opticalAxis());
   EXPECT_LT(std::abs(cosine), std::cos(std::numbers::pi / 4.0));
-  EXPECT_EQ(found->fractionBefore, 0.0); // one camera triangulates nothing
+  EXPECT_EQ(found->goodFractionBefore, 0.0); // one camera triangulates nothing
   const CameraRig across{rig[0], at({0, -2, 1.5})};
-  EXPECT_GE(found->fractionAfter, fractionWithin(across) - kTwoCells);
+  EXPECT_GE(found->goodFractionAfter, fractionWithin(across) - kTwoCells);
 }
 
 TEST(CameraPlacement, IsNoWorseThanPlacesByHand) {
@@ -112,12 +112,12 @@ TEST(CameraPlacement, IsNoWorseThanPlacesByHand) {
     with.push_back(added);
     return fractionWithin(with);
   };
-  EXPECT_NEAR(share(found->camera), found->fractionAfter, kTwoCells);
-  EXPECT_NEAR(fractionWithin(rig), found->fractionBefore, kTwoCells);
+  EXPECT_NEAR(share(found->camera), found->goodFractionAfter, kTwoCells);
+  EXPECT_NEAR(fractionWithin(rig), found->goodFractionBefore, kTwoCells);
   for (const Eigen::Vector3d& place :
        {Eigen::Vector3d(0, 2, 2), Eigen::Vector3d(2, 2, 2), Eigen::Vector3d(-2, 2, 2),
         Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(0, -2, 1.5)}) {
-    EXPECT_GE(found->fractionAfter, share(at(place)) - 0.02) << place.transpose();
+    EXPECT_GE(found->goodFractionAfter, share(at(place)) - 0.02) << place.transpose();
   }
 }
 
@@ -132,7 +132,8 @@ TEST(CameraPlacement, TheFirstCameraSeesAsMuchAsItCan) {
   ASSERT_TRUE(found);
   RigMapper mapper;
   const RigMap map = mapper.map(gridOver(kRoom, 900), 0.5, {found->camera});
-  const auto seen = double(std::ranges::count(map.counts, 1)) / double(map.counts.size());
+  const auto seen =
+      double(std::ranges::count(map.cameraCounts, 1)) / double(map.cameraCounts.size());
   EXPECT_GT(seen, 0.7); // a corner sees three quarters or so of a box of 4 x 4 x 2 with 90 degrees
 }
 
@@ -184,11 +185,11 @@ TEST(RigMap, GoingOnGivesWhatBeginningAgainDoes) {
   rig[1] = at({2, 0, 2});
   rig[0].name = "called otherwise";
   const RigMap moved = going.map(grid, 0.5, rig);
-  EXPECT_EQ(moved.counts, RigMapper().map(grid, 0.5, rig).counts);
+  EXPECT_EQ(moved.cameraCounts, RigMapper().map(grid, 0.5, rig).cameraCounts);
   rig.pop_back();
   const RigMap fewer = going.map(grid, 0.5, rig);
   const RigMap anew = RigMapper().map(grid, 0.5, rig);
-  EXPECT_EQ(fewer.counts, anew.counts);
+  EXPECT_EQ(fewer.cameraCounts, anew.cameraCounts);
   EXPECT_EQ(fewer.cameraCount, 2U);
   for (std::size_t i = 0; i < anew.sigmas.size(); ++i) {
     if (!std::isnan(anew.sigmas[i])) {
@@ -202,8 +203,8 @@ TEST(RigMap, TheSummaryCountsCells) {
   const RigMap map{
       {{0, 0, 0}, {4, 1, 1}, {4, 1, 1}}, 2, {0.001F, 0.004F, 0.02F, none}, {2, 3, 2, 1}};
   const RigMapSummary summary = summaryOf(map, 0.005);
-  EXPECT_DOUBLE_EQ(summary.within, 0.5);
-  EXPECT_DOUBLE_EQ(summary.tooFew, 0.25);
+  EXPECT_DOUBLE_EQ(summary.fractionWithinLimit, 0.5);
+  EXPECT_DOUBLE_EQ(summary.fractionSeenByTooFew, 0.25);
   EXPECT_NEAR(summary.medianSigma, 0.02, 1e-6); // two of four are below it
 }
 
@@ -237,7 +238,7 @@ TEST(CameraPlacement, AFirstPlannedCameraHangsInTheFarthestUpperCorner) {
 TEST(CameraPlacement, FiguresAreThoseOfTheMapThatIsShown) {
   const CameraRig rig{at({-2, 0, 1.5})};
   PlacementSettings onMap = settings();
-  onMap.reportedCells = 2000;
+  onMap.reportedCellCount = 2000;
   const auto found = placeCamera(rig, lens(), onMap);
   const auto plain = placeCamera(rig, lens(), settings());
   ASSERT_TRUE(found && plain);
@@ -246,10 +247,10 @@ TEST(CameraPlacement, FiguresAreThoseOfTheMapThatIsShown) {
   with.push_back(found->camera);
   const auto shared = [&](const CameraRig& cameras) {
     const RigMap map = RigMapper().map(gridOver(kRoom, 2000), onMap.pixelSigma, cameras);
-    return summaryOf(map, onMap.goodSigma).within;
+    return summaryOf(map, onMap.goodSigma).fractionWithinLimit;
   };
-  EXPECT_EQ(found->fractionBefore, shared(rig));
-  EXPECT_EQ(found->fractionAfter, shared(with));
+  EXPECT_EQ(found->goodFractionBefore, shared(rig));
+  EXPECT_EQ(found->goodFractionAfter, shared(with));
 }
 
 } // namespace

@@ -37,10 +37,10 @@ TEST(BlockJackknife, OfAMeanIsItsKnownVariance) {
   jackknife.rigs.resize(10);
   const double widened = studentQuantile95(9.0) / 1.96;
   const double variance = (numbers.array() - numbers.mean()).square().sum() / 9.0 / 10.0;
-  EXPECT_NEAR(jackknifeDeviations(without, jackknife.factor()).squaredNorm(),
+  EXPECT_NEAR(jackknifeDeviations(without, jackknife.errorFactor()).squaredNorm(),
               widened * widened * variance, 1e-9);
   jackknife.rigs.resize(3);
-  EXPECT_EQ(jackknife.factor(), 0.0); // too few to tell
+  EXPECT_EQ(jackknife.errorFactor(), 0.0); // too few to tell
 }
 
 /// Frames of one camera that was late share their errors; the covariance takes each corner as an
@@ -55,7 +55,7 @@ TEST(BlockJackknife, ErrorsThatFramesShareWidenEachCamera) {
   }
   problem.initialRig = moved(truth, 0.1, 0.05, 5);
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   const auto accuracy = assessWand(*result, {});
   ASSERT_TRUE(accuracy);
   ASSERT_EQ(accuracy->cameras.size(), truth.size());
@@ -86,15 +86,15 @@ IntrinsicsRequest lensRequest(int first, int end) {
 TEST(BlockJackknife, ALensWithoutSomeViewsIsThatOfACalibrationWithoutThem) {
   const auto whole = calibrateIntrinsics(lensRequest(0, 0));
   const auto without = calibrateIntrinsics(lensRequest(4, 8));
-  ASSERT_TRUE(whole) << sentence(whole.error());
-  ASSERT_TRUE(without) << sentence(without.error());
-  ASSERT_EQ(whole->evidence.size(), 20U);
-  const Camera found = lensWithout(*whole, 4, 8);
+  ASSERT_TRUE(whole) << errorSentence(whole.error());
+  ASSERT_TRUE(without) << errorSentence(without.error());
+  ASSERT_EQ(whole->viewNormalEquations.size(), 20U);
+  const Camera found = lensWithoutViews(*whole, 4, 8);
   const double sigma = whole->parameters[0].sigma;
   EXPECT_NEAR(found.intrinsics.focalX, without->camera.intrinsics.focalX, 0.3 * sigma);
   EXPECT_NEAR(found.intrinsics.centerX, without->camera.intrinsics.centerX,
               0.3 * whole->parameters[1].sigma);
-  EXPECT_EQ(lensWithout(*whole, 100, 200).intrinsics.focalX, whole->camera.intrinsics.focalX);
+  EXPECT_EQ(lensWithoutViews(*whole, 100, 200).intrinsics.focalX, whole->camera.intrinsics.focalX);
 }
 
 TEST(BlockJackknife, VariancesAreWidenedParameterByParameter) {

@@ -130,7 +130,7 @@ TEST(CalibrationAccuracy, SaysItInOneSentence) {
 TEST(CalibrationAccuracy, SaysWhatIsExtrapolated) {
   CalibrationAccuracy accuracy;
   accuracy.position95 = 0.0031;
-  accuracy.outside95 = 0.0094;
+  accuracy.outsidePosition95 = 0.0094;
   accuracy.outsideDistance = 0.82;
   EXPECT_EQ(accuracySummary(accuracy),
             "In this volume +-3.1 mm (95 %), scale unknown, up not measured. Outside it, up to 0.8 "
@@ -150,11 +150,11 @@ TEST(CalibrationAccuracy, OutsideTheVolumeItIsLargerAndStillTrue) {
     }
     problem.initialRig = moved(truth, 0.1, 0.05, seed);
     const auto result = calibrateFromWand(problem);
-    ASSERT_TRUE(result) << sentence(result.error());
+    ASSERT_TRUE(result) << errorSentence(result.error());
     const auto accuracy = assessCalibration(result->problem, result->bundle);
     ASSERT_TRUE(accuracy);
-    ASSERT_TRUE(accuracy->outside95) << seed;
-    EXPECT_GE(*accuracy->outside95, accuracy->position95);
+    ASSERT_TRUE(accuracy->outsidePosition95) << seed;
+    EXPECT_GE(*accuracy->outsidePosition95, accuracy->position95);
     EXPECT_GT(accuracy->outsideDistance, 0.2);
     std::vector<Eigen::Vector3d> inside;
     std::vector<Eigen::Vector3d> outside;
@@ -183,7 +183,8 @@ TEST(CalibrationAccuracy, OutsideTheVolumeItIsLargerAndStillTrue) {
     const Similarity back = fitSimilarity(foundInside, trueInside, false);
     const auto [foundOutside, trueOutside] = found(outside);
     for (std::size_t i = 0; i < foundOutside.size(); ++i) {
-      ratios.push_back((back * foundOutside[i] - trueOutside[i]).norm() / *accuracy->outside95);
+      ratios.push_back((back * foundOutside[i] - trueOutside[i]).norm() /
+                       *accuracy->outsidePosition95);
     }
   }
   const auto within = std::ranges::count_if(ratios, [](double ratio) { return ratio <= 1.0; });
@@ -207,11 +208,11 @@ TEST(CalibrationAccuracy, WidensWhereErrorsAreNotIndependent) {
   }
   problem.initialRig = moved(truth, 0.1, 0.05, 5);
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   const auto accuracy = assessWand(*result, {});
   ASSERT_TRUE(accuracy);
   EXPECT_GT(accuracy->modelFactor, 1.5);
-  EXPECT_GT(accuracy->heldOutPx, 0.1); // the noise alone leaves 0.05 px times some 1.2
+  EXPECT_GT(accuracy->leftOutRmsPx, 0.1); // the noise alone leaves 0.05 px times some 1.2
 }
 
 } // namespace

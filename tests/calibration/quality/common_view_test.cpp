@@ -38,7 +38,7 @@ TEST(CommonView, OneCameraHasNone) {
 
 TEST(PrincipalBox, LiesAlongThePositions) {
   std::vector<Eigen::Vector3d> positions;
-  const Eigen::Matrix3d turned = rotationFromTurn(Eigen::Vector3d(0.3, -0.2, 0.5));
+  const Eigen::Matrix3d turned = rotationExponential(Eigen::Vector3d(0.3, -0.2, 0.5));
   for (int x = -4; x <= 4; ++x) {
     for (int y = -2; y <= 2; ++y) {
       for (int z = -1; z <= 1; ++z) {

@@ -29,7 +29,7 @@ WandProblem clean(std::uint32_t seed, int cameras = 4) {
 
 FaultReport find(const WandProblem& problem) {
   const auto bundle = wandBundle(problem);
-  EXPECT_TRUE(bundle) << sentence(bundle.error());
+  EXPECT_TRUE(bundle) << errorSentence(bundle.error());
   FaultSearchInput question;
   question.problem = *bundle;
   return findFaults(question);
@@ -234,8 +234,8 @@ FaultSearchInput shown(std::uint32_t seed, bool floor, double noise = 0.1) {
   for (int k = 0; k < positions; ++k) {
     BundleState state;
     state.time = k;
-    state.fixed = floor;
-    state.known = !floor;
+    state.isFixed = floor;
+    state.isKnown = !floor;
     state.worldFromBoard = worldFromFlatBoard();
     Eigen::Isometry3d real = state.worldFromBoard; // lies flat, then is tilted and carried about
     if (!floor) {

@@ -28,7 +28,7 @@ WandResult followed(const CameraRig& rig, const BallPath& path, double seconds =
   result.problem.bodies = {{.name = "ball"}};
   for (int f = 0; f < static_cast<int>(seconds * kRate); ++f) {
     const double time = f / kRate;
-    BundleState state{.time = time, .known = true};
+    BundleState state{.time = time, .isKnown = true};
     state.ends[0] = path(time);
     for (std::size_t c = 0; c < rig.size(); ++c) {
       const auto pixel = Projector(rig[c]).project(state.ends[0]);
@@ -59,21 +59,21 @@ TEST(MissingMotion, AWaveThroughTheVolumeLacksNothing) {
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
     const CameraRig cameras = rig(seed, 2 + static_cast<int>(seed % 4));
     const auto gaps =
-        missingMotion(followed(cameras, [&](double time) { return waved(seed, time, 0); }));
+        findMissingMotion(followed(cameras, [&](double time) { return waved(seed, time, 0); }));
     EXPECT_TRUE(gaps.empty()) << seed << " " << texts(gaps);
   }
 }
 
 TEST(MissingMotion, AShortRecordingIsNamed) {
-  const auto gaps = missingMotion(followed(hall(), everywhere, 6.0));
+  const auto gaps = findMissingMotion(followed(hall(), everywhere, 6.0));
   ASSERT_FALSE(gaps.empty());
-  EXPECT_EQ(gaps[0].missing, MissingMotion::LongEnough);
+  EXPECT_EQ(gaps[0].missing, MissingMotion::Duration);
   EXPECT_EQ(motionGapText(gaps[0], hall()),
             "The ball was seen for only 6 s. Wave for half a minute.");
 }
 
 TEST(MissingMotion, ALineIsNamed) {
-  const auto gaps = missingMotion(followed(hall(), [](double time) {
+  const auto gaps = findMissingMotion(followed(hall(), [](double time) {
     return Eigen::Vector3d(0.9 * std::sin(time), 0.02 * std::sin(3.0 * time), 1.0);
   }));
   ASSERT_FALSE(gaps.empty());
@@ -85,7 +85,7 @@ TEST(MissingMotion, ALineIsNamed) {
 TEST(MissingMotion, APlaneIsNamedWithTheCameraThatLooksAcrossIt) {
   CameraRig cameras = hall();
   cameras[2].cameraFromWorld = lookAt({0.0, -3.0, 1.2}, {0.0, 0.0, 1.0});
-  const auto gaps = missingMotion(followed(cameras, [](double time) {
+  const auto gaps = findMissingMotion(followed(cameras, [](double time) {
     return Eigen::Vector3d(0.9 * std::sin(1.1 * time), 0.03 * std::sin(time),
                            1.0 + 0.5 * std::sin(1.7 * time));
   }));
@@ -98,7 +98,7 @@ TEST(MissingMotion, APlaneIsNamedWithTheCameraThatLooksAcrossIt) {
 }
 
 TEST(MissingMotion, ASmallPartOfTheVolumeIsNamed) {
-  const auto gaps = missingMotion(followed(hall(), [](double time) {
+  const auto gaps = findMissingMotion(followed(hall(), [](double time) {
     const Eigen::Vector3d wide = everywhere(time) - Eigen::Vector3d(0.0, 0.0, 1.0);
     return Eigen::Vector3d(0.3 * wide + Eigen::Vector3d(0.0, 0.0, 1.0));
   }));
@@ -116,7 +116,7 @@ CameraRig sideBySideRig() {
 }
 
 TEST(MissingMotion, NoDepthIsNamed) {
-  const auto gaps = missingMotion(followed(sideBySideRig(), [](double time) {
+  const auto gaps = findMissingMotion(followed(sideBySideRig(), [](double time) {
     return Eigen::Vector3d(0.9 * std::sin(1.1 * time), 0.1 * std::sin(0.7 * time),
                            1.0 + 0.7 * std::sin(1.7 * time));
   }));
@@ -126,10 +126,11 @@ TEST(MissingMotion, NoDepthIsNamed) {
 }
 
 TEST(MissingMotion, TheMissingSideOfAnImageIsNamed) {
-  const auto gaps = missingMotion(followed(sideBySideRig(), [](double time) { // never on the left
-    return Eigen::Vector3d(1.05 + 0.25 * std::sin(1.1 * time), 0.6 * std::sin(0.7 * time),
-                           1.0 + 0.5 * std::sin(1.7 * time));
-  }));
+  const auto gaps =
+      findMissingMotion(followed(sideBySideRig(), [](double time) { // never on the left
+        return Eigen::Vector3d(1.05 + 0.25 * std::sin(1.1 * time), 0.6 * std::sin(0.7 * time),
+                               1.0 + 0.5 * std::sin(1.7 * time));
+      }));
   ASSERT_FALSE(gaps.empty());
   EXPECT_EQ(gaps[0].missing, MissingMotion::WholeImage) << texts(gaps);
   EXPECT_EQ(gaps[0].side, ImageSide::Left);
@@ -138,7 +139,7 @@ TEST(MissingMotion, TheMissingSideOfAnImageIsNamed) {
 
 TEST(MissingMotion, CamerasThatNeverSawItTogetherAreNamed) {
   const auto gaps =
-      missingMotion(followed(hall(), everywhere, 30.0, [](std::size_t camera, double time) {
+      findMissingMotion(followed(hall(), everywhere, 30.0, [](std::size_t camera, double time) {
         return camera == 1 ? time < 15.0 : camera != 2 || time >= 14.7; // 5 frames in common
       }));
   ASSERT_EQ(gaps.size(), 1U) << texts(gaps);
@@ -148,8 +149,8 @@ TEST(MissingMotion, CamerasThatNeverSawItTogetherAreNamed) {
 }
 
 TEST(MissingMotion, WithoutPositionsNothingIsSaid) {
-  EXPECT_TRUE(missingMotion({}).empty());
-  EXPECT_TRUE(missingMotion(followed(hall(), everywhere, 0.1)).empty());
+  EXPECT_TRUE(findMissingMotion({}).empty());
+  EXPECT_TRUE(findMissingMotion(followed(hall(), everywhere, 0.1)).empty());
 }
 
 } // namespace

@@ -37,7 +37,7 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   problem.initialRig[1].name = "left & <right>";
   problem.scale = WandScale::Stick;
   auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   // Copied: moving it is a false alarm of g++ 12 about the short text.
   const DetectedFault late{CalibrationFault::CameraDelayed, {1}, 12.0, 99.0, "camera 2 is late"};
   result->faults.push_back(late);
@@ -46,7 +46,7 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   report.result = *result;
   report.accuracy = "In this volume +-3.1 mm (95 %)";
   report.coverage.resize(3);
-  report.offsetsFound = true;
+  report.hasTimeOffsets = true;
   report.notices = {"The ball moved only along one line."};
   const std::string html = htmlText(report);
   EXPECT_NE(html.find("<strong>In this volume +-3.1 mm (95 %)</strong>"), std::string::npos);
@@ -63,7 +63,7 @@ TEST(WandReport, ShowsEveryCameraAndTheTarget) {
   EXPECT_EQ(count(html, "<svg"), count(html, "</svg>"));
   // A stick is a line of two points, in each of the two views once.
   const auto& states = result->bundle.states;
-  const auto sticks = std::ranges::count(states, true, &BundleState::known);
+  const auto sticks = std::ranges::count(states, true, &BundleState::isKnown);
   ASSERT_LT(states.size(), 300U); // none is left out of the drawing
   EXPECT_GT(sticks, 30);
   EXPECT_EQ(count(html, "<polyline class=\"board\""), 2U * std::size_t(sticks));

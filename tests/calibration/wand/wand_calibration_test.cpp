@@ -84,7 +84,7 @@ TEST(WandCalibration, AStickGivesTheRigBack) {
   WandProblem problem = waveWand(rig, 2, 0.0);
   problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 1e-5);
   EXPECT_LT(result->medianPx, 1e-3);
   EXPECT_EQ(result->scale, WandScale::Stick);
@@ -101,7 +101,7 @@ TEST(WandCalibration, HalfAPixelOfNoiseIsMillimeters) {
   problem.initialPositionError = 0.3;
   problem.initialRotationError = 0.17;
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 2e-3);
   EXPECT_NEAR(result->bundle.noiseFactor, 1.0, 0.1);
 }
@@ -124,7 +124,7 @@ TEST(WandCalibration, GrossErrorsAreDropped) {
   }
   problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 3e-3);
   std::size_t dropped = 0;
   for (const std::size_t count : result->dropped) {
@@ -143,12 +143,12 @@ TEST(WandCalibration, FindsOffsetsAndFocalLengths) {
     camera.intrinsics.focalX *= 0.98;
     camera.intrinsics.focalY *= 0.98;
   }
-  problem.findOffsets = true;
-  problem.findFocal = true;
+  problem.estimateTimeOffsets = true;
+  problem.estimateFocalLengths = true;
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
-    EXPECT_NEAR(result->offsets[c], offsets[c], 5e-4);
+    EXPECT_NEAR(result->timeOffsets[c], offsets[c], 5e-4);
     EXPECT_NEAR(result->cameras[c].intrinsics.focalX, 450.0, 1.0);
   }
   EXPECT_LT(misplacement(result->cameras, rig), 5e-3);
@@ -167,13 +167,13 @@ TEST(WandCalibration, CamerasThatRunFreelyAreRefined) {
   }
   problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_LT(misplacement(result->cameras, rig), 5e-3);
-  problem.findOffsets = true;
+  problem.estimateTimeOffsets = true;
   const auto offset = calibrateFromWand(problem);
-  ASSERT_TRUE(offset) << sentence(offset.error());
+  ASSERT_TRUE(offset) << errorSentence(offset.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
-    EXPECT_NEAR(offset->offsets[c], 0.0, 5e-4);
+    EXPECT_NEAR(offset->timeOffsets[c], 0.0, 5e-4);
   }
 }
 
@@ -184,12 +184,12 @@ TEST(WandCalibration, ClocksThatAreFarOffAreFound) {
   WandProblem problem = waveWand(rig, 1, 0.1, 300, offsets);
   problem.initialRig = movedCameras(rig, 0.1, 0.05, 0);
   const auto roughly = searchTimeOffsets(problem);
-  problem.findOffsets = true;
+  problem.estimateTimeOffsets = true;
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (std::size_t c = 0; c < rig.size(); ++c) {
     EXPECT_NEAR(roughly[c], offsets[c], 0.5 / 15.0);
-    EXPECT_NEAR(result->offsets[c], offsets[c], 5e-4);
+    EXPECT_NEAR(result->timeOffsets[c], offsets[c], 5e-4);
   }
 }
 
@@ -218,12 +218,12 @@ TEST(WandCalibration, TheSizeComesFromADistanceOrTheDiameter) {
   };
   problem.distance.meters = (mean(8.0) - mean(2.0)).norm();
   const auto measured = calibrateFromWand(problem);
-  ASSERT_TRUE(measured) << sentence(measured.error());
+  ASSERT_TRUE(measured) << errorSentence(measured.error());
   EXPECT_LT(misplacement(measured->cameras, rig), 3e-3);
 
   problem.scale = WandScale::Diameter; // exact radii here: only the noise of the places is left
   const auto sized = calibrateFromWand(problem);
-  ASSERT_TRUE(sized) << sentence(sized.error());
+  ASSERT_TRUE(sized) << errorSentence(sized.error());
   EXPECT_LT(misplacement(sized->cameras, rig), 3e-3);
   EXPECT_GT(sized->scaleSigma, 0.005); // 0.05 px of some 6
 }
@@ -249,7 +249,7 @@ TEST(WandCalibration, FloorAndFallSayWhereUpIs) {
   problem.floorTimes = {1.0, 3.0, 5.0};
   problem.fallSpan = std::array<double, 2>{18.01, 18.5};
   const auto result = calibrateFromWand(problem);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   EXPECT_TRUE(result->floorFound);
   for (std::size_t c = 0; c < rig.size(); ++c) {
     EXPECT_NEAR(result->cameras[c].center().z(), rig[c].center().z(), 5e-3);
@@ -259,7 +259,7 @@ TEST(WandCalibration, FloorAndFallSayWhereUpIs) {
 
   problem.floorTimes.clear();
   const auto fallen = calibrateFromWand(problem);
-  ASSERT_TRUE(fallen) << sentence(fallen.error());
+  ASSERT_TRUE(fallen) << errorSentence(fallen.error());
   const auto heights = [](const CameraRig& cameras) {
     return cameras[0].center().z() - cameras[3].center().z();
   };

@@ -44,7 +44,7 @@ Similarity askew() {
 TEST(WorldFrame, ThreePointsOfTheFloorSetOriginAxesAndUp) {
   const Eigen::Vector3d a(0.5, 0.25, 0.0), b(1.5, 0.25, 0.0), c(0.2, -1.0, 0.0);
   const CameraRig rig = moved(askew(), corners());
-  const auto floor = calibration::floorThrough({askew() * a, askew() * b, askew() * c}, rig);
+  const auto floor = calibration::changeToFloor({askew() * a, askew() * b, askew() * c}, rig);
   ASSERT_TRUE(floor);
   EXPECT_NEAR(floor->rms, 0.0, 1e-9);
   EXPECT_EQ(floor->change.scale, 1.0);
@@ -60,7 +60,7 @@ TEST(WorldFrame, ThreePointsOfTheFloorSetOriginAxesAndUp) {
 TEST(WorldFrame, MoreThanThreePointsGiveTheFloorThatFitsAllOfThem) {
   const std::vector<Eigen::Vector3d> points{
       {0.0, 0.0, 0.003}, {2.0, 0.0, -0.003}, {2.0, 2.0, 0.003}, {0.0, 2.0, -0.003}};
-  const auto floor = calibration::floorThrough(points, corners());
+  const auto floor = calibration::changeToFloor(points, corners());
   ASSERT_TRUE(floor);
   EXPECT_NEAR(floor->rms, 0.003, 1e-9);
   EXPECT_LT(geometry::angleBetween(floor->change.rotation, Eigen::Matrix3d::Identity()), 1e-3);
@@ -68,10 +68,10 @@ TEST(WorldFrame, MoreThanThreePointsGiveTheFloorThatFitsAllOfThem) {
 
 TEST(WorldFrame, PointsOnALineAreNoFloor) {
   const auto floor =
-      calibration::floorThrough({{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {2.0, 2.0, 0.001}}, corners());
+      calibration::changeToFloor({{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {2.0, 2.0, 0.001}}, corners());
   ASSERT_FALSE(floor);
   EXPECT_EQ(floor.error().field, "floor");
-  EXPECT_FALSE(calibration::floorThrough({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, corners()));
+  EXPECT_FALSE(calibration::changeToFloor({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, corners()));
 }
 
 TEST(WorldFrame, ALevelLineTakesOutTheTiltAlongIt) {
@@ -89,12 +89,12 @@ TEST(WorldFrame, ALevelLineTakesOutTheTiltAlongIt) {
 
 TEST(WorldFrame, OriginAndXAxisGoWhereTheyAreWanted) {
   const Eigen::Vector3d point(1.0, -2.0, 0.5);
-  EXPECT_EQ(calibration::originAt(point) * point, Eigen::Vector3d::Zero());
-  const auto axis = calibration::xAxisAlong({1.0, 1.0, 0.2}, {1.0, 3.0, 0.7});
+  EXPECT_EQ(calibration::changeToOrigin(point) * point, Eigen::Vector3d::Zero());
+  const auto axis = calibration::changeToXAxis({1.0, 1.0, 0.2}, {1.0, 3.0, 0.7});
   ASSERT_TRUE(axis);
   const Eigen::Vector3d along = axis->rotation * Eigen::Vector3d(0.0, 2.0, 0.5);
   EXPECT_LT((along - Eigen::Vector3d(2.0, 0.0, 0.5)).norm(), 1e-12);
-  EXPECT_FALSE(calibration::xAxisAlong({1.0, 1.0, 0.2}, {1.0, 1.0, 0.9}));
+  EXPECT_FALSE(calibration::changeToXAxis({1.0, 1.0, 0.2}, {1.0, 1.0, 0.9}));
 }
 
 TEST(WorldFrame, AMeasuredLengthScalesTheWorld) {
@@ -125,10 +125,10 @@ TEST(WorldFrame, AllCamerasMoveTogether) {
 }
 
 TEST(WorldFrame, AnUpsideDownWorldIsTurned) {
-  EXPECT_FALSE(calibration::uprightTurn(corners()));
+  EXPECT_FALSE(calibration::uprightRotation(corners()));
   for (const WorldAxis axis : {WorldAxis::X, WorldAxis::Y}) {
     const CameraRig under = moved(calibration::quarterTurns(axis, 2), corners());
-    const auto turn = calibration::uprightTurn(under);
+    const auto turn = calibration::uprightRotation(under);
     ASSERT_TRUE(turn);
     for (const Camera& camera : moved(*turn, under)) {
       EXPECT_NEAR(camera.center().z(), 2.2, 1e-12);
@@ -141,22 +141,22 @@ TEST(WorldFrame, TheAxesOfAFirstCameraAreTurnedUpright) {
   Similarity toFirst;
   toFirst.rotation = rig[0].cameraFromWorld.linear();
   toFirst.translation = rig[0].cameraFromWorld.translation();
-  const auto turn = calibration::uprightTurn(moved(toFirst, rig));
+  const auto turn = calibration::uprightRotation(moved(toFirst, rig));
   ASSERT_TRUE(turn);
   // The first camera looks down by about 26 degrees, and so z is that far from up.
   const Eigen::Vector3d up = (*turn * toFirst).rotation * Eigen::Vector3d::UnitZ();
   EXPECT_GT(up.z(), std::cos(30.0 * base::kDegree));
-  EXPECT_FALSE(calibration::uprightTurn(moved(*turn * toFirst, rig)));
+  EXPECT_FALSE(calibration::uprightRotation(moved(*turn * toFirst, rig)));
 }
 
 TEST(WorldFrame, CamerasUnderACeilingMayHangUpsideDown) {
-  EXPECT_FALSE(calibration::uprightTurn(corners(std::numbers::pi)));
+  EXPECT_FALSE(calibration::uprightRotation(corners(std::numbers::pi)));
 }
 
 TEST(WorldFrame, CamerasThatLookStraightDownDoNotShowWhichWayIsUp) {
-  EXPECT_FALSE(calibration::uprightTurn(
+  EXPECT_FALSE(calibration::uprightRotation(
       {cameraAt({0.0, 0.0, 2.0}, {0.0, 0.0, 0.0}), cameraAt({1.0, 0.0, 2.0}, {1.0, 0.0, 0.0})}));
-  EXPECT_FALSE(calibration::uprightTurn({}));
+  EXPECT_FALSE(calibration::uprightRotation({}));
 }
 
 } // namespace

@@ -44,11 +44,11 @@ TEST(RigCheck, TwoCamerasOfOnePoseAreNamed) {
 }
 
 TEST(RigCheck, ARatioOfLengthsIsThatOfAUnit) {
-  EXPECT_DOUBLE_EQ(unitFromRatio(1100.0), 0.001);
-  EXPECT_DOUBLE_EQ(unitFromRatio(93.0), 0.01);
-  EXPECT_DOUBLE_EQ(unitFromRatio(41.0), 0.0254);
-  EXPECT_DOUBLE_EQ(unitFromRatio(1.0), 0.0);
-  EXPECT_DOUBLE_EQ(unitFromRatio(10.0), 0.0); // rather a radius
+  EXPECT_DOUBLE_EQ(lengthUnitFromRatio(1100.0), 0.001);
+  EXPECT_DOUBLE_EQ(lengthUnitFromRatio(93.0), 0.01);
+  EXPECT_DOUBLE_EQ(lengthUnitFromRatio(41.0), 0.0254);
+  EXPECT_DOUBLE_EQ(lengthUnitFromRatio(1.0), 0.0);
+  EXPECT_DOUBLE_EQ(lengthUnitFromRatio(10.0), 0.0); // rather a radius
 }
 
 } // namespace

@@ -21,7 +21,7 @@ std::shared_ptr<FakeMachine> machineWith(std::vector<FakeControl> controls) {
 TEST(ColorLock, SwitchesAutomaticsOffAtTheirPresentValues) {
   const auto machine = machineWith(fakeControls());
   const auto lock = lockColors(*accessTo(machine), kLockedPath);
-  ASSERT_TRUE(lock) << sentence(lock.error());
+  ASSERT_TRUE(lock) << errorSentence(lock.error());
   EXPECT_EQ(lock->values, (ControlValues{{"auto_exposure", 1},
                                          {"brightness", 128},
                                          {"exposure_time_absolute", 250},
@@ -41,7 +41,7 @@ TEST(ColorLock, SaysWhatTheDeviceCannotDo) {
   controls[4].menu = {{3, "Aperture Priority Mode"}}; // no manual exposure
   controls.erase(controls.begin() + 2);               // no gain
   const auto lock = lockColors(*accessTo(machineWith(controls)), kLockedPath);
-  ASSERT_TRUE(lock) << sentence(lock.error());
+  ASSERT_TRUE(lock) << errorSentence(lock.error());
   ASSERT_EQ(lock->refusals.size(), 2U);
   EXPECT_EQ(lock->refusals[0].automatic, ColorAutomatic::Exposure);
   EXPECT_EQ(lock->refusals[0].control, "auto_exposure");
@@ -67,7 +67,7 @@ TEST(ApplyControls, SetsSwitchesFirst) {
                                      {"exposure_time_absolute", 77},
                                      {"white_balance_automatic", 0},
                                      {"white_balance_temperature", 3000}});
-  EXPECT_TRUE(errors.empty()) << sentence(errors.front());
+  EXPECT_TRUE(errors.empty()) << errorSentence(errors.front());
   EXPECT_EQ(machine->valueOf("video0", V4L2_CID_EXPOSURE_ABSOLUTE), 77);
   EXPECT_EQ(machine->valueOf("video0", V4L2_CID_WHITE_BALANCE_TEMPERATURE), 3000);
 }

@@ -108,7 +108,7 @@ TEST(DeviceMatch, AnotherUnitOrModelIsNotTaken) {
   EXPECT_FALSE(unit.device);
   EXPECT_EQ(unit.candidates, std::vector<std::size_t>{0}); // the user may have replaced it
   DeviceIdentity otherModel = wanted;
-  otherModel.vendorProduct = "1234:0001";
+  otherModel.vendorAndProductId = "1234:0001";
   const std::vector<CameraDevice> devices{deviceOf("/dev/video0", otherModel)};
   const DeviceMatch model = matchDevice(wanted, devices);
   EXPECT_TRUE(model.isMissing());

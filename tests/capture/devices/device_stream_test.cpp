@@ -222,7 +222,7 @@ TEST_F(DeviceStreamTest, LiveCamerasNameTheMissingDevice) {
     cameras[k].device.identity = identities_[k];
   }
   const auto source = openLive(cameras, std::vector<EncodedFeedPtr>(2), access_);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   const auto isOfLeft = [](const Error& one) { return one.field == "camera 'left'"; };
   std::vector<Error> notices;
   for (int attempt = 0; attempt < 1000 && std::ranges::none_of(notices, isOfLeft); ++attempt) {

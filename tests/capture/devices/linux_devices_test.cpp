@@ -167,7 +167,7 @@ TEST(LinuxDevices, ListsControlsUnderTheirNames) {
   const auto machine = std::make_shared<FakeMachine>();
   plugWebcam(*machine, 0, "3");
   const auto controls = accessTo(machine)->controls("/dev/video0");
-  ASSERT_TRUE(controls) << sentence(controls.error());
+  ASSERT_TRUE(controls) << errorSentence(controls.error());
   std::vector<std::string> names;
   for (const DeviceControl& control : *controls) {
     names.push_back(control.name);

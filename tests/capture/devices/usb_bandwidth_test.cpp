@@ -101,7 +101,7 @@ TEST(UsbBandwidth, EachBusCountsForItself) {
 
 TEST(UsbBandwidth, ADevicesOwnConnectionMayBeTheSlowest) {
   CameraDevice slow = rawAt(1);
-  slow.usb.deviceMbit = 12.0; // USB 1
+  slow.usb.deviceMbitPerSecond = 12.0; // USB 1
   const auto shortages =
       bandwidthShortages(std::vector<BandwidthRequest>{{slow, {"YUYV", 640, 480, 30.0}}});
   ASSERT_EQ(shortages.size(), 1U);

@@ -17,7 +17,7 @@ LiveCamera cameraAt(const std::string& location) {
 
 PipelineText pipelineAt(const std::string& location) {
   const auto pipeline = pipelineText(cameraAt(location));
-  EXPECT_TRUE(pipeline) << location << ": " << sentence(pipeline.error());
+  EXPECT_TRUE(pipeline) << location << ": " << errorSentence(pipeline.error());
   return pipeline.value_or(PipelineText{});
 }
 
@@ -155,7 +155,7 @@ TEST(PipelineText, RefusesOtherLocationsWithoutTheirPassword) {
     ASSERT_FALSE(pipeline) << wrong;
     EXPECT_EQ(pipeline.error().code, ErrorCode::BadValue);
     EXPECT_EQ(pipeline.error().field, "camera 'left'");
-    EXPECT_FALSE(has(sentence(pipeline.error()), "s3cret"));
+    EXPECT_FALSE(has(errorSentence(pipeline.error()), "s3cret"));
   }
 }
 

@@ -41,12 +41,12 @@ void expectSamePixels(const std::string& location, RawStorage raw) {
   const std::vector<std::int64_t> stamps = recording.stamps();
   ASSERT_EQ(std::ssize(stamps), recording.counts().images) << location;
   auto stored = StoredStream::open(folder / "left.mkv", "camera 'left'");
-  ASSERT_TRUE(stored) << sentence(stored.error());
+  ASSERT_TRUE(stored) << errorSentence(stored.error());
   int compared = 0;
   for (std::size_t k = 0; k < stamps.size(); k += 3) { // also with gaps
     const auto live = seen.find(stamps[k]);
     const auto image = stored->read(static_cast<std::int64_t>(k));
-    ASSERT_TRUE(image) << location << ": " << sentence(image.error());
+    ASSERT_TRUE(image) << location << ": " << errorSentence(image.error());
     if (live != seen.end()) {
       ++compared;
       EXPECT_EQ(cv::norm(*image, live->second, cv::NORM_INF), 0.0) << location << ' ' << k;

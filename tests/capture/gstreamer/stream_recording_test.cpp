@@ -117,7 +117,7 @@ TEST(StreamRecording, OpensAsARecordingWithItsTimes) {
     recording.stop();
     EXPECT_LT(RecordingClock::now() - begin, 1s);
     const RecordedCounts counts = recording.counts();
-    EXPECT_FALSE(counts.problem) << sentence(*counts.problem);
+    EXPECT_FALSE(counts.problem) << errorSentence(*counts.problem);
     EXPECT_GE(counts.images, 40) << encoding;
     EXPECT_EQ(counts.droppedImageCount, 0) << encoding;
     EXPECT_NEAR(counts.framesPerSecond, 30.0, 0.1);
@@ -127,12 +127,12 @@ TEST(StreamRecording, OpensAsARecordingWithItsTimes) {
     EXPECT_EQ(completenessOf(folder / "left.csv"), TableCompleteness::Complete);
 
     auto source = openRecording({recordedIn(folder)}, 0);
-    ASSERT_TRUE(source) << sentence(source.error());
+    ASSERT_TRUE(source) << errorSentence(source.error());
     EXPECT_NEAR((*source)->framesPerSecond(), 30.0, 0.1);
     EXPECT_EQ((*source)->frameCount(), counts.images);
     for (std::int64_t k = 0; k < counts.images; ++k) {
       const auto set = (*source)->next();
-      ASSERT_TRUE(set) << sentence(set.error());
+      ASSERT_TRUE(set) << errorSentence(set.error());
       ASSERT_TRUE(*set && (*set)->frames[0]) << k;
       EXPECT_NEAR(seconds((*set)->frames[0]->captureTime), static_cast<double>(k) / 30.0, 1e-3);
     }
@@ -224,7 +224,7 @@ TEST(StreamRecording, SeeksToAnyImage) {
   waitForImages(recording, 150);
   recording.stop();
   auto source = openRecording({recordedIn(folder)}, 0);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   std::vector<cv::Mat> images;
   for (auto set = (*source)->next(); set && *set; set = (*source)->next()) {
     images.push_back((*set)->frames[0] ? (*set)->frames[0]->image : cv::Mat());
@@ -249,13 +249,13 @@ TEST(StreamRecording, ATableThatWasCutOffMatchesItsVideo) {
   cutTable(folder / "left.csv", 4, "99,0.1"); // also in the middle of a line
   EXPECT_EQ(completenessOf(folder / "left.csv"), TableCompleteness::CutOff);
   const auto fewerTimes = openRecording({recordedIn(folder)}, 0);
-  ASSERT_TRUE(fewerTimes) << sentence(fewerTimes.error());
+  ASSERT_TRUE(fewerTimes) << errorSentence(fewerTimes.error());
   EXPECT_EQ((*fewerTimes)->frameCount(), images - 3);
   cutTable(folder / "left.csv", 1,
            "17,50.1,driver\n18,50.2,driver\n19,50.3,driver\n20,50.4,driver\n"
            "21,50.5,driver\n22,50.6,driver\n23,50.7,driver\n");
   const auto moreTimes = openRecording({recordedIn(folder)}, 30);
-  ASSERT_TRUE(moreTimes) << sentence(moreTimes.error());
+  ASSERT_TRUE(moreTimes) << errorSentence(moreTimes.error());
 }
 
 TEST(StreamRecording, AFullDiskIsOneProblemAndTheCameraGoesOn) {
@@ -271,8 +271,8 @@ TEST(StreamRecording, AFullDiskIsOneProblemAndTheCameraGoesOn) {
     EXPECT_EQ(counts.problem->code, ErrorCode::FileUnwritable);
     EXPECT_EQ(counts.problem->file, "/dev/full");
     EXPECT_EQ(counts.problem->field, "camera 'left'");
-    EXPECT_NE(sentence(*counts.problem).find("pace left"), std::string::npos)
-        << sentence(*counts.problem);
+    EXPECT_NE(errorSentence(*counts.problem).find("pace left"), std::string::npos)
+        << errorSentence(*counts.problem);
     const auto begin = RecordingClock::now();
     recording.stop();
     EXPECT_LT(RecordingClock::now() - begin, 1s);

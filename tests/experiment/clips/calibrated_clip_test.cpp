@@ -15,7 +15,7 @@ const auto kNeverStop = [] { return false; };
 TEST(CalibratedClip, BecomesARunWithTheTruthOfItsInstants) {
   const test::TemporaryFolder folder;
   const auto run = makeClipRun(test::makeSmallClip(folder), 7);
-  ASSERT_TRUE(run) << sentence(run.error());
+  ASSERT_TRUE(run) << errorSentence(run.error());
   EXPECT_EQ(run->grade, Grade::Real);
   EXPECT_EQ(run->frameCount, 10); // frames 2 to 11
   EXPECT_EQ(run->measuredFrames, (std::vector<std::int64_t>{0, 2, 4, 6, 8}));
@@ -38,7 +38,7 @@ TEST(CalibratedClip, BecomesARunWithTheTruthOfItsInstants) {
 TEST(CalibratedClip, LearnsTheColorOfTheClick) {
   const test::TemporaryFolder folder;
   const auto run = makeClipRun(test::makeSmallClip(folder), 1);
-  ASSERT_TRUE(run) << sentence(run.error());
+  ASSERT_TRUE(run) << errorSentence(run.error());
   ASSERT_EQ(run->targets.size(), 1U);
   ASSERT_EQ(run->targets[0].samples.size(), 2U); // what was clicked, and what was found
   EXPECT_TRUE(!run->targets[0].samples[0].found && run->targets[0].samples[1].found);
@@ -112,7 +112,7 @@ SuiteRow rowOfTriangulation(const CalibratedClip& clip) {
     return {};
   };
   const auto done = runSuite(jobs, 1, keep, kNeverStop);
-  EXPECT_TRUE(done) << sentence(done.error());
+  EXPECT_TRUE(done) << errorSentence(done.error());
   return row;
 }
 

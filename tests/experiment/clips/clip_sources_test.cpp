@@ -24,7 +24,7 @@ ClipFolders folders() {
 
 TEST(HandClip, HasFortyMarkedFramesThatAgreeWithTheirPositions) {
   const auto clip = handClip({"none", kTruth}); // the recording itself is not read here
-  ASSERT_TRUE(clip) << sentence(clip.error());
+  ASSERT_TRUE(clip) << errorSentence(clip.error());
   ASSERT_EQ(clip->rig.size(), 2U);
   EXPECT_EQ(clip->positions.size(), 40U); // bench/clips/README.md
   EXPECT_EQ(clip->markedCenters.size(), 80U);
@@ -78,7 +78,7 @@ TEST(BoardClip, HasTheBoardsCenterAtEveryInstant) {
     GTEST_SKIP() << "the recording charuco4 is not in DEWPOINT_DATA";
   }
   const auto clip = boardClip(folders());
-  ASSERT_TRUE(clip) << sentence(clip.error());
+  ASSERT_TRUE(clip) << errorSentence(clip.error());
   EXPECT_EQ(clip->instants.size(), 57U); // README of the recording
   // Corners are missing at the first nine instants, but at least one pair of opposite ones is
   // there.
@@ -96,7 +96,7 @@ TEST(BandsClip, HasThreeBandsInEveryFrame) {
     GTEST_SKIP() << "the recording tapes2_limbs is not in DEWPOINT_DATA";
   }
   const auto clip = bandsClip(folders());
-  ASSERT_TRUE(clip) << sentence(clip.error());
+  ASSERT_TRUE(clip) << errorSentence(clip.error());
   EXPECT_EQ(clip->instants.size(), 163U); // README of the recording
   EXPECT_EQ(clip->markedCenters.size(), 163U * 3U * 2U);
   ASSERT_EQ(clip->startPositions.size(), 3U);

@@ -13,7 +13,7 @@ TEST(ClipTable, GivesTheColumnsThatAreRequested) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "t.csv") << "# a comment\nframe,color,u,v\n3,red,1.5,-2\n\n4,blue,7,8\r\n";
   const auto table = readClipTable(folder / "t.csv", {"v", "frame"}, "color");
-  ASSERT_TRUE(table) << sentence(table.error());
+  ASSERT_TRUE(table) << errorSentence(table.error());
   EXPECT_EQ(table->rows, (std::vector<std::vector<double>>{{-2.0, 3.0}, {8.0, 4.0}}));
   EXPECT_EQ(table->wordCells, (std::vector<std::string>{"red", "blue"}));
 }

@@ -72,7 +72,7 @@ TEST(TableStates, TablesAreOfTodaysMethods) {
       continue;
     }
     const auto found = compute(methods);
-    ASSERT_TRUE(found) << sentence(found.error());
+    ASSERT_TRUE(found) << errorSentence(found.error());
     today.insert(found->begin(), found->end());
   }
   for (const TableState& table : documentedTables()) {

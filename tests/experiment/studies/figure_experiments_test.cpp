@@ -47,7 +47,7 @@ TEST_P(FigureExperiments, WritesAPageThatSaysWhatReproduces) {
                                       last = part;
                                       return true;
                                     }});
-  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_TRUE(made) << errorSentence(made.error());
   const auto page = readTextFile(folder_ / "report.html");
   ASSERT_TRUE(page);
   EXPECT_NE(page->find("What the paper says"), std::string::npos);

@@ -11,7 +11,7 @@ namespace {
 
 TEST(MethodFingerprints, OfBoxesAreOfTheMethodAlone) {
   const auto both = boxFingerprints({});
-  ASSERT_TRUE(both) << sentence(both.error());
+  ASSERT_TRUE(both) << errorSentence(both.error());
   ASSERT_EQ(both->size(), 6U); // histogram, sugandi and OpenCV's four
   EXPECT_NE(both->at("histogram"), both->at("sugandi"));
   EXPECT_EQ(both->at("sugandi").size(), 8U);
@@ -26,7 +26,7 @@ TEST(MethodFingerprints, AMethodThatIsNotThereIsNamed) {
        {suiteFingerprints({"magic"}), boxFingerprints({"magic"}), peopleFingerprints({"magic"})}) {
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().code, ErrorCode::NotFound);
-    EXPECT_NE(sentence(none.error()).find("magic"), std::string::npos);
+    EXPECT_NE(errorSentence(none.error()).find("magic"), std::string::npos);
   }
 }
 

@@ -183,7 +183,7 @@ TEST(ImageClipRun, FollowsAndMeasures) {
   ASSERT_TRUE(images);
   const RunKey key{"R2-disk", Grade::Real, "histogram", 1};
   const auto result = followClip(clip, *images, key, kGoOnWithIt);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   ASSERT_TRUE(result->has_value());
   const SuiteRow& row = (*result)->row;
   EXPECT_EQ(row.key, key);
@@ -267,7 +267,7 @@ TEST(SuiteReport, ShowsClipsInPixelsAndNamesThoseThatAreMissing) {
   const test::TemporaryFolder folder;
   const auto written = writeSuiteReport(folder / "", results, reportOrder(results, catalog),
                                         catalog, {"R1-hand is skipped: for a test."});
-  ASSERT_TRUE(written) << sentence(written.error());
+  ASSERT_TRUE(written) << errorSentence(written.error());
   const std::string page = *readTextFile(folder / "report.html");
   const auto has = [&](const char* text) { return page.find(text) != std::string::npos; };
   EXPECT_TRUE(has("R1-hand is skipped: for a test."));

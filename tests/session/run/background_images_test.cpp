@@ -24,12 +24,12 @@ TEST(BackgroundImages, ASavedImageIsReadAsItWas) {
   camera.mirrored = true;
   camera.crop = {10, 2, 4, 6};
   const auto file = saveBackgroundImage(project, 0, image, folder);
-  ASSERT_TRUE(file) << sentence(file.error());
+  ASSERT_TRUE(file) << errorSentence(file.error());
   // As the camera sends it: 94 x 58 before it is cropped, lying on its side.
   EXPECT_EQ(cv::imread(file->string()).size(), cv::Size(58, 94));
   camera.backgroundImage = file->string();
   const auto read = loadBackgroundImages(project);
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   ASSERT_EQ(read->size(), 1U);
   EXPECT_EQ(read->front().size(), image.size());
   EXPECT_EQ(cv::norm(read->front(), image, cv::NORM_INF), 0.0);

@@ -49,7 +49,7 @@ TEST(FrameFeed, GivesTheBitsOfARun) {
     Trajectory tracked;
     tracked.samples = trackedSets(project);
     auto feed = FrameFeed::create(project, 2);
-    ASSERT_TRUE(feed) << sentence(feed.error());
+    ASSERT_TRUE(feed) << errorSentence(feed.error());
     EXPECT_TRUE(feed->samples().empty());
     for (int round = 0; round < 2; ++round) {
       Trajectory fed;

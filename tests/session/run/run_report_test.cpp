@@ -19,7 +19,7 @@ TEST(NoticeLog, EachCauseHasItsPeriods) {
   log.update({unplugged("left"), unplugged("right")}, 4.0);
   const auto& periods = log.periods();
   ASSERT_EQ(periods.size(), 3U);
-  EXPECT_EQ(periods[0].text, sentence(unplugged("left")));
+  EXPECT_EQ(periods[0].text, errorSentence(unplugged("left")));
   EXPECT_EQ(periods[0].from, 1.0);
   EXPECT_EQ(periods[0].to, 3.0);
   EXPECT_EQ(periods[1].from, 2.0);
@@ -44,7 +44,7 @@ TEST(RunReport, NoticesHaveTheirTimes) {
   figures.noticeLog.update({unplugged("right")}, 3.5);
   const auto json = nlohmann::json::parse(runReport(Project(), figures));
   ASSERT_EQ(json["notice_log"].size(), 2U);
-  EXPECT_EQ(json["notice_log"][0]["notice"], sentence(unplugged("left")));
+  EXPECT_EQ(json["notice_log"][0]["notice"], errorSentence(unplugged("left")));
   EXPECT_EQ(json["notice_log"][0]["from"], 1.5);
   EXPECT_EQ(json["notice_log"][0]["to"], 2.5);
   EXPECT_TRUE(json["notice_log"][1]["to"].is_null());

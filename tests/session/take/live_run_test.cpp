@@ -59,7 +59,7 @@ TEST(LiveRun, TheTableReadsBack) {
   const std::string file = folder / "frames.csv";
   ASSERT_TRUE(writeStoredSets(stored, file));
   const auto read = readStoredSets(file, 2);
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   ASSERT_EQ(read->size(), stored.size());
   for (std::size_t k = 0; k < stored.size(); ++k) {
     EXPECT_EQ((*read)[k].index, stored[k].index);

@@ -88,14 +88,14 @@ TEST_F(TakeRecorderTest, OpensAsARecordedProject) {
   const Project project = liveProject("test:smpte?encoding=mjpeg");
   LiveRig rig(project);
   auto take = TakeRecorder::start(project, rig.feeds, folder_, {.notes = "two \"words\""});
-  ASSERT_TRUE(take) << sentence(take.error());
+  ASSERT_TRUE(take) << errorSentence(take.error());
   waitForImages(**take, 20);
   ASSERT_TRUE((*take)->stop());
   const TakeStatus status = (*take)->status();
   EXPECT_EQ(status.number, 1);
   EXPECT_EQ(status.folder, folder_ / "take-001");
   const auto loaded = loadProject(status.folder / "project.toml");
-  ASSERT_TRUE(loaded) << sentence(loaded.error());
+  ASSERT_TRUE(loaded) << errorSentence(loaded.error());
   ASSERT_EQ(loaded->cameras.size(), 2U);
   EXPECT_EQ(loaded->cameras[0].source, SourceKind::Video);
   EXPECT_EQ(loaded->cameras[0].location, (status.folder / "left---top.mkv").string());
@@ -118,7 +118,7 @@ TEST_F(TakeRecorderTest, NumbersTakesAndStopsFast) {
   fs::create_directories(folder_ / "take-007");
   for (const int number : {8, 9}) {
     auto take = TakeRecorder::start(project, rig.feeds, folder_, {});
-    ASSERT_TRUE(take) << sentence(take.error());
+    ASSERT_TRUE(take) << errorSentence(take.error());
     EXPECT_EQ((*take)->status().number, number);
     waitForImages(**take, 5);
     const auto begin = std::chrono::steady_clock::now();
@@ -135,7 +135,7 @@ TEST_F(TakeRecorderTest, HasTheNumberAndTheNotesThatTheUserGives) {
   const Project project = liveProject("test:snow");
   LiveRig rig(project);
   auto take = TakeRecorder::start(project, rig.feeds, folder_, {.notes = "before", .number = 20});
-  ASSERT_TRUE(take) << sentence(take.error());
+  ASSERT_TRUE(take) << errorSentence(take.error());
   const fs::path folder = (*take)->status().folder;
   EXPECT_EQ(folder, folder_ / "take-020");
   EXPECT_EQ(notesOf(folder), "before");
@@ -160,14 +160,14 @@ TEST_F(TakeRecorderTest, ASilentCameraIsLeftOut) {
   const Project project = liveProject("/dev/video987");
   LiveRig rig(project);
   auto take = TakeRecorder::start(project, rig.feeds, folder_, {});
-  ASSERT_TRUE(take) << sentence(take.error());
+  ASSERT_TRUE(take) << errorSentence(take.error());
   waitForImages(**take, 20);
   // Also while it is being recorded.
   EXPECT_TRUE(loadProject(folder_ / "take-001" / "project.toml"));
   EXPECT_TRUE((*take)->stop());
   EXPECT_EQ((*take)->status().cameras[1].counts.images, 0);
   const auto loaded = loadProject(folder_ / "take-001" / "project.toml");
-  ASSERT_TRUE(loaded) << sentence(loaded.error());
+  ASSERT_TRUE(loaded) << errorSentence(loaded.error());
   EXPECT_EQ(loaded->cameras.size(), 1U);
 }
 

@@ -41,7 +41,7 @@ protected:
     SessionInputs inputs;
     inputs.project = project;
     auto source = openLive(cameras, feeds_);
-    ASSERT_TRUE(source) << sentence(source.error());
+    ASSERT_TRUE(source) << errorSentence(source.error());
     inputs.source = std::move(*source);
     session_ = std::make_unique<Session>(std::move(inputs));
     session_->play();
@@ -50,7 +50,7 @@ protected:
 
   void record() {
     auto take = TakeRecorder::start(project_, feeds_, folder_ / "takes", {});
-    ASSERT_TRUE(take) << sentence(take.error());
+    ASSERT_TRUE(take) << errorSentence(take.error());
     take_ = std::move(*take);
     ASSERT_TRUE(test::eventually([&] {
       const TakeStatus status = take_->status();
@@ -82,10 +82,10 @@ protected:
     live.otherSettings = session_->oldResults().frames;
     EXPECT_TRUE(take_->stop());
     const Status added = take_->addLiveRun(live);
-    EXPECT_TRUE(added) << sentence(added.error());
+    EXPECT_TRUE(added) << errorSentence(added.error());
     const auto compared =
         compareReplay(take_->status().folder, 1, [](std::int64_t, std::int64_t) { return true; });
-    EXPECT_TRUE(compared) << sentence(compared.error());
+    EXPECT_TRUE(compared) << errorSentence(compared.error());
     return compared.value_or(ReplayComparison());
   }
 

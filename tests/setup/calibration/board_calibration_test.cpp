@@ -78,17 +78,17 @@ TEST(BoardCalibration, LensesAndPosesOfARecording) {
   wish.floorFrame = 0;
   const auto source = recorded.open();
   const auto seen = findBoards(recorded.project, *source, wish);
-  ASSERT_TRUE(seen) << sentence(seen.error());
+  ASSERT_TRUE(seen) << errorSentence(seen.error());
   ASSERT_EQ(seen->cameras.size(), 2U);
   EXPECT_EQ(seen->cameras[0].searchedImages, kFrames);
   EXPECT_GE(seen->cameras[0].views.size(), 12U);
 
   const auto lenses = intrinsicsFromBoards(*seen, wish);
-  ASSERT_TRUE(lenses) << sentence(lenses.error());
+  ASSERT_TRUE(lenses) << errorSentence(lenses.error());
   EXPECT_NEAR(lenses->cameras[0]->camera.intrinsics.focalX, 0.85 * 480, 3.0);
 
   const auto poses = extrinsicsFromBoards(recorded.project, *seen, wish);
-  ASSERT_TRUE(poses) << sentence(poses.error());
+  ASSERT_TRUE(poses) << errorSentence(poses.error());
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_LT((poses->cameras[k].center() - recorded.cameras[k].center()).norm(), 0.001) << k;
   }
@@ -128,7 +128,7 @@ TEST(BoardCalibration, OnlyTheFramesOfARangeAreSearched) {
   wish.firstFrame = 3;
   wish.endFrame = 6;
   auto seen = findBoards(recorded.project, *source, wish);
-  ASSERT_TRUE(seen) << sentence(seen.error());
+  ASSERT_TRUE(seen) << errorSentence(seen.error());
   EXPECT_EQ(seen->cameras[0].searchedImages, 3);
   for (const BoardView& view : seen->cameras[0].views) {
     EXPECT_GE(view.instant, 3);
@@ -137,7 +137,7 @@ TEST(BoardCalibration, OnlyTheFramesOfARangeAreSearched) {
 
   wish.floorFrame = 0; // outside the range, but it is what makes the world
   seen = findBoards(recorded.project, *source, wish);
-  ASSERT_TRUE(seen) << sentence(seen.error());
+  ASSERT_TRUE(seen) << errorSentence(seen.error());
   EXPECT_EQ(seen->cameras[0].searchedImages, 4);
 
   wish.firstFrame = kFrames;
@@ -186,7 +186,7 @@ TEST(BoardCalibration, ACameraThatNeverSawTheBoardKeepsWhatItHas) {
   const BlindCamera blind;
   const auto outcome =
       calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(), {true, true});
-  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome) << errorSentence(outcome.error());
   EXPECT_EQ(outcome->project.cameras[0], blind.recorded.project.cameras[0]);
   EXPECT_NE(outcome->project.cameras[1].camera.intrinsics,
             blind.recorded.project.cameras[1].camera.intrinsics);
@@ -211,7 +211,7 @@ TEST(BoardCalibration, LensesRemainWherePlacesCannotBeFound) {
   blind.seen.cameras[2].views.clear(); // one camera is left
   const auto outcome =
       calibrateFromBoards(blind.recorded.project, blind.seen, blind.recorded.wish(), {true, true});
-  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome) << errorSentence(outcome.error());
   ASSERT_TRUE(outcome->extrinsicsError);
   EXPECT_NE(outcome->extrinsicsError->detail.find("'right'"), std::string::npos);
   EXPECT_TRUE(outcome->lenses->cameras[1]);
@@ -243,7 +243,7 @@ TEST(BoardCalibration, SaysAVerdictAndNoFault) {
       findBoards(recorded.project, *source, wish).and_then([&](const BoardDetections& seen) {
         return calibrateFromBoards(recorded.project, seen, wish, {false, true});
       });
-  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome) << errorSentence(outcome.error());
   ASSERT_TRUE(outcome->accuracy) << outcome->accuracySummary;
   EXPECT_TRUE(outcome->extrinsics->faults.empty()) << outcome->extrinsics->faults[0].sentence;
   // 0.2 mm over 7 squares of 30 mm are 0.1 % (one sigma), at least.
@@ -261,9 +261,9 @@ TEST(BoardCalibration, APoorlyKnownLensIsNamed) {
   recorded.project.cameras[1].calibrated.lens = known;
   const auto source = recorded.open();
   const auto seen = findBoards(recorded.project, *source, recorded.wish());
-  ASSERT_TRUE(seen) << sentence(seen.error());
+  ASSERT_TRUE(seen) << errorSentence(seen.error());
   const auto outcome = calibrateFromBoards(recorded.project, *seen, recorded.wish(), {false, true});
-  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome) << errorSentence(outcome.error());
   ASSERT_TRUE(outcome->extrinsics);
   const auto named = [](const std::string& notice) {
     return notice.starts_with("the lens of 'right' is poorly known: a ray may be off by 25 px");
@@ -297,7 +297,7 @@ TEST(BoardCalibration, AWrongSquareSizeIsNamed) {
   wish.board.squareSize *= 1000.0; // typed in millimeters
   wish.board.markerSize *= 1000.0;
   const auto outcome = calibrateFromBoards(recorded.project, *seen, wish, {false, true});
-  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome) << errorSentence(outcome.error());
   ASSERT_EQ(outcome->extrinsics->faults.size(), 1U);
   EXPECT_EQ(outcome->extrinsics->faults[0].fault, CalibrationFault::WrongUnitMillimeters);
 }

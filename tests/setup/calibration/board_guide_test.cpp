@@ -84,7 +84,7 @@ struct Room {
 
 TEST(BoardGuide, WhoDoesAsToldGetsALens) {
   Room room(1);
-  room.wish.lensGuidance.requestedProjectionPx = 2.0;
+  room.wish.lensGuidance.requiredProjectionSigmaPx = 2.0;
   BoardGuide guide(room.project, room.wish);
   std::size_t step = 0;
   BoardGuideState state;
@@ -97,15 +97,15 @@ TEST(BoardGuide, WhoDoesAsToldGetsALens) {
     }
   }
   EXPECT_EQ(state.phase, Phase::Finished) << step;
-  ASSERT_TRUE(state.cameras[0].lens.projectionPx);
-  EXPECT_LE(*state.cameras[0].lens.projectionPx, 2.0);
+  ASSERT_TRUE(state.cameras[0].lens.projectionSigmaPx);
+  EXPECT_LE(*state.cameras[0].lens.projectionSigmaPx, 2.0);
   EXPECT_GE(state.cameras[0].capturedOutlines.size(), 10U);
   EXPECT_EQ(state.cameras[0].capturedOutlines.size(), state.detections->cameras[0].views.size());
 
   BoardCalibrationRequest wish = room.wish.board;
   wish.maxViews = 60;
   const auto outcome = calibrateFromBoards(room.project, *state.detections, wish, {true, false});
-  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome) << errorSentence(outcome.error());
   const double focal = outcome->project.cameras[0].camera.intrinsics.focalX;
   EXPECT_NEAR(focal, room.cameras[0].intrinsics.focalX, 4.0);
 }
@@ -153,12 +153,12 @@ TEST(BoardGuide, PlacesFromABoardThatBothSee) {
     }
   }
   EXPECT_EQ(state.phase, Phase::Finished);
-  EXPECT_GE(state.rig.instants, 5);
+  EXPECT_GE(state.rig.instantCount, 5);
   ASSERT_TRUE(state.cameras[1].positionSigma);
   EXPECT_LE(*state.cameras[1].positionSigma, room.wish.requiredPositionSigma);
   const auto outcome =
       calibrateFromBoards(room.project, *state.detections, room.wish.board, room.wish.goal);
-  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome) << errorSentence(outcome.error());
   // The right camera stands 12 cm to the right of the left one.
   EXPECT_LT((outcome->project.cameras[1].camera.center() - Eigen::Vector3d(0.12, 0.0, 0.0)).norm(),
             0.002);
@@ -170,11 +170,11 @@ TEST(BoardGuide, TakesWhatAPersonAsksForAndGoesOn) {
   BoardGuide guide(room.project, room.wish);
   guide.step(*room.frames(room.shown(9, BoardTilt::Flat)));
   const auto state = guide.captureNow();
-  EXPECT_EQ(state.cameras[0].lens.views, 1);
+  EXPECT_EQ(state.cameras[0].lens.viewCount, 1);
   EXPECT_EQ(state.detections->cameras[0].views.size(), 1U);
   EXPECT_EQ(guide.skipToPoses().phase, Phase::Poses);
   guide.step(*room.frames(room.shown(16, BoardTilt::Flat, 0.5)));
-  EXPECT_EQ(guide.captureNow().rig.instants, 1);
+  EXPECT_EQ(guide.captureNow().rig.instantCount, 1);
   EXPECT_EQ(guide.state().cameras[1].pairViewCount, 1);
   EXPECT_FALSE(guide.state().floorFrame);
   guide.step(*room.frames(room.shown(10, BoardTilt::Flat, 0.5)));
@@ -208,7 +208,7 @@ TEST(BoardGuide, ACameraWithoutImagesHoldsNobodyUp) {
     frames.frames[1] = nullptr;
     state = guide.step(frames);
   }
-  EXPECT_EQ(state.cameras[0].lens.views, 1);
+  EXPECT_EQ(state.cameras[0].lens.viewCount, 1);
   EXPECT_EQ(state.cameras[1].width, 0);
 }
 
@@ -229,12 +229,12 @@ TEST(BoardGuideThread, LooksAtTheNewestImagesInItsOwnThread) {
     watch.offer(frames);
     until([&] { return watch.newest()->frame == frames->index; });
   }
-  EXPECT_EQ(watch.newest()->cameras[0].lens.views, 1);
+  EXPECT_EQ(watch.newest()->cameras[0].lens.viewCount, 1);
   EXPECT_GE(woken, kStill);
   watch.captureNow();
-  until([&] { return watch.newest()->cameras[0].lens.views == 2; });
+  until([&] { return watch.newest()->cameras[0].lens.viewCount == 2; });
   watch.begin(room.project, room.wish); // over again, at once
-  EXPECT_EQ(watch.newest()->cameras[0].lens.views, 0);
+  EXPECT_EQ(watch.newest()->cameras[0].lens.viewCount, 0);
 }
 
 } // namespace

@@ -173,11 +173,11 @@ TEST(BoardRecordings, Charuco4) {
     recorded.push_back(video);
   }
   const auto source = openRecording(recorded, 0);
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   const auto seen = findBoards(project, **source, wish);
-  ASSERT_TRUE(seen) << sentence(seen.error());
+  ASSERT_TRUE(seen) << errorSentence(seen.error());
   const auto result = extrinsicsFromBoards(project, *seen, wish);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
 
   // Published corners in space and in the images; the recording's first frame is instant 35.
   Corners published;
@@ -204,7 +204,7 @@ TEST(BoardRecordings, Charuco4) {
               result->boardPoses.size(), 1e3 * spacing);
   EXPECT_NEAR(spacing, 0.054, 0.0005);
   const auto accuracy = assessBoard(*result, wish.board, {});
-  ASSERT_TRUE(accuracy) << sentence(accuracy.error());
+  ASSERT_TRUE(accuracy) << errorSentence(accuracy.error());
   std::printf("charuco4: %s\n", accuracySummary(*accuracy).c_str());
   EXPECT_TRUE(result->faults.empty()) << result->faults.front().sentence;
 }
@@ -219,7 +219,7 @@ TEST(BoardRecordings, StereoTray) {
   for (const char* side : {"left", "right"}) {
     const auto files = picturesIn(folder, side);
     const auto lens = lensFrom(files, request.board);
-    ASSERT_TRUE(lens) << sentence(lens.error());
+    ASSERT_TRUE(lens) << errorSentence(lens.error());
     std::printf("stereo_tray %s: rms %.3f px, f %.1f %.1f\n", side, lens->rmsPx,
                 lens->camera.intrinsics.focalX, lens->camera.intrinsics.focalY);
     EXPECT_LE(lens->rmsPx, 0.5);
@@ -229,11 +229,11 @@ TEST(BoardRecordings, StereoTray) {
   }
   // OpenCV's stereoCalibrate on the same corners: 0.515 px with the lenses held, 0.504 px without.
   const auto held = calibrateExtrinsics(request);
-  ASSERT_TRUE(held) << sentence(held.error());
+  ASSERT_TRUE(held) << errorSentence(held.error());
   EXPECT_LE(held->rmsPx, 0.516);
   request.refineIntrinsics = true;
   const auto result = calibrateExtrinsics(request);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   for (const std::string& notice : result->notices) {
     std::printf("stereo_tray: %s\n", notice.c_str());
   }
@@ -260,7 +260,7 @@ TEST(BoardRecordings, Ball9Arena) {
     ASSERT_TRUE(floor);
     const auto lens =
         lensFrom(picturesIn(folder / "intrinsic_boards" / std::to_string(k), ""), request.board);
-    ASSERT_TRUE(lens) << sentence(lens.error());
+    ASSERT_TRUE(lens) << errorSentence(lens.error());
     std::printf("ball9_arena view %d: rms %.3f px, f %.1f, floor board %s\n", k, lens->rmsPx,
                 lens->camera.intrinsics.focalX,
                 floor->cameras[0].views.empty() ? "not seen" : "seen");
@@ -271,7 +271,7 @@ TEST(BoardRecordings, Ball9Arena) {
   }
   ASSERT_GE(request.cameras.size(), 5U);
   const auto result = calibrateExtrinsics(request);
-  ASSERT_TRUE(result) << sentence(result.error());
+  ASSERT_TRUE(result) << errorSentence(result.error());
   const auto distances = spacings(triangulated(result->cameras, result->fits), request.board);
   const auto [least, most] = std::ranges::minmax(distances);
   std::printf("ball9_arena: %zu views, rms %.3f px, spacing mean %.3f mm, %.3f to %.3f mm\n",

@@ -63,7 +63,7 @@ TEST(BoardSearch, AnotherBoardIsSaidWithHowToGoOn) {
   const auto request = requestFor("chessboard:9x6:0.025");
   const auto source = recording.open();
   const auto seen = findBoards(recording.project, *source, request);
-  ASSERT_TRUE(seen) << sentence(seen.error());
+  ASSERT_TRUE(seen) << errorSentence(seen.error());
   ASSERT_TRUE(seen->hasOnlyOtherBoard());
   EXPECT_EQ(boardText(seen->otherBoard->board), kRight);
   for (const BoardGoal& goal : {BoardGoal{true, true}, BoardGoal{false, true}}) {
@@ -81,13 +81,13 @@ TEST(BoardSearch, ALongRecordingIsNotSearchedForTheWrongBoard) {
   auto request = requestFor("chessboard:9x6:0.025");
   const auto source = recording.open();
   const auto first = findBoards(recording.project, *source, request);
-  ASSERT_TRUE(first) << sentence(first.error());
+  ASSERT_TRUE(first) << errorSentence(first.error());
   EXPECT_TRUE(first->hasOnlyOtherBoard());
   EXPECT_FALSE(first->hasSearchedAllFrames);
   EXPECT_EQ(first->cameras[0].searchedImages, kBoardProposalFrames);
   request.suggestBoardFirst = false;
   const auto all = findBoards(recording.project, *source, request);
-  ASSERT_TRUE(all) << sentence(all.error());
+  ASSERT_TRUE(all) << errorSentence(all.error());
   EXPECT_TRUE(all->hasOnlyOtherBoard());
   EXPECT_TRUE(all->hasSearchedAllFrames);
   EXPECT_EQ(all->cameras[0].searchedImages, 40);
@@ -124,16 +124,15 @@ TEST(BoardSearch, AMirroredCameraIsNamed) {
   EXPECT_FALSE(seen->otherBoard);
   EXPECT_FALSE(seen->cameras[0].otherBoard);
   ASSERT_TRUE(seen->cameras[1].otherBoard);
-  EXPECT_TRUE(seen->cameras[1].otherBoard->mirrored);
+  EXPECT_TRUE(seen->cameras[1].otherBoard->isMirrored);
   const MirroredVideos mirrored = mirroredVideos(*seen);
   EXPECT_EQ(mirrored.cause, MirroredVideos::Cause::Videos);
   EXPECT_EQ(mirrored.cameras, std::vector<std::size_t>{1});
   EXPECT_EQ(findMirroredVideos(*source, request.board).value(), mirrored);
   const auto lenses = intrinsicsFromBoards(*seen, request);
-  ASSERT_TRUE(lenses) << sentence(lenses.error());
+  ASSERT_TRUE(lenses) << errorSentence(lenses.error());
   ASSERT_EQ(lenses->keptIntrinsics.size(), 1U);
-  EXPECT_NE(lenses->keptIntrinsics[0].detail.find("mirror"), std::string::npos)
-      << lenses->keptIntrinsics[0].detail;
+  EXPECT_NE(lenses->keptIntrinsics[0].detail.find("mirror"), std::string::npos) << lenses->keptIntrinsics[0].detail;
   const auto poses = extrinsicsFromBoards(recording.project, *seen, request);
   ASSERT_FALSE(poses);
   EXPECT_NE(poses.error().detail.find("mirror"), std::string::npos) << poses.error().detail;
@@ -144,14 +143,14 @@ TEST(BoardSearch, ProposalsForARecordingAndForOneTime) {
   const auto source = recording.open();
   const BoardDescription requested = boardOf("chessboard:9x6:0.025");
   const auto boards = proposeBoards(*source, requested);
-  ASSERT_TRUE(boards) << sentence(boards.error());
+  ASSERT_TRUE(boards) << errorSentence(boards.error());
   EXPECT_EQ(boardText(boards->front().board), kRight);
-  EXPECT_EQ(boards->front().searched, 16);
+  EXPECT_EQ(boards->front().searchedImageCount, 16);
   ASSERT_TRUE(source->seek(3));
   const auto frames = source->next();
   ASSERT_TRUE(frames && *frames);
   const auto now = proposeBoards(**frames, requested);
-  ASSERT_TRUE(now) << sentence(now.error());
+  ASSERT_TRUE(now) << errorSentence(now.error());
   EXPECT_EQ(boardText(now->front().board), kRight);
 }
 

@@ -129,7 +129,7 @@ TEST(CalibratedProject, ACroppedPictureTakesItsCalibrationAndClicksAlong) {
   project.cameras[1].calibrated.lens = recordOfLens(before, CalibrationOrigin::Board);
   const ImageMargins margins{20, 10, 30, 5};
   const auto cropped = withImageCrop(project, 1, margins);
-  ASSERT_TRUE(cropped) << sentence(cropped.error());
+  ASSERT_TRUE(cropped) << errorSentence(cropped.error());
   EXPECT_EQ(cropped->cameras[0], project.cameras[0]);
   EXPECT_EQ(cropped->cameras[1].crop, margins);
   EXPECT_EQ(cropped->cameras[1].camera.intrinsics.width, 110);
@@ -202,11 +202,11 @@ TEST(CalibratedProject, OnlyAFocalLengthThatWasComputedCountsAsMeasured) {
   solution.rig = {project.cameras[0].camera, moved(project.cameras[1].camera)};
   CameraFromPoints& found = solution.cameras.emplace_back();
   found.camera = 1;
-  found.clicks = kFewestPointsOfFocal - 1;
+  found.clickCount = kFewestPointsOfFocal - 1;
   const Project kept = withPointSolution(project, solution, true);
   EXPECT_TRUE(kept.cameras[1].calibrated.pose);
   EXPECT_FALSE(kept.cameras[1].calibrated.lens);
-  found.clicks = kFewestPointsOfFocal;
+  found.clickCount = kFewestPointsOfFocal;
   EXPECT_TRUE(withPointSolution(project, solution, true).cameras[1].calibrated.lens);
   EXPECT_FALSE(withPointSolution(project, solution, false).cameras[1].calibrated.lens);
 }

@@ -38,13 +38,13 @@ TEST_F(CalibrationExchange, WhatIsExportedIsImportedAgain) {
     target.path = folder_ / (std::string("out-") + format.name +
                              (format.layout == FileLayout::OneFile ? format.extension : ""));
     const auto preview = previewExport(project_, target);
-    ASSERT_TRUE(preview) << sentence(preview.error());
+    ASSERT_TRUE(preview) << errorSentence(preview.error());
     EXPECT_FALSE(std::filesystem::exists(target.path)) << "a preview leaves no file";
     const auto written = exportCalibration(project_, target);
-    ASSERT_TRUE(written) << sentence(written.error());
-    EXPECT_EQ(written->largestPixels, preview->largestPixels);
-    EXPECT_LT(written->largestPixels, 1e-6); // a pinhole without distortion fits every format
-    EXPECT_FALSE(written->written.empty());
+    ASSERT_TRUE(written) << errorSentence(written.error());
+    EXPECT_EQ(written->maxDifferencePx, preview->maxDifferencePx);
+    EXPECT_LT(written->maxDifferencePx, 1e-6); // a pinhole without distortion fits every format
+    EXPECT_FALSE(written->writtenFiles.empty());
     EXPECT_FALSE(std::filesystem::exists(folder_ / "preview"));
   }
 }
@@ -68,12 +68,12 @@ TEST_F(CalibrationExchange, ImportMatchesByNameAndSaysWhatChanges) {
   EXPECT_EQ(asked.question, ImportQuestion::Unit);
   EXPECT_EQ(asked.error.detail.find("--"), std::string::npos) << asked.error.detail;
   EXPECT_NE(asked.error.detail.find("probably mm"), std::string::npos) << asked.error.detail;
-  wish.hints.unit = 0.001;
+  wish.hints.metersPerUnit = 0.001;
   const auto made = importCalibration(project_, wish);
-  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_TRUE(made) << errorSentence(made.error());
   EXPECT_FALSE(made->wasMatchedByOrder);
   EXPECT_FALSE(made->hasOnlyIntrinsics);
-  EXPECT_LT(made->largestPixels, 1e-6);
+  EXPECT_LT(made->maxDifferencePx, 1e-6);
   ASSERT_EQ(made->cameras.size(), 2U);
   EXPECT_EQ(made->cameras[0].name, "left");
   EXPECT_NEAR(made->cameras[0].poseChange.meters, 0.0, 1e-9);
@@ -104,7 +104,7 @@ TEST_F(CalibrationExchange, NamesThatDoNotFitAreAskedForAndMapped) {
       "it has 3 cameras ('right', 'third', 'fourth'), and the project has 2 ('left', 'right')");
   wish.adaptation.names = {{"left", "right"}, {"right", "fourth"}};
   const auto made = importCalibration(project_, wish);
-  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_TRUE(made) << errorSentence(made.error());
   ASSERT_EQ(made->cameras.size(), 2U);
   EXPECT_EQ(made->cameras[0].fileName, "right");
   EXPECT_EQ(made->cameras[1].fileName, "fourth");
@@ -124,12 +124,12 @@ TEST_F(CalibrationExchange, TwoCamerasOfOnePoseAreNamed) {
   const auto file = folder_ / "copied.toml";
   ASSERT_TRUE(saveCalibration(rig, file));
   auto made = importCalibration(project_, {file, {}});
-  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_TRUE(made) << errorSentence(made.error());
   EXPECT_TRUE(made->faults.empty());
   rig[1].cameraFromWorld = rig[0].cameraFromWorld;
   ASSERT_TRUE(saveCalibration(rig, file));
   made = importCalibration(project_, {file, {}}); // not an error
-  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_TRUE(made) << errorSentence(made.error());
   ASSERT_EQ(made->faults.size(), 1U);
   EXPECT_EQ(made->faults.front().fault, CameraFault::SamePose);
   EXPECT_EQ(made->faults.front().cameras, (std::vector<std::size_t>{0, 1}));
@@ -137,13 +137,13 @@ TEST_F(CalibrationExchange, TwoCamerasOfOnePoseAreNamed) {
 
 TEST_F(CalibrationExchange, AFileOfOneCameraIsForTheOneThatIsNamed) {
   ImportRequest wish{kGolden / "opencv_sample.yml", {}};
-  wish.hints.unit = 1.0;
+  wish.hints.metersPerUnit = 1.0;
   const auto unknown = importCalibration(project_, wish);
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().field, "camera");
   wish.camera = 1;
   const auto made = importCalibration(project_, wish);
-  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_TRUE(made) << errorSentence(made.error());
   EXPECT_EQ(made->project.cameras[0].camera, project_.cameras[0].camera);
   EXPECT_NE(made->project.cameras[1].camera.intrinsics.focalX, 150.0);
   EXPECT_EQ(made->project.cameras[1].camera.name, "right");

@@ -64,7 +64,7 @@ TEST(MissedImages, EachPictureWithoutABoardIsNamed) {
     ASSERT_TRUE(cv::imwrite(files.back().string(), image));
   }
   const auto seen = findBoards(files, board, DetectionEffort::Sample);
-  ASSERT_TRUE(seen) << sentence(seen.error());
+  ASSERT_TRUE(seen) << errorSentence(seen.error());
   const std::string text = missedText(seen->cameras[0]);
   EXPECT_NE(text.find("no board was found in picture2.png, picture5.png (blurred"),
             std::string::npos)
@@ -74,7 +74,7 @@ TEST(MissedImages, EachPictureWithoutABoardIsNamed) {
   Project project;
   project.cameras.emplace_back().camera.name = "camera";
   const auto outcome = calibrateFromBoards(project, *seen, request, {true, false});
-  ASSERT_TRUE(outcome) << sentence(outcome.error());
+  ASSERT_TRUE(outcome) << errorSentence(outcome.error());
   ASSERT_EQ(outcome->missedRuns.size(), 1U);
   ASSERT_EQ(outcome->missedRuns[0].size(), 2U);
   EXPECT_EQ(outcome->missedRuns[0][1].file, "picture5.png");

@@ -107,7 +107,7 @@ TEST(ThrownBall, HalfHiddenByHandsMakesNothingWorse) {
                                 ? goodProject(truth, seed, CalibrationOrigin::File, std::nullopt)
                                 : goodProject(truth, seed, CalibrationOrigin::Board, 0.0015);
     const auto refinement = refineFromViews(project, thrown(truth, seed, 5.0), {});
-    ASSERT_TRUE(refinement) << sentence(refinement.error());
+    ASSERT_TRUE(refinement) << errorSentence(refinement.error());
     EXPECT_GT(worstPosition(refinement->result.cameras, truth),
               3.0 * worstPosition(refinement->camerasBefore, truth)); // so it must not be applied
     EXPECT_TRUE(isUnnecessary(*refinement) || isKnownBetter(*refinement));
@@ -127,7 +127,7 @@ TEST(ThrownBall, AMovedCameraIsStillCorrected) {
   moved.camera = simulated::moved(truth, 0.03, 0.03, seed + 10)[1];
   moved.calibrated.pose = recordOfPose(moved.camera, CalibrationOrigin::Board, 0.0015);
   const auto refinement = refineFromViews(project, thrown(truth, seed, 5.0), {});
-  ASSERT_TRUE(refinement) << sentence(refinement.error());
+  ASSERT_TRUE(refinement) << errorSentence(refinement.error());
   EXPECT_FALSE(isUnnecessary(*refinement));
   EXPECT_FALSE(isKnownBetter(*refinement));
 }
@@ -142,7 +142,7 @@ TEST(ThrownBall, AGoodWaveIsNotHeldBack) {
     std::erase_if(camera, [](const MarkerObservation& view) { return view.ball != 0; });
   }
   const auto refinement = refineFromViews(project, views, {});
-  ASSERT_TRUE(refinement) << sentence(refinement.error());
+  ASSERT_TRUE(refinement) << errorSentence(refinement.error());
   EXPECT_TRUE(refinement->gaps.empty());
   EXPECT_FALSE(isKnownBetter(*refinement));
   EXPECT_LT(worstPosition(refinement->result.cameras, truth), 0.002);

@@ -40,7 +40,7 @@ TEST(WandCollector, SeesWhatLookingThroughTheRecordingSees) {
   EXPECT_EQ(state.cameras[0].count, 12U);
   // The disc is in the middle of the image, whose regions are 6 x 4: region (3, 2), or the one
   // beside it; all twelve in the same.
-  EXPECT_EQ(*std::ranges::max_element(state.cameras[0].coverage.corners), 12);
+  EXPECT_EQ(*std::ranges::max_element(state.cameras[0].coverage.cornerCounts), 12);
   EXPECT_FALSE(hasEnoughDetections(state.cameras[0]));
 }
 

@@ -11,10 +11,10 @@ namespace dewpoint::tests {
 namespace {
 
 /// Cameras that were said to be off by 0.12 m at most, and are known to so many meters now.
-WandRefinement refinedTo(double cameras95) {
+WandRefinement refinedTo(double cameraPart95) {
   WandRefinement refinement;
   refinement.options.initialPositionError = 0.12;
-  refinement.accuracy->cameras95 = cameras95;
+  refinement.accuracy->cameraPart95 = cameraPart95;
   return refinement;
 }
 
@@ -42,8 +42,8 @@ TEST(WandRefinement, AFaultOrTooLittleMakesItDoubtful) {
 
 TEST(WandRefinement, WhatTheFormerCamerasExplainAsWellIsNotNeeded) {
   WandRefinement refinement = refinedTo(0.003);
-  refinement.accuracy->heldOut = 100;
-  refinement.accuracy->heldOutPx = 0.4;
+  refinement.accuracy->leftOutPointCount = 100;
+  refinement.accuracy->leftOutRmsPx = 0.4;
   EXPECT_FALSE(isUnnecessary(refinement)); // not compared
   refinement.beforePx = 0.5;
   EXPECT_FALSE(isUnnecessary(refinement));
@@ -57,8 +57,8 @@ TEST(WandRefinement, WhatTheFormerCamerasExplainAsWellIsNotNeeded) {
 /// A refinement of calibrated cameras, whose new positions are known to 6 mm.
 WandRefinement ofCalibratedCameras() {
   WandRefinement refinement = refinedTo(0.003);
-  refinement.accuracy->heldOut = 100;
-  refinement.accuracy->heldOutPx = 0.4;
+  refinement.accuracy->leftOutPointCount = 100;
+  refinement.accuracy->leftOutRmsPx = 0.4;
   refinement.accuracy->cameras = {{0.004, 0.001}, {0.006, 0.001}};
   refinement.wasCalibratedBefore = true;
   refinement.beforePx = 0.7; // worse than the new ones, but not as of a camera that was moved

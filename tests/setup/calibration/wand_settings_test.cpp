@@ -70,7 +70,7 @@ TEST(WandSettings, OptionsSayWhatWasDecided) {
   WandSettings wish;
   wish.scaleSource = WandScaleSource::Distance;
   wish.distance = 1.5;
-  wish.findOffsets = true;
+  wish.estimateTimeOffsets = true;
   wish.initialPositionError = 0.3;
   wish.usesOnlySelectedFrames = true;
   const std::vector<MarkedInstant> instants{
@@ -83,8 +83,8 @@ TEST(WandSettings, OptionsSayWhatWasDecided) {
   EXPECT_EQ(options.floorTimes, (std::vector<double>{1.0, 4.0}));
   ASSERT_TRUE(options.fallSpan);
   EXPECT_EQ((*options.fallSpan)[1], 5.5);
-  EXPECT_TRUE(options.findOffsets);
-  EXPECT_FALSE(options.findFocal);
+  EXPECT_TRUE(options.estimateTimeOffsets);
+  EXPECT_FALSE(options.estimateFocalLengths);
   EXPECT_EQ(options.initialPositionError, 0.3);
   EXPECT_EQ(options.firstFrame, 10);
   EXPECT_EQ(options.endFrame, 100); // one past the last

@@ -43,7 +43,7 @@ TEST(ClickedPosition, OfTwoClicksIsWhereTheirRaysMeet) {
   const CameraRig rig = rightAngle();
   const auto found =
       clickedPosition(rig, {clickOn(rig, 0, kTarget), clickOn(rig, 1, kTarget)}, std::nullopt);
-  ASSERT_TRUE(found) << sentence(found.error());
+  ASSERT_TRUE(found) << errorSentence(found.error());
   EXPECT_LT((found->mean - kTarget).norm(), 1e-9);
   EXPECT_NEAR(sigmaAlong(*found, Eigen::Vector3d::UnitX()), 0.008, 1e-9);
   EXPECT_NEAR(sigmaAlong(*found, Eigen::Vector3d::UnitY()), 0.008, 1e-9);
@@ -58,7 +58,7 @@ TEST(ClickedPosition, OfClicksThatDisagreeIsLessCertain) {
   const Eigen::Vector3d up(0.0, 0.0, 0.1);
   const auto found = clickedPosition(
       rig, {clickOn(rig, 0, kTarget + up), clickOn(rig, 1, kTarget - up)}, std::nullopt);
-  ASSERT_TRUE(found) << sentence(found.error());
+  ASSERT_TRUE(found) << errorSentence(found.error());
   EXPECT_LT((found->mean - kTarget).norm(), 0.01);
   const double factor = std::sqrt(2.0) * 12.5;
   EXPECT_NEAR(sigmaAlong(*found, Eigen::Vector3d::UnitX()), 0.008 * factor, 0.1 * 0.008 * factor);
@@ -71,7 +71,7 @@ TEST(ClickedPosition, OfOneClickTakesItsDepthFromTheEstimate) {
   const Gaussian3 estimate{kTarget + Eigen::Vector3d(0.3, 0.5, 0.0),
                            0.04 * 0.04 * Eigen::Matrix3d::Identity()};
   const auto found = clickedPosition(rig, {clickOn(rig, 0, kTarget)}, estimate);
-  ASSERT_TRUE(found) << sentence(found.error());
+  ASSERT_TRUE(found) << errorSentence(found.error());
   EXPECT_LT((found->mean - (kTarget + Eigen::Vector3d(0.0, 0.5, 0.0))).norm(), 1e-9);
   const double across = 0.01; // 2 px at 2.5 m
   EXPECT_NEAR(sigmaAlong(*found, Eigen::Vector3d::UnitX()), across, 1e-9);
@@ -90,7 +90,7 @@ TEST(ClickedPosition, OfOneClickWithoutAnEstimateIsWhereOthersSee) {
   const Gaussian3 behind{kTarget - 5.0 * Eigen::Vector3d::UnitY(), Eigen::Matrix3d::Identity()};
   for (const auto& estimate : {std::optional<Gaussian3>(), std::optional(behind)}) {
     const auto found = clickedPosition(rig, {click}, estimate);
-    ASSERT_TRUE(found) << sentence(found.error());
+    ASSERT_TRUE(found) << errorSentence(found.error());
     const double depth = (found->mean - rig[0].center()).norm();
     EXPECT_NEAR(depth, 1.181, 0.03);
     EXPECT_LT((found->mean - (rig[0].center() + depth * Eigen::Vector3d::UnitY())).norm(), 1e-9);
@@ -111,7 +111,7 @@ CameraRig sideBySide() {
 // on and to the end of the world, which is 1.25 m in the middle of inverse depths.
 TEST(ClickedPosition, OfOneClickMayLieOnAnEndlessPart) {
   const auto found = clickedPosition(sideBySide(), {{0, {319.5, 239.5}}}, std::nullopt);
-  ASSERT_TRUE(found) << sentence(found.error());
+  ASSERT_TRUE(found) << errorSentence(found.error());
   EXPECT_NEAR(found->mean.y(), 1.25, 0.03);
 }
 

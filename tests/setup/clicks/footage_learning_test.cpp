@@ -69,7 +69,7 @@ struct Footage {
 TEST(FootageLearningResult, MakesATargetOfAClick) {
   const Footage footage;
   const auto lesson = footage.learn({{footage.click()}, "ball", 0.1, TargetShape::Ball});
-  ASSERT_TRUE(lesson) << sentence(lesson.error());
+  ASSERT_TRUE(lesson) << errorSentence(lesson.error());
   ASSERT_EQ(lesson->project.targets.size(), 1U);
   const Target& target = lesson->project.targets[lesson->target];
   EXPECT_EQ(target.name, "ball");

@@ -12,7 +12,7 @@ bool always() {
 
 TEST(LivePreview, ATestPatternSaysItsSizeAndRate) {
   const auto tried = captureLivePreview("test:ball?width=640&height=360&rate=20", &always);
-  ASSERT_TRUE(tried) << sentence(tried.error());
+  ASSERT_TRUE(tried) << errorSentence(tried.error());
   EXPECT_EQ(tried->size, cv::Size(640, 360));
   EXPECT_EQ(tried->image.size(), cv::Size(192, 108));
   EXPECT_EQ(tried->image.type(), CV_8UC3);
@@ -33,7 +33,7 @@ TEST(LivePreview, WhatCannotBeOpenedSaysWhy) {
 TEST(LivePreview, PasswordsAreNotShown) {
   const auto tried = captureLivePreview("rtsp://me:secret@127.0.0.1:1/door", &always);
   ASSERT_FALSE(tried);
-  EXPECT_EQ(sentence(tried.error()).find("secret"), std::string::npos);
+  EXPECT_EQ(errorSentence(tried.error()).find("secret"), std::string::npos);
 }
 
 TEST(LivePreview, NobodyNeedsToWaitForTheEnd) {

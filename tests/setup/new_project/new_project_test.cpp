@@ -51,7 +51,7 @@ protected:
 
 TEST_F(NewProjectTest, CamerasAreCalledAsTheirFiles) {
   const auto made = createNewProject(two());
-  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_TRUE(made) << errorSentence(made.error());
   const Project& project = made->project;
   EXPECT_EQ(project.name, folder_.filename());
   ASSERT_EQ(project.cameras.size(), 2U);
@@ -104,7 +104,7 @@ TEST_F(NewProjectTest, CalibrationsGoByName) {
   auto wanted = two();
   wanted.calibration = calibration({"right", "other", "left"});
   const auto made = createNewProject(wanted);
-  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_TRUE(made) << errorSentence(made.error());
   EXPECT_FALSE(made->lacksCalibration);
   EXPECT_FALSE(made->wasMatchedByOrder);
   EXPECT_EQ(made->project.cameras[0].camera.intrinsics.focalX, 102.0); // the third of the file
@@ -131,7 +131,7 @@ TEST_F(NewProjectTest, ACalibrationThatFitsNeitherWayIsRefused) {
   EXPECT_NE(made.error().detail.find("'left', 'right'"), std::string::npos) << made.error().detail;
   wanted.adaptation.names = {{"right", "other"}};
   const auto mapped = createNewProject(wanted);
-  ASSERT_TRUE(mapped) << sentence(mapped.error());
+  ASSERT_TRUE(mapped) << errorSentence(mapped.error());
   EXPECT_FALSE(mapped->wasMatchedByOrder);
   EXPECT_EQ(mapped->project.cameras[1].camera.name, "right");
   EXPECT_EQ(mapped->project.cameras[1].camera.intrinsics.focalX, 101.0);
@@ -151,7 +151,7 @@ TEST_F(NewProjectTest, ACalibrationOfAnotherImageSizeIsFittedAsTheUserSays) {
   EXPECT_NE(refused.error().detail.find("64 x 40"), std::string::npos);
   wanted.adaptation.fit = SizeFit::Crop;
   const auto made = createNewProject(wanted);
-  ASSERT_TRUE(made) << sentence(made.error());
+  ASSERT_TRUE(made) << errorSentence(made.error());
   EXPECT_EQ(made->decisions.size(), 2U);
   const Intrinsics& in = made->project.cameras[1].camera.intrinsics;
   EXPECT_EQ(in.height, 40);

@@ -80,7 +80,7 @@ TEST(ProjectCameras, WhatWasMarkedFollowsItsCamera) {
   ASSERT_TRUE(removeProjectCamera(project, 1));
   EXPECT_FALSE(project.targets[1].box);
   const auto good = checkProject(project);
-  EXPECT_TRUE(good) << sentence(good.error());
+  EXPECT_TRUE(good) << errorSentence(good.error());
 }
 
 TEST(ProjectCameras, TheLastCameraStays) {
@@ -207,7 +207,7 @@ TEST(ProjectCameras, RecordingsSayTheirSize) {
   fs::create_directories(folder);
   cv::imwrite((folder / "0.png").string(), cv::Mat(48, 64, CV_8UC3, cv::Scalar(0)));
   const auto source = sourceAt(folder.string() + "/");
-  ASSERT_TRUE(source) << sentence(source.error());
+  ASSERT_TRUE(source) << errorSentence(source.error());
   EXPECT_EQ(source->kind, SourceKind::Images);
   EXPECT_EQ(source->location, folder.string());
   EXPECT_EQ(source->size, cv::Size(64, 48));

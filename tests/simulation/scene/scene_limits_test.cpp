@@ -10,7 +10,7 @@ namespace {
 
 std::string problemOf(const std::string& text) {
   const auto scene = simulation::parseScene(text, "scene.toml");
-  return scene ? "" : base::sentence(scene.error());
+  return scene ? "" : base::errorSentence(scene.error());
 }
 
 TEST(SceneLimits, OfOrdinaryScenesAreKept) {

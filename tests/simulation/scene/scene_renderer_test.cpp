@@ -108,7 +108,7 @@ TEST(SceneRenderer, TheLightChangesAsTheSceneSays) {
   EXPECT_GT(warm[2], 1.1);
 
   const auto again = parseScene(sceneToml(scene), "scene.toml");
-  ASSERT_TRUE(again) << sentence(again.error());
+  ASSERT_TRUE(again) << errorSentence(again.error());
   ASSERT_EQ(again->lights.size(), 1U);
   EXPECT_EQ(again->lights[0].kelvin, 4500.0);
   EXPECT_EQ(parseScene("[[light]]\nbrightness = 0\n", "dark.toml").error().field,
@@ -143,7 +143,7 @@ TEST(SceneFile, ComesBackAsItWas) {
   scene.hasOccluder = true;
   scene.seed = 11;
   const auto parsed = parseScene(sceneToml(scene), "scene.toml");
-  ASSERT_TRUE(parsed) << sentence(parsed.error());
+  ASSERT_TRUE(parsed) << errorSentence(parsed.error());
   EXPECT_EQ(parsed->distractorCount, 2);
   EXPECT_TRUE(parsed->hasOccluder);
   EXPECT_EQ(parsed->seed, 11U);

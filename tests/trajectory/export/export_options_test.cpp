@@ -21,7 +21,7 @@ TEST(ExportOptions, ChooseTargetsAndSpan) {
   options.from = RangeBound{0.1, false};
   options.to = RangeBound{2.0, true};
   const auto table = tableOf(options);
-  ASSERT_TRUE(table) << sentence(table.error());
+  ASSERT_TRUE(table) << errorSentence(table.error());
   EXPECT_EQ(table->targets, std::vector<std::string>{"cap, red"});
   EXPECT_EQ(table->frames, (std::vector<std::int64_t>{1, 2}));
 }
@@ -144,7 +144,7 @@ TEST(ExportRefuses, WhatCannotBeWritten) {
   EXPECT_EQ(wrong(exportAs("doc")).code, ErrorCode::NotFound);
   ExportOptions options;
   options.targets = {"dog"};
-  EXPECT_NE(sentence(wrong(options)).find("ball, cap, red"), std::string::npos);
+  EXPECT_NE(errorSentence(wrong(options)).find("ball, cap, red"), std::string::npos);
   options = {};
   options.from = RangeBound{99.0, false};
   EXPECT_EQ(wrong(options).field, "span");

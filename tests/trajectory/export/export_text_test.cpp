@@ -134,7 +134,7 @@ TEST(ExportText, TidyCsvIsReadByOurOwnReader) {
   options.targets = {"cap, red"};
   ASSERT_TRUE(exportTrajectory(exportExample(), options, folder / "a.csv"));
   const auto read = readExportSource(folder / "a.csv");
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   ASSERT_EQ(read->samples.size(), 4U);
   EXPECT_EQ(read->samples[0].target, "cap, red");
   EXPECT_EQ(read->samples[3].position, Eigen::Vector3d(1, 2, 3));
@@ -145,7 +145,7 @@ TEST(ExportText, GapsAreReadByOurOwnReader) {
   const ExportFolder folder;
   ASSERT_TRUE(exportTrajectory(exportExample(), exportAs("csv"), folder / "a.csv"));
   const auto read = readExportSource(folder / "a.csv");
-  ASSERT_TRUE(read) << sentence(read.error());
+  ASSERT_TRUE(read) << errorSentence(read.error());
   EXPECT_FALSE(read->samples[4].valid);
   EXPECT_FALSE(read->samples[4].position.allFinite());
 }
@@ -160,8 +160,8 @@ TEST(ExportText, ACsvWithoutNotesBeginsWithItsColumnsAndIsReadTheSame) {
   EXPECT_TRUE(bytesOf(folder / "without.csv").starts_with("time_s,frame,target,x_m,"));
   const auto with = readTrajectory(folder / "with.csv");
   const auto without = readTrajectory(folder / "without.csv");
-  ASSERT_TRUE(with) << sentence(with.error());
-  ASSERT_TRUE(without) << sentence(without.error());
+  ASSERT_TRUE(with) << errorSentence(with.error());
+  ASSERT_TRUE(without) << errorSentence(without.error());
   ASSERT_EQ(with->samples.size(), 8U);
   ASSERT_EQ(without->samples.size(), 8U);
   for (std::size_t k = 0; k < 8; ++k) {
@@ -181,7 +181,7 @@ TEST(ExportText, OnlyFormatsWithoutAPlaceForNotesHaveNone) {
     ExportOptions options = exportAs(std::string(format.id));
     options.writesHeader = notes;
     const auto written = exportTrajectory(exportExample(), options, folder / "a");
-    return written ? bytesOf(written->files.front()) : sentence(written.error());
+    return written ? bytesOf(written->files.front()) : errorSentence(written.error());
   };
   for (const ExportFormat& format : exportFormats()) {
     EXPECT_EQ(text(format, true) != text(format, false), format.hasNotes) << format.id;

@@ -50,7 +50,7 @@ inline void CalibrationWindow::openCalibration() {
   for (const ProjectCamera& one : project().cameras) {
     rig.push_back(one.camera);
   }
-  grid_ = gridFor(rig);
+  grid_ = referenceGridFor(rig);
   QTest::keyClick(window_.get(), Qt::Key_C);
   const auto* view = static_cast<CameraView*>(layer(0)->parentWidget());
   QVERIFY(waitFor([view] { return !view->imageSize().isEmpty(); }));

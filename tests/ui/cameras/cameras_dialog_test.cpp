@@ -76,7 +76,7 @@ void CamerasDialogTest::init() {
 }
 
 Project CamerasDialogTest::patterns() const {
-  Project project = projectOfScene(demoScene(), "");
+  Project project = makeSceneProject(demoScene(), "");
   project.scene.clear();
   project.cameras.resize(2);
   for (ProjectCamera& camera : project.cameras) {

@@ -254,7 +254,7 @@ void DocumentTest::killedAtAnyMomentOnlyWhatCameAfterTheLastCopyIsLost() {
     const auto left = recovery.orphanedBackups();
     QCOMPARE(left.size(), std::size_t{1});
     const auto project = RecoveryFolder::readBackup(left.front());
-    QVERIFY2(project, project ? "" : sentence(project.error()).c_str()); // never a broken one
+    QVERIFY2(project, project ? "" : errorSentence(project.error()).c_str()); // never a broken one
     QVERIFY(project->seed >= kept);
     qInfo("killed at edit %llu, recovered edit %llu", static_cast<unsigned long long>(last),
           static_cast<unsigned long long>(project->seed));

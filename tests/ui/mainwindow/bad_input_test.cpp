@@ -32,7 +32,7 @@ void writeVideo(const SceneRenderer& renderer, int camera, const std::string& fi
   auto writer = FrameWriter::video(file, renderer.scene().framesPerSecond);
   for (std::int64_t frame = 0; writer && frame < frames; ++frame) {
     if (const auto written = writer->write(renderer.render(camera, frame)); !written) {
-      qFatal("%s", sentence(written.error()).c_str());
+      qFatal("%s", errorSentence(written.error()).c_str());
     }
   }
   if (!writer || !writer->finish()) {
@@ -83,7 +83,7 @@ void BadInputTest::initTestCase() {
   writeVideo(renderer, 1, path("short.mkv"), kVideoFrames / 2);
   std::filesystem::copy_file(path("camera-1.mkv"), path("half.mkv"));
   std::filesystem::resize_file(path("half.mkv"), std::filesystem::file_size(path("half.mkv")) / 2);
-  Project project = projectOfScene(scene, "");
+  Project project = makeSceneProject(scene, "");
   project.cameras[0].source = project.cameras[1].source = SourceKind::Video;
   project.cameras[0].location = path("camera-1.mkv");
   project.cameras[1].location = path("camera-2.mkv");

@@ -50,7 +50,7 @@ Result<SessionInputs> spoiled(const std::vector<std::size_t>& order,
   if (!source) {
     return tl::unexpected(source.error());
   }
-  SessionInputs inputs{projectOfScene(scene, "demo"), std::move(*source), {}};
+  SessionInputs inputs{makeSceneProject(scene, "demo"), std::move(*source), {}};
   spoil(inputs.project);
   return inputs;
 }

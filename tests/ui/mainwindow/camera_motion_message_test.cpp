@@ -70,7 +70,7 @@ Result<SessionInputs> openMoved(const SessionRequest&) {
   if (!source) {
     return tl::unexpected(source.error());
   }
-  SessionInputs inputs{projectOfScene(scene, "demo"), std::move(*source), {}};
+  SessionInputs inputs{makeSceneProject(scene, "demo"), std::move(*source), {}};
   return inputs;
 }
 
@@ -179,8 +179,9 @@ void CameraMotionMessageTest::whileABoardIsShownNoCameraIsTakenForMoved() {
   constexpr std::int64_t kLongEnough = 40; // frames: 4 s
   const auto turned = std::make_shared<std::atomic<bool>>(false);
   makeWindow({.opener = [turned](const SessionRequest&) -> Result<SessionInputs> {
-                return SessionInputs{
-                    projectOfScene(stillScene(), "demo"), std::make_unique<TurnedDemo>(turned), {}};
+                return SessionInputs{makeSceneProject(stillScene(), "demo"),
+                                     std::make_unique<TurnedDemo>(turned),
+                                     {}};
               },
               .size = {1400, 900},
               .theme = Theme::Light});

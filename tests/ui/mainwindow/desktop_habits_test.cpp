@@ -267,9 +267,9 @@ void DesktopHabitsTest::theFilterUsesAsManyThreadsAsChosen() {
   };
   window_->show();
   const int most = QThread::idealThreadCount();
-  QCOMPARE(Preferences().filterThreadCount(), 0); // nobody has chosen
+  QCOMPARE(Preferences().threadCountForFilter(), 0); // nobody has chosen
   choose(most);
-  QCOMPARE(Preferences().filterThreadCount(), most);
+  QCOMPARE(Preferences().threadCountForFilter(), most);
   openDemo();
   QCOMPARE(threadsOfRun(), most);
   choose(1); // while it runs

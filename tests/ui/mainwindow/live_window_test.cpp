@@ -86,13 +86,13 @@ void LiveWindowTest::initTestCase() {
 
 std::filesystem::path LiveWindowTest::savedProject(const std::string& first,
                                                    const std::string& second) const {
-  Project project = projectOfScene(scene_, "");
+  Project project = makeSceneProject(scene_, "");
   project.cameras[0].source = project.cameras[1].source = SourceKind::Stream;
   project.cameras[0].location = first;
   project.cameras[1].location = second;
   const std::filesystem::path file = folder_.filePath("live.toml").toStdString();
   if (const auto saved = saveProject(project, file); !saved) {
-    qFatal("%s", sentence(saved.error()).c_str());
+    qFatal("%s", errorSentence(saved.error()).c_str());
   }
   return file;
 }

@@ -29,7 +29,7 @@ void PreferencesTest::atFirstThereIsNone() {
   QVERIFY(preferences.windowGeometry().isEmpty());
   QVERIFY(preferences.recentProjects().isEmpty());
   QVERIFY(preferences.lastFolder().isEmpty());
-  QCOMPARE(preferences.filterThreadCount(), 0);
+  QCOMPARE(preferences.threadCountForFilter(), 0);
   QVERIFY(!preferences.shortcut(QStringLiteral("actionPlay")));
   QVERIFY(!preferences.shownPlots());
   QVERIFY(preferences.plotsOverTime());
@@ -98,7 +98,7 @@ void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
   QCOMPARE(after.theme(), Theme::Light);
   QCOMPARE(after.language(), QStringLiteral("ja"));
   QCOMPARE(after.windowGeometry(), QByteArray("geometry"));
-  QCOMPARE(after.filterThreadCount(), 3);
+  QCOMPARE(after.threadCountForFilter(), 3);
   QCOMPARE(after.shortcut(QStringLiteral("actionPlay")), std::optional(QKeySequence(Qt::Key_X)));
   QVERIFY(!after.shortcut(QStringLiteral("actionRestart")));
   QCOMPARE(after.shownPlots(), std::optional(QStringList())); // none is a choice, too

@@ -88,7 +88,7 @@ void TakeWindowTest::cleanup() {
 void TakeWindowTest::openLive() {
   left_ = std::make_unique<test::MjpegServer>([this](auto&&...) { return pictures_[0]; });
   right_ = std::make_unique<test::MjpegServer>([this](auto&&...) { return pictures_[1]; });
-  Project project = projectOfScene(scene_, "");
+  Project project = makeSceneProject(scene_, "");
   project.cameras[0].source = project.cameras[1].source = SourceKind::Stream;
   project.cameras[0].location = left_->address();
   project.cameras[1].location = right_->address();

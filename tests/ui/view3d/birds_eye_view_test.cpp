@@ -338,7 +338,7 @@ private Q_SLOTS:
     for (std::size_t i = 0; i < map->grid.cellCount(); ++i) {
       const bool north = i / 4 % 4 == 3;
       map->sigmas.push_back(north ? float(kNaN) : i % 4 < 2 ? 0.0005F : 0.05F);
-      map->counts.push_back(north ? 1 : 3);
+      map->cameraCounts.push_back(north ? 1 : 3);
     }
     view_->setSnapshot(ballSnapshot());
     MapOptions look;

@@ -64,7 +64,7 @@ BoardPreferences BoardCalibrator::preferences() const {
           static_cast<int>(request_.board.model),
           request_.goal.estimatesLenses,
           request_.goal.estimatesPoses,
-          request_.lensGuidance.requestedProjectionPx,
+          request_.lensGuidance.requiredProjectionSigmaPx,
           request_.requiredPositionSigma};
 }
 
@@ -79,7 +79,7 @@ void BoardCalibrator::loadPreferences() {
   request_.board.model = static_cast<IntrinsicsModel>(std::clamp(kept.lensModel, 0, 2));
   request_.goal.estimatesLenses = kept.calibratesIntrinsics;
   request_.goal.estimatesPoses = kept.calibratesPositions || !request_.goal.estimatesLenses;
-  request_.lensGuidance.requestedProjectionPx = kept.intrinsicsAccuracyPx;
+  request_.lensGuidance.requiredProjectionSigmaPx = kept.intrinsicsAccuracyPx;
   request_.requiredPositionSigma = kept.positionAccuracyMeters;
 }
 
@@ -227,8 +227,8 @@ void BoardCalibrator::takeGuesses(const Proposed& proposed) {
     Q_EMIT mirroredVideosFound();
     return;
   }
-  if (!best.mirrored && isSameBoard(best.board, request_.board.board)) {
-    Q_EMIT boardConfirmed(best.images, best.searched);
+  if (!best.isMirrored && isSameBoard(best.board, request_.board.board)) {
+    Q_EMIT boardConfirmed(best.imageCount, best.searchedImageCount);
     return;
   }
   proposal_ = best;
@@ -373,7 +373,7 @@ void BoardCalibrator::saveReport(const QString& file) {
 
 void BoardCalibrator::printBoard(const QString& paper, const QString& file) {
   const auto sheets = paperNamed(paper.toStdString()).and_then([this](const Paper& sheet) {
-    return sheetsToPrint(request_.board.board, sheet);
+    return countSheetsToPrint(request_.board.board, sheet);
   });
   write(
       [board = request_.board.board, name = paper.toStdString(), path = file.toStdString()] {

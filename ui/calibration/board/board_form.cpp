@@ -152,7 +152,7 @@ void BoardForm::connectFields() {
     edit([&](Board& board) { board.dictionary = name.toStdString(); });
   });
   connect(legacy_, &QCheckBox::clicked, this,
-          [this](bool on) { edit([on](Board& board) { board.legacy = on; }); });
+          [this](bool on) { edit([on](Board& board) { board.usesLegacyLayout = on; }); });
   connect(inverted_, &QCheckBox::clicked, this,
           [this](bool on) { edit([on](Board& board) { board.inverted = on; }); });
   connect(print_, &QPushButton::clicked, this, &BoardForm::print);
@@ -245,7 +245,7 @@ void BoardForm::refresh() {
     field->setVisible(markers);
   }
   legacy_->setEnabled(board.rows % 2 == 0);
-  legacy_->setChecked(board.legacy);
+  legacy_->setChecked(board.usesLegacyLayout);
   inverted_->setChecked(board.inverted);
   summary_->setText(
       tr("%1 × %2 inner corners. Description for the command line:")

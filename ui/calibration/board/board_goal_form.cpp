@@ -112,9 +112,7 @@ void BoardGoalForm::connectFields() {
     });
   });
   connect(lensAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double pixels) {
-    edit([pixels](BoardGuideRequest& request) {
-      request.lensGuidance.requestedProjectionPx = pixels;
-    });
+    edit([pixels](BoardGuideRequest& request) { request.lensGuidance.requiredProjectionSigmaPx = pixels; });
   });
   connect(positionAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
     edit([=](BoardGuideRequest& request) {
@@ -187,7 +185,7 @@ void BoardGoalForm::refresh() {
   accuracyLabel_->setVisible(live);
   lensAccuracy_->setVisible(live && request.goal.estimatesLenses);
   positionAccuracy_->setVisible(live && request.goal.estimatesPoses);
-  showValue(*lensAccuracy_, request.lensGuidance.requestedProjectionPx);
+  showValue(*lensAccuracy_, request.lensGuidance.requiredProjectionSigmaPx);
   showValue(*positionAccuracy_, inMillimeters(request.requiredPositionSigma));
 }
 

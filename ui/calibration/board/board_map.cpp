@@ -78,8 +78,8 @@ void BoardMap::paintRegions(QPainter& painter, const QRectF& image) const {
                   image.top() + static_cast<int>(region / BoardCoverage::kColumns) * height, width,
                   height);
   };
-  for (int region = 0; region < static_cast<int>(guidance.coverage.corners.size()); ++region) {
-    const int corners = guidance.coverage.corners[static_cast<std::size_t>(region)];
+  for (int region = 0; region < static_cast<int>(guidance.coverage.cornerCounts.size()); ++region) {
+    const int corners = guidance.coverage.cornerCounts[static_cast<std::size_t>(region)];
     QColor fill = palette().color(QPalette::Highlight);
     fill.setAlphaF(static_cast<float>(0.75 * std::min(1.0, corners / kEnoughCorners)));
     painter.fillRect(cell(region), fill);
@@ -124,11 +124,11 @@ void BoardMap::paintOutlines(QPainter& painter, const QRectF& image) const {
 }
 
 void BoardMap::paintTilts(QPainter& painter, const QRectF& image) const {
-  const double step = image.width() / BoardCoverage::kTilts;
-  for (int k = 0; k < BoardCoverage::kTilts; ++k) {
+  const double step = image.width() / BoardCoverage::kTiltCount;
+  for (int k = 0; k < BoardCoverage::kTiltCount; ++k) {
     const auto tilt = static_cast<BoardTilt>(k);
     const bool wanted = camera_.lens.advice == GuidanceAdvice::TiltTo && camera_.lens.tilt == tilt;
-    const int views = camera_.lens.coverage.tilts[static_cast<std::size_t>(k)];
+    const int views = camera_.lens.coverage.tiltCounts[static_cast<std::size_t>(k)];
     QColor fill = palette().color(QPalette::Highlight);
     fill.setAlphaF(static_cast<float>(std::min(0.75, 0.25 * views)));
     painter.setBrush(fill);

@@ -39,13 +39,13 @@ QString lensLine(const QString& name, const IntrinsicsResult& lens) {
 QString missReason(const QString& image, const BoardMiss& miss) {
   switch (miss.reason) {
   case BoardMiss::Reason::TooFewCorners:
-    return BoardText::tr("%1 (too few corners: %2)").arg(image, QString::number(miss.corners));
+    return BoardText::tr("%1 (too few corners: %2)").arg(image, QString::number(miss.cornerCount));
   case BoardMiss::Reason::Blurred:
     return BoardText::tr("%1 (blurred: edges are %2 wide)")
         .arg(image, pixelText(miss.edgeWidthPx, 0));
   case BoardMiss::Reason::TooSmall:
     return BoardText::tr("%1 (too small: squares are only %2 wide)")
-        .arg(image, pixelText(miss.squarePx, 0));
+        .arg(image, pixelText(miss.squareSizePx, 0));
   case BoardMiss::Reason::Unknown:
     break;
   }
@@ -197,13 +197,13 @@ QString sharpnessText(const BoardGuideState::PerCamera& camera, const GuidanceSe
 
 QString lensAccuracyText(const BoardGuideState::PerCamera& camera,
                          const GuidanceSettings& settings) {
-  if (!camera.lens.projectionPx) {
+  if (!camera.lens.projectionSigmaPx) {
     return BoardText::tr("%1 views; at least %2 are needed")
-        .arg(QString::number(camera.lens.views), QString::number(settings.minViews));
+        .arg(QString::number(camera.lens.viewCount), QString::number(settings.minViews));
   }
   return BoardText::tr("%1 views, accuracy %2 (goal: %3)")
-      .arg(QString::number(camera.lens.views), pixelText(*camera.lens.projectionPx, 2),
-           pixelText(settings.requestedProjectionPx, 2));
+      .arg(QString::number(camera.lens.viewCount), pixelText(*camera.lens.projectionSigmaPx, 2),
+           pixelText(settings.requiredProjectionSigmaPx, 2));
 }
 
 QString visibilityText(const BoardGuideState::PerCamera& camera) {
@@ -229,7 +229,7 @@ QString guessedBoardText(const BoardGuess& guess) {
                 ? BoardText::tr("a chessboard with %1 × %2 inner corners").arg(columns, rows)
                 : BoardText::tr("a ChArUco board with %1 × %2 squares, %3")
                       .arg(columns, rows, QString::fromStdString(board.dictionary)));
-  if (board.legacy) {
+  if (board.usesLegacyLayout) {
     parts << BoardText::tr("legacy layout");
   }
   if (board.inverted) {
@@ -239,14 +239,15 @@ QString guessedBoardText(const BoardGuess& guess) {
 }
 
 QString proposalQuestion(const BoardGuess& guess) {
-  const QString images = QString::number(guess.images);
-  const QString searched = QString::number(guess.searched);
-  return guess.mirrored ? BoardText::tr("%1 of the %2 searched images show %3, but mirrored. To "
-                                        "correct this, change “Mirrored” in the panel Cameras for "
-                                        "the cameras that took these images. Use this board?")
-                              .arg(images, searched, guessedBoardText(guess))
-                        : BoardText::tr("%1 of the %2 searched images show %3. Use this board?")
-                              .arg(images, searched, guessedBoardText(guess));
+  const QString images = QString::number(guess.imageCount);
+  const QString searched = QString::number(guess.searchedImageCount);
+  return guess.isMirrored
+             ? BoardText::tr("%1 of the %2 searched images show %3, but mirrored. To "
+                             "correct this, change “Mirrored” in the panel Cameras for "
+                             "the cameras that took these images. Use this board?")
+                   .arg(images, searched, guessedBoardText(guess))
+             : BoardText::tr("%1 of the %2 searched images show %3. Use this board?")
+                   .arg(images, searched, guessedBoardText(guess));
 }
 
 QString mirroredQuestion(const BoardCalibrator& calibrator) {

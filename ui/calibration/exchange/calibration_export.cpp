@@ -37,7 +37,7 @@ QString withoutEnding(const QString& file) {
 constexpr double kLeastLossPx = 0.01; ///< less is not worth a number: no click is that accurate
 
 bool losesAccuracy(const CameraDifference& camera) {
-  return !(camera.largestPixels <= kLeastLossPx) || camera.lostDirections > 0;
+  return !(camera.maxDifferencePx <= kLeastLossPx) || camera.lostDirectionCount > 0;
 }
 
 } // namespace
@@ -64,7 +64,7 @@ CalibrationExportDialog::CalibrationExportDialog(Document& document, QWidget* pa
 }
 
 const CalibrationFormat& CalibrationExportDialog::format() const {
-  return **calibrationFormat(format_->currentData().toString().toStdString());
+  return **findCalibrationFormat(format_->currentData().toString().toStdString());
 }
 
 bool CalibrationExportDialog::isFolder() const {
@@ -74,7 +74,7 @@ bool CalibrationExportDialog::isFolder() const {
 }
 
 void CalibrationExportDialog::formatChanged() {
-  unit_->setEnabled(!format().unit.has_value());
+  unit_->setEnabled(!format().metersPerUnit.has_value());
   if (!file().isEmpty()) {
     // The same place, with the ending of the format.
     setFile(withoutEnding(file()) + ending());
@@ -132,7 +132,7 @@ void CalibrationExportDialog::retranslateFields() {
     unit_->addItem(tr("millimeters"), QStringLiteral("mm"));
     unit_->addItem(tr("centimeters"), QStringLiteral("cm"));
     unit_->setCurrentIndex(chosen);
-    unit_->setEnabled(!format().unit.has_value());
+    unit_->setEnabled(!format().metersPerUnit.has_value());
   }
 }
 
@@ -140,9 +140,10 @@ CalibrationOutput CalibrationExportDialog::target() const {
   CalibrationOutput target;
   target.path = file().toStdString();
   target.format = format().name;
-  target.unit = unit_->isEnabled() ? parseLengthUnit(unit_->currentData().toString().toStdString())
-                                   : std::nullopt;
-  target.replace = true;
+  target.metersPerUnit = unit_->isEnabled()
+                             ? parseLengthUnit(unit_->currentData().toString().toStdString())
+                             : std::nullopt;
+  target.replacesExisting = true;
   return target;
 }
 
@@ -159,19 +160,19 @@ QString CalibrationExportDialog::textOf(const CalibrationConversion& conversion,
   for (std::size_t k = 0; k < conversion.cameras.size(); ++k) {
     const CameraDifference& camera = conversion.cameras[k];
     const QString name = cameraName(camera.camera, k);
-    if (!(camera.largestPixels <= kLeastLossPx)) {
-      lines << (camera.refitted
+    if (!(camera.maxDifferencePx <= kLeastLossPx)) {
+      lines << (camera.isRefitted
                     ? tr("%1: with the exported calibration, projected points move by at most %2, "
                          "because the format cannot store this lens model and the lens was fitted "
                          "again")
                     : tr("%1: with the exported calibration, projected points move by at most %2"))
-                   .arg(name, pixelDifferenceText(camera.largestPixels));
+                   .arg(name, pixelDifferenceText(camera.maxDifferencePx));
     }
-    if (camera.lostDirections > 0) {
+    if (camera.lostDirectionCount > 0) {
       lines << tr("%1: with the exported lens, %2 of 81 tested directions can no longer be "
                   "projected into the image")
                    .arg(name)
-                   .arg(camera.lostDirections);
+                   .arg(camera.lostDirectionCount);
     }
   }
   if (!replaced.isEmpty()) {
@@ -221,7 +222,7 @@ void CalibrationExportDialog::finish(const Result<CalibrationConversion>& writte
     return;
   }
   QStringList files;
-  for (const auto& one : written->written) {
+  for (const auto& one : written->writtenFiles) {
     files << QString::fromStdString(one.string());
   }
   const QString sentence = tr("Saved %1.").arg(files.join(QStringLiteral(", ")));

@@ -167,7 +167,7 @@ ImportRequest CalibrationImportDialog::request() const {
   request.hints.format = format_->currentData().toString().toStdString();
   const int listed = unit_->findText(unit_->currentText());
   const QString unit = listed >= 0 ? unit_->itemData(listed).toString() : unit_->currentText();
-  request.hints.unit = parseLengthUnit(unit.trimmed().toStdString());
+  request.hints.metersPerUnit = parseLengthUnit(unit.trimmed().toStdString());
   const QString lens = lens_->currentData().toString();
   if (!lens.isEmpty()) {
     request.hints.lens = lens == QLatin1String("fisheye") ? LensModel::Fisheye : LensModel::Pinhole;
@@ -274,7 +274,7 @@ void CalibrationImportDialog::applyResult(const Result<CalibrationImport>& made)
   }
   lines << tr("After the import, projected points are at most %1 away from where the file projects "
               "them")
-               .arg(pixelDifferenceText(made->largestPixels));
+               .arg(pixelDifferenceText(made->maxDifferencePx));
   showPreview(lines.join(QLatin1Char('\n')), true);
 }
 

@@ -294,7 +294,7 @@ void GridLayer::drawPoints(QPainter& painter) {
     painted.name = QString::fromStdString(all[k].name);
     painted.isSelected = static_cast<int>(k) == points_.selectedPoint();
     painted.isInOtherFrames =
-        !painted.isSelected && snapshot_ && isClickedElsewhere(all[k], snapshot_->frame);
+        !painted.isSelected && snapshot_ && isClickedOnlyInOtherFrames(all[k], snapshot_->frame);
     painted.isMisfit = points_.misfitPoint() == static_cast<int>(k);
     if (const PointClick* click = clickIn(all[k], camera_)) {
       painted.click = widgetPosition(click->pixel, placement);

@@ -212,7 +212,7 @@ void RigPlanner::findBestPosition() {
   settings.wallDistance = wallDistance_;
   settings.pixelSigma = pixelSigma_;
   settings.goodSigma = look_.goodSigma;
-  settings.reportedCells = kMapCells;
+  settings.reportedCellCount = kMapCells;
   search_.start([this, lens, settings, rig = rig()](const BackgroundJob::Progress& progress) {
     const auto found = placeCamera(rig, lens, settings,
                                    [&](CalibrationStage, double part) { return progress(part); });
@@ -221,7 +221,7 @@ void RigPlanner::findBestPosition() {
   Q_EMIT messageRequested({});
 }
 
-void RigPlanner::applyPlacement(const Result<Placement>& found) {
+void RigPlanner::applyPlacement(const Result<PlacedCamera>& found) {
   if (!found) {
     Q_EMIT messageRequested(errorText(found.error()));
     return;
@@ -237,8 +237,9 @@ void RigPlanner::applyPlacement(const Result<Placement>& found) {
           .arg(QString::fromStdString(found->camera.name),
                lengthNumber(place.x(), LengthScale::Meters, 2),
                lengthNumber(place.y(), LengthScale::Meters, 2),
-               lengthText(place.z(), LengthScale::Meters, 2), shareText(found->fractionAfter),
-               lengthText(look_.goodSigma, LengthForm::Short), shareText(found->fractionBefore)));
+               lengthText(place.z(), LengthScale::Meters, 2), shareText(found->goodFractionAfter),
+               lengthText(look_.goodSigma, LengthForm::Short),
+               shareText(found->goodFractionBefore)));
 }
 
 } // namespace dewpoint::ui

@@ -94,7 +94,7 @@ private:
   void adoptProjectVolume();
   void adoptProjectLens();
   void limitHeight();
-  void applyPlacement(const Result<Placement>& found);
+  void applyPlacement(const Result<PlacedCamera>& found);
 
   Document& document_;
   ManualCalibration& manual_;

@@ -230,9 +230,9 @@ void UncertaintyMapForm::summarize() {
     const RigMapSummary summary = summaryOf(*plan_.map(), plan_.mapOptions().goodSigma);
     text = tr("The error is at most %2 in %1 of the volume. Fewer than two cameras see %3 of the "
               "volume")
-               .arg(shareText(summary.within),
+               .arg(shareText(summary.fractionWithinLimit),
                     lengthText(plan_.mapOptions().goodSigma, LengthForm::Short),
-                    shareText(summary.tooFew));
+                    shareText(summary.fractionSeenByTooFew));
   }
   summary_->setText(text);
   summary_->setVisible(!text.isEmpty());

@@ -169,7 +169,7 @@ void PointCalibrator::solve(bool estimateFocal) {
 void PointCalibrator::applyResult(const PointSolution& solution, bool estimatedFocal) {
   discardSolution();
   applying_ = true;
-  if (solution.anySolved()) {
+  if (solution.hasSolvedCamera()) {
     edit(tr("Compute cameras from measured points"), [&](Project& project) {
       project = withPointSolution(std::move(project), solution, estimatedFocal);
     });
@@ -179,7 +179,7 @@ void PointCalibrator::applyResult(const PointSolution& solution, bool estimatedF
   for (const CameraFromPoints& camera : solution.cameras) {
     lines << cameraResultText(camera);
     if (estimatedFocal && camera.status == PoseStatus::None &&
-        camera.clicks < kFewestPointsOfFocal) {
+        camera.clickCount < kFewestPointsOfFocal) {
       lines << tr("%1: the focal length was kept, because computing it needs at least %2 points")
                    .arg(manual_.nameOf(camera.camera))
                    .arg(kFewestPointsOfFocal);
@@ -193,8 +193,8 @@ void PointCalibrator::applyResult(const PointSolution& solution, bool estimatedF
         "No point has been clicked yet. Press “Click in images”, then click the selected point in "
         "the images");
   }
-  misfit_ = solution.isWorstWrong ? solution.worst : std::nullopt;
-  if (solution.worst && solution.anySolved()) {
+  misfit_ = solution.isWorstPointWrong ? solution.worstPoint : std::nullopt;
+  if (solution.worstPoint && solution.hasSolvedCamera()) {
     lines << worstPointText(solution);
   }
   resultText_ = lines.join(QLatin1Char('\n'));
@@ -209,7 +209,7 @@ QString PointCalibrator::cameraResultText(const CameraFromPoints& camera) const 
     break;
   case PoseStatus::TooFew:
     line = tr("%1: %n point(s) clicked, but at least %2 are needed (six are better)", nullptr,
-              camera.clicks)
+              camera.clickCount)
                .arg(name)
                .arg(kFewestPointsOfPose);
     break;
@@ -228,7 +228,7 @@ QString PointCalibrator::cameraResultText(const CameraFromPoints& camera) const 
   if (camera.proposal) {
     const QString what = symmetryText(name, camera.proposal->symmetry);
     line += QLatin1Char('\n') +
-            (camera.proposal->byUprightness
+            (camera.proposal->isBasedOnUprightness
                  ? tr("%1 (ignore this if the camera is mounted that way)").arg(what)
                  : tr("%1. After this correction, the average error is %2")
                        .arg(what, pixelText(camera.proposal->rmsPx, 2)));
@@ -237,18 +237,18 @@ QString PointCalibrator::cameraResultText(const CameraFromPoints& camera) const 
 }
 
 QString PointCalibrator::worstPointText(const PointSolution& solution) const {
-  const auto worst = static_cast<std::size_t>(*solution.worst);
+  const auto worst = static_cast<std::size_t>(*solution.worstPoint);
   double pixels = 0.0;
   double meters = 0.0;
   for (const ClickResidual& residual : solution.residuals) {
-    if (residual.point == *solution.worst && std::isfinite(residual.pixels)) {
+    if (residual.point == *solution.worstPoint && std::isfinite(residual.pixels)) {
       pixels = std::max(pixels, residual.pixels);
       meters = std::max(meters, residual.meters);
     }
   }
   const QString name = QString::fromStdString(points()[worst].name);
   const QString distance = lengthText(meters, LengthScale::Millimeters, 1);
-  return solution.isWorstWrong
+  return solution.isWorstPointWrong
              ? tr("%1 does not fit the other points (%2, %3): measure or click it again")
                    .arg(name, pixelText(pixels), distance)
              : tr("Largest error: %1 (%2, %3)").arg(name, pixelText(pixels, 2), distance);

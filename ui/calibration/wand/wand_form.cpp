@@ -133,9 +133,9 @@ void WandForm::connectFields() {
       edit([=](WandSettings& settings) { settings.*field = checked; });
     });
   };
-  check(offsets_, &WandSettings::findOffsets);
-  check(focal_, &WandSettings::findFocal);
-  check(distortion_, &WandSettings::findDistortion);
+  check(offsets_, &WandSettings::estimateTimeOffsets);
+  check(focal_, &WandSettings::estimateFocalLengths);
+  check(distortion_, &WandSettings::estimateDistortion);
   check(onlyRange_, &WandSettings::usesOnlySelectedFrames);
 }
 
@@ -178,9 +178,9 @@ void WandForm::refresh() {
   showValue(*distance_, inCentimeters(settings.distance));
   showValue(*initialPositionError_, inCentimeters(settings.initialPositionError));
   showValue(*initialRotationError_, inDegrees(settings.initialRotationError));
-  offsets_->setChecked(settings.findOffsets);
-  focal_->setChecked(settings.findFocal);
-  distortion_->setChecked(settings.findDistortion);
+  offsets_->setChecked(settings.estimateTimeOffsets);
+  focal_->setChecked(settings.estimateFocalLengths);
+  distortion_->setChecked(settings.estimateDistortion);
   onlyRange_->setChecked(settings.usesOnlySelectedFrames && calibrator_.hasSelectedRange());
   onlyRange_->setEnabled(calibrator_.hasSelectedRange());
   for (QWidget* field :

@@ -216,7 +216,7 @@ void WandOutcome::showOutcome() {
       notes << tr("The fall gives a gravity of %1 m/s² (9.81 is expected).")
                    .arg(numberText(found->result.freeFall->gravity, 2));
     }
-    if (found->options.findOffsets && calibrator_.isApplied()) {
+    if (found->options.estimateTimeOffsets && calibrator_.isApplied()) {
       notes << tr(
           "Camera delays are saved in the project and used to synchronize images from now on.");
     }
@@ -239,7 +239,7 @@ void WandOutcome::fillTable() {
   const WandRefinement& found = *calibrator_.refinement();
   const WandResult& result = found.result;
   table_->setRowCount(static_cast<int>(result.cameras.size()));
-  table_->setColumnHidden(Offset, !found.options.findOffsets);
+  table_->setColumnHidden(Offset, !found.options.estimateTimeOffsets);
   const auto set = [this](std::size_t row, int column, const QString& text) {
     auto* item = new QTableWidgetItem(text);
     item->setTextAlignment((column == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
@@ -252,7 +252,7 @@ void WandOutcome::fillTable() {
     set(k, Moved, lengthNumber(shift.meters, LengthScale::Centimeters, 1));
     set(k, Turned, angleNumber(shift.radians, 2));
     // True time is the camera's plus the offset: a late image has a negative one.
-    set(k, Offset, millisecondsNumber(-result.offsets[k], NumberForm::Signed));
+    set(k, Offset, millisecondsNumber(-result.timeOffsets[k], NumberForm::Signed));
   }
   table_->resizeRowsToContents();
   int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();

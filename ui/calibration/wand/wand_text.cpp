@@ -82,7 +82,7 @@ QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames) {
   };
   const auto centimeters = [&] { return lengthText(gap.value, LengthScale::Centimeters, 0); };
   switch (gap.missing) {
-  case MissingMotion::LongEnough:
+  case MissingMotion::Duration:
     return WandText::tr("The ball was seen for only %1. Wave for half a minute.")
         .arg(secondsText(gap.value, 0));
   case MissingMotion::OffTheLine:

@@ -102,7 +102,7 @@ void BoardPageTest::framesWithoutTheBoardAreNamed() {
   BoardOutcome outcome = *calibrator().outcome();
   BoardMiss small;
   small.reason = BoardMiss::Reason::TooSmall;
-  small.squarePx = 6.2;
+  small.squareSizePx = 6.2;
   outcome.missedRuns = {{{"", 0, 4, 5, {}}, {"", 9, 9, 1, small}}, {}};
   // Counted from 1, as in the timeline.
   const QString text = outcomeText(calibrator(), outcome);
@@ -207,7 +207,7 @@ void BoardPageTest::theBoardIsRemembered() {
 void BoardPageTest::liveCamerasAreGuidedToTheEnd() {
   openLive({true, true});
   BoardGuideRequest request = calibrator().request();
-  request.lensGuidance.requestedProjectionPx = 20.0; // coarse: it ends after the fewest views
+  request.lensGuidance.requiredProjectionSigmaPx = 20.0; // coarse: it ends after the fewest views
   request.requiredPositionSigma = 0.05;
   request.rigGuidance.instantsPerPair = 4;
   calibrator().setRequest(request);

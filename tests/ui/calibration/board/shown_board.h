@@ -37,9 +37,9 @@ struct ShownBoard {
 
   /// The board at a place: around the image, near and far, tilted to all sides.
   Eigen::Isometry3d place(int number) const {
-    static constexpr std::array<std::array<double, 2>, 5> kTilts{
+    static constexpr std::array<std::array<double, 2>, 5> kTiltCount{
         {{0.0, 0.0}, {0.5, 0.0}, {-0.5, 0.0}, {0.0, 0.5}, {0.0, -0.5}}};
-    const auto& tilt = kTilts.at(static_cast<std::size_t>(number % 5));
+    const auto& tilt = kTiltCount.at(static_cast<std::size_t>(number % 5));
     const double depth = number % 4 == 3 ? 0.32 : 0.45;
     const double x = 0.1 * ((number * 2) % 3 - 1) + 0.05;
     const double y = 0.06 * ((number * 5) % 3 - 1);

@@ -126,7 +126,7 @@ void CalibrationImportTest::goldenFilesAreTaken() {
   QFETCH(int, cameras);
   CalibrationHints hints;
   if (!unit.isEmpty()) {
-    hints.unit = parseLengthUnit(unit.toStdString());
+    hints.metersPerUnit = parseLengthUnit(unit.toStdString());
   }
   if (!size.isEmpty()) {
     hints.size = {1280, 720};
@@ -306,7 +306,7 @@ void CalibrationImportTest::anExportHasAFileAtOnce() {
   QVERIFY(waitReady(out));
   // Another format: another ending, and the same name.
   choose("calibrationExportFormat", "qualisys");
-  const std::string ending = (*calibrationFormat("qualisys"))->extension;
+  const std::string ending = (*findCalibrationFormat("qualisys"))->extension;
   QCOMPARE(out->file(), file("take 1.5-calibration") + QString::fromStdString(ending));
   choose("calibrationExportFormat", "dewpoint");
   QCOMPARE(out->file(), file("take 1.5-calibration.toml"));

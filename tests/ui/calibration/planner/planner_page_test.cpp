@@ -105,7 +105,7 @@ void PlannerPageTest::theMapHasASentenceAndALegend() {
   QVERIFY2(summary->text().contains(QLatin1String("at most 5 mm")), qPrintable(summary->text()));
   // A stricter limit: less of the volume is within it.
   const auto within = [&] {
-    return summaryOf(*plan().map(), plan().mapOptions().goodSigma).within;
+    return summaryOf(*plan().map(), plan().mapOptions().goodSigma).fractionWithinLimit;
   };
   const double share = within();
   find<QDoubleSpinBox>("mapGood")->setValue(0.5);
@@ -213,11 +213,11 @@ void PlannerPageTest::aPlannedCameraIsDragged() {
 
 void PlannerPageTest::theBestPlaceIsFoundAndShown() {
   showMap();
-  const double before = summaryOf(*plan().map(), plan().mapOptions().goodSigma).within;
+  const double before = summaryOf(*plan().map(), plan().mapOptions().goodSigma).fractionWithinLimit;
   find<QPushButton>("planFind")->click();
   QVERIFY(waitFor([&] { return !plan().plannedCameras().empty(); }));
   QVERIFY(waitFor([&] { return plan().map()->cameraCount == project().cameras.size() + 1; }));
-  QVERIFY(summaryOf(*plan().map(), plan().mapOptions().goodSigma).within >= before);
+  QVERIFY(summaryOf(*plan().map(), plan().mapOptions().goodSigma).fractionWithinLimit >= before);
   const Eigen::Vector3d place = plan().plannedCameras()[0].center();
   const Eigen::AlignedBox3d& box = plan().volume();
   const double away =

@@ -159,7 +159,7 @@ void PointsTest::pointsOfOtherFramesAreFaint() {
   find<QSlider>("gridOpacity")->setValue(0);
   action("actionNextFrame")->trigger();
   QVERIFY(waitFor([&] { return shown().frame > frame; }));
-  QVERIFY(isClickedElsewhere(project().points[0], shown().frame));
+  QVERIFY(isClickedOnlyInOtherFrames(project().points[0], shown().frame));
   QVERIFY(draws(*layer(0)->parentWidget()));
   const QImage faint = picture();
   QVERIFY(window_->document().edit(QStringLiteral("clicked now"), [this](Project& project) {
