@@ -78,7 +78,7 @@ int listSuite(const SuiteOptions& options) {
 }
 
 std::vector<Grade> gradesOf(const SuiteOptions& options) {
-  return gradesNamed(options.grades).value_or(std::vector<Grade>()); // names are checked
+  return parseGrades(options.grades).value_or(std::vector<Grade>()); // names are checked
 }
 
 /// Whether a name on the command line means a clip: it is the clip's own, or its family's.

@@ -26,7 +26,7 @@ inline constexpr int kReliabilityBins = 10;
 
 /// Returns the grades with these names, without duplicates, easiest first. The name "both" stands
 /// for ideal and room. Returns nothing if a name is unknown or the list is empty.
-std::optional<std::vector<Grade>> gradesNamed(const std::vector<std::string>& names);
+std::optional<std::vector<Grade>> parseGrades(const std::vector<std::string>& names);
 
 /// Identifies a run of the suite.
 struct RunKey {
@@ -40,16 +40,16 @@ struct RunKey {
 };
 
 /// Metrics of one run: one row of runs.csv. For the meaning of each value, see suiteColumns(). A
-/// value that does not apply is empty. A value is infinite if an expected event never happened.
+/// value that does not apply is empty. A value is infinite if an expected event never hitCount.
 struct SuiteRow {
   using Value = std::optional<double>;
   RunKey key;
   Value rmseMm;
-  Value medianMm;
-  Value p95Mm;
-  Value maxMm;
-  Value depthMm;
-  Value lateralMm;
+  Value medianErrorMm;
+  Value p95ErrorMm;
+  Value maxErrorMm;
+  Value depthErrorMm;
+  Value lateralErrorMm;
   Value biasMm;
   Value depthBiasMm;
   Value jitterMm;
@@ -96,7 +96,7 @@ std::span<const SuiteColumn> suiteColumns();
 struct ReliabilityCount {
   std::int64_t count = 0;
   double probabilitySum = 0.0;
-  std::int64_t happened = 0;
+  std::int64_t hitCount = 0;
 };
 
 /// Data of one run for the plots: one line of traces.csv.

@@ -27,7 +27,7 @@ public:
   /// Number of agreeing observations after which the background color of a pixel is known. Three
   /// observations take 12 frames, because each frame updates every fourth row. With fewer
   /// observations, a passing object would be mistaken for background. Chosen by judgment.
-  static constexpr int kLearned = 3;
+  static constexpr int kObservationsUntilKnown = 3;
   /// Tolerance in gray levels: five standard deviations of usual sensor noise. A color agrees with
   /// the mean if the difference in each channel is at most this tolerance plus one eighth of the
   /// mean (mean >> kToleranceShift). The eighth allows for small light changes.
@@ -69,7 +69,7 @@ public:
   /// Returns the fraction of known pixels, 0 to 1, that disagreed with the background in the last
   /// call of learn(). The fraction is near 1 if the camera is covered, receives no light, or was
   /// moved.
-  double novelShare() const { return novelShare_; }
+  double novelPixelShare() const { return novelShare_; }
 
   /// Returns the light of the last image relative to the reference light, per channel (blue, green,
   /// red). The reference light is the light of the first image, or the light at the last call of

@@ -36,12 +36,12 @@ double ColorCue::logLikelihood(const unsigned char* bgr, double hue, double satu
     hueDensity = gaussian(std::min(straight, 1.0 - straight), hueSigma);
   }
   const double saturationDensity = gaussian(seen[1] - saturation, saturationSigma);
-  return std::log(hueFloor + (1.0 - hueFloor) * hueDensity) +
-         std::log(saturationFloor + (1.0 - saturationFloor) * saturationDensity);
+  return std::log(minHueLikelihood + (1.0 - minHueLikelihood) * hueDensity) +
+         std::log(minSaturationLikelihood + (1.0 - minSaturationLikelihood) * saturationDensity);
 }
 
 double ColorCue::logFloor() const {
-  return std::log(hueFloor) + std::log(saturationFloor);
+  return std::log(minHueLikelihood) + std::log(minSaturationLikelihood);
 }
 
 Eigen::Vector2d hueAndSaturation(const unsigned char* bgr) {

@@ -19,8 +19,8 @@ void motionLikelihood(const cv::Mat& mask, double sigma, double floor, cv::Mat& 
 struct ColorCue {
   double hueSigma = 0.04;        ///< sigma_h, for a hue in [0, 1]
   double saturationSigma = 0.08; ///< sigma_s
-  double hueFloor = 0.3;         ///< h_B
-  double saturationFloor = 0.3;  ///< s_B
+  double minHueLikelihood = 0.3;         ///< h_B
+  double minSaturationLikelihood = 0.3;  ///< s_B
 
   /// Returns the log likelihood log(p(H | h) p(S | s)) of a pixel (BGR) with hue H and saturation
   /// S, where h is `hue` and s is `saturation`. A gray pixel has no hue. For such a pixel, p(H) is

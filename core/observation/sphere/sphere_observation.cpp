@@ -190,7 +190,7 @@ int SphereObservation::camerasSeeing(const std::vector<CameraEvidence>& cameras)
 }
 
 OutlineFit SphereObservation::fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,
-                                  OutlineReach reach) {
+                                  EdgeSearchRange reach) {
   std::vector<OutlineView> views;
   views.reserve(views_.size());
   for (View& view : views_) {

@@ -98,7 +98,7 @@ public:
   }
   /// Fits the outline (fitOutline()) in all cameras that have an image.
   OutlineFit fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,
-                 OutlineReach reach = OutlineReach::Far);
+                 EdgeSearchRange reach = EdgeSearchRange::Far);
 
 private:
   struct View {

@@ -94,7 +94,7 @@ CalibrationStatus calibrationStatus(const Project& project) {
       !status.cameras.empty() && countKnown(status, &CameraCalibrationStatus::pose,
                                             Knowledge::Measured) == status.cameras.size();
   status.accuracy = isAllMeasured ? record.accuracy : std::nullopt;
-  status.accuracyOutside = isAllMeasured ? record.accuracyOutside : std::nullopt;
+  status.errorOutsideVolume = isAllMeasured ? record.errorOutsideVolume : std::nullopt;
   status.check = status.scale.knowledge == Knowledge::Missing ? std::nullopt : record.check;
   return status;
 }

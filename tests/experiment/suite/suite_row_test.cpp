@@ -26,7 +26,7 @@ TEST(SuiteRow, IsReadBackAsItWasWritten) {
   ASSERT_TRUE(row.has_value());
   EXPECT_EQ(row->key, sampleRow().key);
   EXPECT_EQ(row->rmseMm, 1.25);
-  EXPECT_FALSE(row->medianMm.has_value());
+  EXPECT_FALSE(row->medianErrorMm.has_value());
   EXPECT_TRUE(std::isinf(*row->framesToConverge));
   EXPECT_FALSE(row->nees.has_value()) << "what is not a number is nothing";
   EXPECT_EQ(rowText(*row), text);
@@ -48,12 +48,12 @@ TEST(SuiteRow, RefusesWhatIsNotWhole) {
 
 TEST(SuiteGrades, AreAListOfNames) {
   using Grades = std::vector<Grade>;
-  EXPECT_EQ(gradesNamed({"both"}), (Grades{Grade::Ideal, Grade::Room}));
-  EXPECT_EQ(gradesNamed({"wild", "ideal", "wild"}), (Grades{Grade::Ideal, Grade::Wild}));
-  EXPECT_EQ(gradesNamed({"real", "both"}), (Grades{Grade::Ideal, Grade::Room, Grade::Real}));
-  EXPECT_EQ(gradesNamed({"room"}), (Grades{Grade::Room}));
-  EXPECT_FALSE(gradesNamed({"room", "bright"}).has_value());
-  EXPECT_FALSE(gradesNamed({}).has_value());
+  EXPECT_EQ(parseGrades({"both"}), (Grades{Grade::Ideal, Grade::Room}));
+  EXPECT_EQ(parseGrades({"wild", "ideal", "wild"}), (Grades{Grade::Ideal, Grade::Wild}));
+  EXPECT_EQ(parseGrades({"real", "both"}), (Grades{Grade::Ideal, Grade::Room, Grade::Real}));
+  EXPECT_EQ(parseGrades({"room"}), (Grades{Grade::Room}));
+  EXPECT_FALSE(parseGrades({"room", "bright"}).has_value());
+  EXPECT_FALSE(parseGrades({}).has_value());
   for (const Grade grade : {Grade::Ideal, Grade::Room, Grade::Wild, Grade::Real}) {
     EXPECT_EQ(gradeNamed(gradeName(grade)), grade);
   }

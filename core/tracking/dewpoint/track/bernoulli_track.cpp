@@ -208,7 +208,7 @@ void BernoulliTrack::scoreInitialHypotheses(SphereObservation& observation,
     const double full =
         std::min(one.logLikelihoodRatio + explainedRingGain(hypotheses_, k, observation),
                  one.fullyVisibleLogLikelihoodRatio);
-    const double size = 0.5 * std::min(one.sizeMisfit, kMaxSizeMisfit);
+    const double size = 0.5 * std::min(one.sizeDeviation, kMaxSizeMisfit);
     logMasses[k] += full - size - (one.logLikelihoodRatio - evidenceBeyondSaturation(one));
   }
 }
@@ -238,7 +238,7 @@ TrackHypothesis BernoulliTrack::createHypothesis(const OutlineFit& fit,
       observation.fullyVisibleLogLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
   hypothesis.outlineFound = true;
   hypothesis.rimSeen = observation.showsRim(fit.center, Eigen::Vector3d::Zero());
-  hypothesis.sizeMisfit = radiusPrior_.isTrusted() ? fit.sizeMisfit : 0.0;
+  hypothesis.sizeDeviation = radiusPrior_.isTrusted() ? fit.sizeDeviation : 0.0;
   hypothesis.measurement = {fit.center, fit.covariance};
   drawParticles(hypothesis, observation, settings_.minParticles, key, team);
   return hypothesis;
