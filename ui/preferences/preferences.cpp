@@ -94,11 +94,11 @@ int Preferences::filterThreadCount() const {
   return std::max(0, read(kFilterThreads, 0).toInt());
 }
 
-void Preferences::setFilterThreads(int threads) {
+void Preferences::setFilterThreadCount(int threads) {
   write(kFilterThreads, std::max(0, threads));
 }
 
-bool Preferences::slowUntilHeld() const {
+bool Preferences::slowUntilTracking() const {
   return read(kSlowUntilHeld, true).toBool();
 }
 

@@ -55,11 +55,11 @@ public:
   /// Returns the number of filter threads, used from the next run on; 0: a number that suits the
   /// computer (base::filterThreadCount). The results do not depend on this number.
   int filterThreadCount() const;
-  void setFilterThreads(int threads);
+  void setFilterThreadCount(int threads);
 
   /// Returns whether a run is played iteration by iteration until the cameras confirm every target
-  /// (Pace::slowUntilHeld).
-  bool slowUntilHeld() const;
+  /// (Pace::slowUntilTracking).
+  bool slowUntilTracking() const;
   void setSlowUntilHeld(bool slow);
 
   /// Returns the pre-roll of takes (recordings of all cameras): how many seconds before the start

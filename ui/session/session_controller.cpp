@@ -344,7 +344,7 @@ void SessionController::restart(bool newSeed) {
 
 void SessionController::useFilterThreads() {
   if (bridge_ != nullptr) {
-    bridge_->session().setFilterThreads(Preferences().filterThreadCount());
+    bridge_->session().setFilterThreadCount(Preferences().filterThreadCount());
   }
 }
 

@@ -37,7 +37,7 @@ ThreadCountDialog::ThreadCountDialog(int most, QWidget* parent)
   column->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    Preferences().setFilterThreads(threads_->value());
+    Preferences().setFilterThreadCount(threads_->value());
     accept();
   });
   onRetranslate(this, [this] { retranslateUi(); });

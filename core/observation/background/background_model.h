@@ -80,12 +80,12 @@ public:
   /// Value of `matched` in labelRow() for a pixel that has the target color only after conversion
   /// to the reference light. Such a pixel belongs to the target unless it agrees with the
   /// background.
-  static constexpr std::uint8_t kInReferenceLight = 1;
+  static constexpr std::uint8_t kMatchesInReferenceLight = 1;
   /// Computes the labels (PixelLabel) of `count` pixels in one row, from `column` on, and writes
   /// them to `labels`. `matched` says for each pixel whether it has the target color. If `matched`
   /// is 255, the label is Target, or Explained if the background image is known to show the same
   /// color there. If `matched` is 0, the label is Unlearned, Background or Unknown. If `matched` is
-  /// kInReferenceLight (target color only after conversion to the reference light), the label is
+  /// kMatchesInReferenceLight (target color only after conversion to the reference light), the label is
   /// as for 255, except that a pixel that agrees with the background stays Background.
   void labelRow(const cv::Mat& image, int column, int row, int count, const std::uint8_t* matched,
                 std::uint8_t* labels) const;

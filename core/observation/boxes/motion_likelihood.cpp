@@ -40,7 +40,7 @@ double ColorCue::logLikelihood(const unsigned char* bgr, double hue, double satu
          std::log(minSaturationLikelihood + (1.0 - minSaturationLikelihood) * saturationDensity);
 }
 
-double ColorCue::logFloor() const {
+double ColorCue::minLogLikelihoodPerPixel() const {
   return std::log(minHueLikelihood) + std::log(minSaturationLikelihood);
 }
 
@@ -49,7 +49,7 @@ Eigen::Vector2d hueAndSaturation(const unsigned char* bgr) {
   return {color.hueDegrees / 360.0, color.saturation};
 }
 
-bool nearestPixel(double column, double row, const cv::Mat& image, cv::Point& pixel) {
+bool findNearestPixel(double column, double row, const cv::Mat& image, cv::Point& pixel) {
   // Written so that NaN is outside.
   if (!(column > -0.5 && column < image.cols - 0.5 && row > -0.5 && row < image.rows - 0.5)) {
     return false;

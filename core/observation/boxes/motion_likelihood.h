@@ -28,7 +28,7 @@ struct ColorCue {
   double logLikelihood(const unsigned char* bgr, double hue, double saturation) const;
   /// Returns the smallest value of logLikelihood(), which is log(h_B s_B) for a color that does not
   /// match at all.
-  double logFloor() const;
+  double minLogLikelihoodPerPixel() const;
 };
 
 /// Returns the hue and saturation (HSI) of a pixel, in [0, 1]. The hue is NaN for gray.
@@ -36,6 +36,6 @@ Eigen::Vector2d hueAndSaturation(const unsigned char* bgr);
 
 /// Finds the pixel nearest to a projection (`column`, `row`). Returns false if the projection is
 /// outside the image or NaN.
-bool nearestPixel(double column, double row, const cv::Mat& image, cv::Point& pixel);
+bool findNearestPixel(double column, double row, const cv::Mat& image, cv::Point& pixel);
 
 } // namespace dewpoint::observation

@@ -95,7 +95,7 @@ ClothesRatio ClothesModel::logRatioAgainst(const ClothesModel& other) const {
   return ratio;
 }
 
-double ClothesModel::meanRatio(const ClothesRatio& ratio, const cv::Mat& image, const cv::Mat& mask,
+double ClothesModel::meanLogRatioInSilhouette(const ClothesRatio& ratio, const cv::Mat& image, const cv::Mat& mask,
                                const BodySilhouette& silhouette, const cv::Mat& covered) {
   double sum = 0.0;
   double count = 0.0;

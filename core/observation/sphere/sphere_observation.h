@@ -83,7 +83,7 @@ public:
                                         const Eigen::Vector3d& velocity) const;
   /// Returns whether at least one camera shows the rim of the target, at which the target color
   /// ends (SphereEvidence::rimShare()). A part of a larger object of the same color has no rim.
-  bool showsRim(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
+  bool isRimVisible(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
   /// Returns the number of cameras with an image into which the position projects.
   int countCamerasInView(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
   /// Returns the evidence from each camera for one position: SphereEvidence, and the fraction of

@@ -242,7 +242,7 @@ double PeopleParticleTracker::clothesEvidence(std::size_t one, std::size_t other
     const ClothesRatio ratio = beliefs_[own].clothes.logRatioAgainst(beliefs_[foreign].clothes);
     for (std::size_t k = 0; k < cameras().count(); ++k) {
       if (cameras().usable(k)) {
-        sum += ClothesModel::meanRatio(ratio, cameras().image(k), cameras().mask(k),
+        sum += ClothesModel::meanLogRatioInSilhouette(ratio, cameras().image(k), cameras().mask(k),
                                        silhouette(people_[own], k), coveredByOthers(own, k));
       }
     }

@@ -85,7 +85,7 @@ void PreferencesTest::whatIsSetIsThereAtTheNextStart() {
   before.setTheme(Theme::Light);
   before.setLanguage(QStringLiteral("ja"));
   before.setWindowGeometry("geometry");
-  before.setFilterThreads(3);
+  before.setFilterThreadCount(3);
   before.setShortcut(QStringLiteral("actionPlay"), QKeySequence(Qt::Key_X));
   before.setShortcut(QStringLiteral("actionRestart"), QKeySequence(Qt::Key_Y));
   before.setShortcut(QStringLiteral("actionRestart"), std::nullopt); // as declared again

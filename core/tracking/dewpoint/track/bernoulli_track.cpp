@@ -130,7 +130,7 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
 double BernoulliTrack::priorProbability(TrackHypothesis& hypothesis,
                                         SphereObservation& observation) const {
   observation.setRadius(hypothesis.radius);
-  if (observation.showsRim(hypothesis.position(), hypothesis.velocity())) {
+  if (observation.isRimVisible(hypothesis.position(), hypothesis.velocity())) {
     hypothesis.rimSeen = true;
     hypothesis.secondsSinceRim = 0.0;
   }
@@ -237,7 +237,7 @@ TrackHypothesis BernoulliTrack::createHypothesis(const OutlineFit& fit,
   hypothesis.fullyVisibleLogLikelihoodRatio =
       observation.fullyVisibleLogLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
   hypothesis.outlineFound = true;
-  hypothesis.rimSeen = observation.showsRim(fit.center, Eigen::Vector3d::Zero());
+  hypothesis.rimSeen = observation.isRimVisible(fit.center, Eigen::Vector3d::Zero());
   hypothesis.sizeDeviation = radiusPrior_.isTrusted() ? fit.sizeDeviation : 0.0;
   hypothesis.measurement = {fit.center, fit.covariance};
   drawParticles(hypothesis, observation, settings_.minParticles, key, team);
