@@ -29,7 +29,7 @@ void addForecasts(std::span<const Forecast> forecasts, Reliability& result) {
     const auto slot =
         static_cast<std::size_t>(probability * static_cast<double>(result.bins.size()));
     ReliabilityBin& bin = result.bins[std::min(slot, result.bins.size() - 1)];
-    const double outcome = forecast.hitCount ? 1.0 : 0.0;
+    const double outcome = forecast.happened ? 1.0 : 0.0;
     ++bin.count;
     ++result.count;
     bin.meanProbability += probability;

@@ -12,7 +12,7 @@ namespace dewpoint::experiment {
 /// Reported probability of an event, and its outcome.
 struct Forecast {
   double probability = 0.0; ///< reported probability, for example P(exists)
-  bool hitCount = false;    ///< outcome, for example that the target was present
+  bool happened = false;    ///< outcome, for example that the target was present
 };
 
 /// Row of the reliability table, for forecasts whose probability is in [low, high). The last row

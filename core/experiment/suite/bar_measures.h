@@ -44,7 +44,7 @@ RequirementMeasure meanOverRuns(ResultColumn column, double factor = 1.0);
 /// `limit`.
 RequirementMeasure percentWithin(ResultColumn column, double limit);
 /// Returns a measure that counts the runs in which the event of a column, such as convergence,
-/// never hitCount.
+/// never happened.
 RequirementMeasure failureCount(ResultColumn column);
 
 /// Computes the 95th percentile of all errors after convergence.

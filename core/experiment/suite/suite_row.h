@@ -40,7 +40,7 @@ struct RunKey {
 };
 
 /// Metrics of one run: one row of runs.csv. For the meaning of each value, see suiteColumns(). A
-/// value that does not apply is empty. A value is infinite if an expected event never hitCount.
+/// value that does not apply is empty. A value is infinite if an expected event never happened.
 struct SuiteRow {
   using Value = std::optional<double>;
   RunKey key;
