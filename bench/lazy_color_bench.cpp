@@ -29,7 +29,7 @@ constexpr std::array<Eigen::Index, 10> kCounts{100,  200,  400,  800,  1280,
                                                2000, 3072, 4500, 7000, 12000};
 constexpr int kRepetitions = 30;
 constexpr double kCloudSigma = 0.1;                   ///< meters: windows all over the image
-constexpr std::int64_t kFixedPointOne = 1'000'000'000;        ///< windows: more than any image has pixels
+constexpr std::int64_t kWhole = 1'000'000'000;        ///< windows: more than any image has pixels
 constexpr int kPaperCount = 320 * 240 / 25;           ///< 3072
 const Eigen::Vector3d kCloudCenter(0.35, 0.45, 0.15); ///< world, meters: the scene's ball
 
@@ -173,7 +173,7 @@ int runAll() {
       {"the paper's arithmetic",
        [&](ConstStateRows rows, LogWeightSegment out) { scene.naive.addLogLikelihood(rows, out); },
        [&](ConstStateRows rows, LogWeightSegment out) { naiveWhole.addLogLikelihood(rows, out); }},
-      {"the product", product(0), product(kFixedPointOne)}};
+      {"the product", product(0), product(kWhole)}};
   const Eigen::ArrayXXd states = cloud();
   return std::ranges::all_of(contests, [&](const Contest& contest) { return run(contest, states); })
              ? 0

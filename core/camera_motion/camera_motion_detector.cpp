@@ -23,7 +23,7 @@ constexpr double kSignificant = 6.0;           // standard errors
 constexpr int kFewestPatches = 6;
 constexpr int kGridColumns = 8; // at most one patch in each part of the image
 constexpr int kGridRows = 6;
-constexpr int kPartCount = kGridColumns * kGridRows;
+constexpr int kParts = kGridColumns * kGridRows;
 constexpr int kPartsAtOnce = 4;       // so that no check takes long
 constexpr double kAlike = 0.7;        // normalized correlation
 constexpr double kForgetAfter = 30.0; // seconds without being seen
@@ -119,8 +119,8 @@ void CameraMotionDetector::learn(WatchedCamera& watched, const cv::Mat& image, d
   watched.learned = time;
   const int width = image.cols / kGridColumns;
   const int height = image.rows / kGridRows;
-  for (int tried = 0; tried < kPartCount && parts > 0; ++tried) {
-    const int part = std::exchange(watched.nextPart, (watched.nextPart + 1) % kPartCount);
+  for (int tried = 0; tried < kParts && parts > 0; ++tried) {
+    const int part = std::exchange(watched.nextPart, (watched.nextPart + 1) % kParts);
     const cv::Rect cell(part % kGridColumns * width, part / kGridColumns * height, width, height);
     if (std::ranges::any_of(watched.patches, [&](const TrackedPatch& tracked) {
           return cell.contains(tracked.patch.center());
@@ -193,7 +193,7 @@ void CameraMotionDetector::check(std::size_t camera, const Frame& frame, const F
   const double time = seconds(frames.time);
   if (watched.thumbnail.empty()) {
     watched.thumbnail = thumbnailOf(frame.image);
-    learn(watched, frame.image, time, Eigen::Vector3d::Zero(), kPartCount);
+    learn(watched, frame.image, time, Eigen::Vector3d::Zero(), kParts);
     return;
   }
   const Eigen::Vector3d guess =

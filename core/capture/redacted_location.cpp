@@ -15,13 +15,13 @@ constexpr std::string_view kStars = "***";
 
 /// Whether the value of an option of this name is a secret.
 bool isSecret(std::string_view option) {
-  static constexpr std::array<std::string_view, 9> kPartCount{
+  static constexpr std::array<std::string_view, 9> kParts{
       "pass", "pwd", "-pw", "token", "secret", "apikey", "api_key", "signature", "auth"};
   static constexpr std::array<std::string_view, 3> kNames{"pw", "key", "sig"};
   const std::string name = toLowerCase(option);
   return std::ranges::find(kNames, name) != kNames.end() ||
          std::ranges::any_of(
-             kPartCount, [&](std::string_view part) { return name.find(part) != std::string::npos; });
+             kParts, [&](std::string_view part) { return name.find(part) != std::string::npos; });
 }
 
 /// "user:password" becomes "user:***", what has no colon is a secret as a whole.

@@ -64,7 +64,7 @@ SymmetricFactorization::SymmetricFactorization(const Eigen::MatrixXd& matrix)
 SymmetricFactorization::~SymmetricFactorization() = default;
 
 bool SymmetricFactorization::isPositiveDefinite() const {
-  return decomposition_->ldlt.info() == Eigen::Success && decomposition_->ldlt.isPositiveDefinite();
+  return decomposition_->ldlt.info() == Eigen::Success && decomposition_->ldlt.isPositive();
 }
 
 Eigen::MatrixXd SymmetricFactorization::solve(const Eigen::MatrixXd& right) const {

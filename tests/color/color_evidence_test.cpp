@@ -137,8 +137,8 @@ TEST(ColorEvidence, AClickWhoseThingIsGoneIsLookedForElsewhere) {
   const ColorEvidence evidence = colorEvidence({sample}, {now});
   const cv::Mat& mask = evidence.targetMasks[0];
   // Found by its color, it keeps its corners.
-  constexpr int kFixedPointOne = 10 * 16 + 2 * (16 + 14 + 10);
-  EXPECT_EQ(cv::countNonZero(mask), kFixedPointOne);
+  constexpr int kWhole = 10 * 16 + 2 * (16 + 14 + 10);
+  EXPECT_EQ(cv::countNonZero(mask), kWhole);
   EXPECT_EQ(mask.at<std::uint8_t>(20, 30), 255);
   EXPECT_EQ(mask.at<std::uint8_t>(12, 14), 0);
 }

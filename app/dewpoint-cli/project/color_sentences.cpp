@@ -24,11 +24,11 @@ const char* nameOf(ColorWord word) {
 }
 
 std::string partOfImage(const DistractorRegion& region) {
-  static constexpr const char* kPartCount[3][3] = {
+  static constexpr const char* kParts[3][3] = {
       {"at the top left", "at the top", "at the top right"},
       {"at the left", "in the center", "at the right"},
       {"at the bottom left", "at the bottom", "at the bottom right"}};
-  return kPartCount[static_cast<int>(region.vertical)][static_cast<int>(region.horizontal)];
+  return kParts[static_cast<int>(region.vertical)][static_cast<int>(region.horizontal)];
 }
 
 const char* advice(Suggestion suggestion) {

@@ -37,14 +37,14 @@ std::vector<Finding> findingsOf(const DoctorOptions& options) {
   if (!project) {
     return examineUnreadable(options.project, project.error());
   }
-  constexpr int kPartCount = 100;
-  Progress progress("checking", kPartCount);
+  constexpr int kParts = 100;
+  Progress progress("checking", kParts);
   ExaminationOptions examination;
   examination.output = options.out;
   examination.everyFrame = options.everyFrame;
   examination.open = &openAsARunDoes;
   examination.shouldContinue = [&](double part) {
-    progress.show(static_cast<std::int64_t>(kPartCount * part));
+    progress.show(static_cast<std::int64_t>(kParts * part));
     return !interruptionRequested();
   };
   auto findings = examine(*project, examination);

@@ -27,7 +27,7 @@ constexpr double kMissingShare = 1.7;
 constexpr double kMomentSigma = 0.1;
 /// Share of an outline that must be visible, and of a region's rim that nothing may end, for its
 /// second moments to count.
-constexpr double kFixedPointOne = 0.9;
+constexpr double kWhole = 0.9;
 constexpr double kMostOpen = 0.25;
 constexpr int kFitSteps = 3;
 constexpr int kFitRounds = 2;
@@ -73,7 +73,7 @@ Eigen::Matrix2d centerNoise(const RegionMeasurement& measurement, const EllipseI
 }
 
 bool isWhole(const RegionMeasurement& measurement) {
-  return measurement.region && measurement.visible >= kFixedPointOne &&
+  return measurement.region && measurement.visible >= kWhole &&
          measurement.region->cutOffShare() <= kMostOpen;
 }
 
@@ -122,7 +122,7 @@ bool moveCenter(const RegionObservation& observation, const EllipsoidPrior& prio
   }
   const Eigen::LDLT<Eigen::Matrix3d> solver(fit.information + prior.information);
   const Eigen::Vector3d step = solver.solve(vector);
-  fit.found = fit.seeingCameraCount > 0 && solver.isPositiveDefinite() && step.allFinite();
+  fit.found = fit.seeingCameraCount > 0 && solver.isPositive() && step.allFinite();
   if (fit.found) {
     fit.ellipsoid.center += step;
     fit.covariance = (fit.information + prior.information).inverse();

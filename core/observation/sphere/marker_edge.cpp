@@ -141,7 +141,7 @@ std::optional<PolarFit> fitPolar(const std::vector<PolarEdge>& edges) {
       fit.agreeing += weight > 0.0 ? 1.0 : 0.0;
     }
     const Eigen::LDLT<Eigen::Matrix<double, 5, 5>> solver(matrix);
-    if (solver.info() != Eigen::Success || !solver.isPositiveDefinite()) {
+    if (solver.info() != Eigen::Success || !solver.isPositive()) {
       return std::nullopt;
     }
     fit.shape += solver.solve(vector);

@@ -248,7 +248,7 @@ OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior&
       most = std::max(most, equations.edges);
     }
     const Eigen::LDLT<Matrix4> solver(total);
-    fit.found = most >= kFewestEdges && solver.info() == Eigen::Success && solver.isPositiveDefinite();
+    fit.found = most >= kFewestEdges && solver.info() == Eigen::Success && solver.isPositive();
     if (!fit.found) {
       return fit;
     }

@@ -74,14 +74,14 @@ struct Backing {
 
 Backing backingOf(const ScenarioDraft& draft, std::size_t camera, const LissajousPath& path,
                   const StageBody& poster) {
-  constexpr double kFixedPointOne = 0.99; // of the disc: but for one of its points, see kDiskPoints
+  constexpr double kWhole = 0.99; // of the disc: but for one of its points, see kDiskPoints
   Backing backing;
   int frames = 0;
   for (std::int64_t frame = 0; frame < draft.frameCount;
        frame += kFractionCheckInterval, ++frames) {
     const double share = overlappedFraction(draft.rig[camera].center(), path(draft.timeOf(frame)),
                                             kBallRadius, {boxPart(poster)});
-    backing.whole += share > kFixedPointOne ? 1.0 : 0.0;
+    backing.whole += share > kWhole ? 1.0 : 0.0;
     backing.little += share < 0.5 ? 1.0 : 0.0;
     backing.most = std::max(backing.most, share);
   }
