@@ -342,7 +342,7 @@ int PlotRow::pointCount() const {
 
 bool PlotRow::hasDots() const {
   return std::ranges::any_of(
-      drawn_, [](const Drawn& drawn) { return !drawn.curve->scatterStyle().isZeroOnAllSides(); });
+      drawn_, [](const Drawn& drawn) { return !drawn.curve->scatterStyle().isNone(); });
 }
 
 } // namespace dewpoint::ui
