@@ -92,7 +92,7 @@ Result<cv::Mat> prepareImage(const cv::Mat& picture, const ImageShape& shape,
     }
     cv::Mat result = rotated(*bgr, shape.rotateDegrees);
     result = shape.mirrored ? mirrored(result) : result;
-    if (!shape.crop.isNone()) {
+    if (!shape.crop.isZeroOnAllSides()) {
       auto rest = cropped(result, shape, file);
       if (!rest) {
         return rest;

@@ -11,11 +11,11 @@
 namespace dewpoint::filter {
 namespace {
 
-constexpr int kTile = AncestorSearch::kTile;
+constexpr int kTileSize = AncestorSearch::kTileSize;
 
 // Half a tile: the compiler's own vector types, which become one register or several of every
 // instruction set. It does not find out by itself that the loops below are such operations.
-constexpr int kHalf = kTile / 2;
+constexpr int kHalf = kTileSize / 2;
 using Draws [[gnu::vector_size(kHalf * sizeof(double))]] = double;
 using Ranks [[gnu::vector_size(kHalf * sizeof(std::int64_t))]] = std::int64_t;
 
@@ -38,7 +38,7 @@ struct TileKernel {
       Draws upper;
       std::memcpy(&lower, draws + first, sizeof lower);
       std::memcpy(&upper, draws + first + kHalf, sizeof upper);
-      const double last = draws[first + kTile - 1];
+      const double last = draws[first + kTileSize - 1];
       for (double weight = cumulative[at]; weight <= last; weight = cumulative[++at]) {
         low -= weight <= lower; // true is -1
         high -= weight <= upper;
@@ -53,7 +53,7 @@ struct TileKernel {
       base = begin + at;
       low = Ranks{};
       high = Ranks{};
-      first += kTile;
+      first += kTileSize;
     }
     position->particle = begin + at;
     position->base = base;
@@ -77,11 +77,11 @@ void AncestorSearch::loadWeights(std::int64_t weightBlock) {
 
 std::int64_t AncestorSearch::findAncestors(std::int64_t block, std::int32_t* found) {
   const std::int64_t count = draws_.writeBlock(block, block_.data());
-  if (count % kTile == 0) {
+  if (count % kTileSize == 0) {
     searchBlock(count, found);
     return count;
   }
-  const std::int64_t padded = (count + kTile - 1) / kTile * kTile;
+  const std::int64_t padded = (count + kTileSize - 1) / kTileSize * kTileSize;
   std::fill(block_.begin() + count, block_.begin() + padded, block_[std::size_t(count - 1)]);
   std::array<std::int32_t, SortedDraws::kBlock> all;
   searchBlock(padded, all.data());
@@ -91,7 +91,7 @@ std::int64_t AncestorSearch::findAncestors(std::int64_t block, std::int32_t* fou
 
 void AncestorSearch::searchBlock(std::int64_t drawCount, std::int32_t* found) {
   if (weightBlock_ < 0) {
-    loadWeights(cumulative_.blockOf(block_.front()));
+    loadWeights(cumulative_.blockOfDraw(block_.front()));
     position_.particle = weightBlock_ * kPrefixBlock;
     position_.base = position_.particle;
   }

@@ -23,14 +23,14 @@ public:
 
   /// Number of draws in a tile. All draws of a tile are compared with the same cumulative weight at
   /// the same time.
-  static constexpr int kTile = 16;
+  static constexpr int kTileSize = 16;
   /// Progress of the search within one tile.
   struct Position {
     std::int64_t firstDraw = 0; ///< first draw of the tile, counted within its block
     std::int64_t particle = 0;  ///< next particle to compare with
     std::int64_t base = 0;      ///< number of particles that lie before all draws of the tile
     /// Number of particles, in addition to `base`, that lie before each draw.
-    std::array<std::int64_t, kTile> rank{};
+    std::array<std::int64_t, kTileSize> rank{};
   };
 
 private:

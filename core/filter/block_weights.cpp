@@ -40,7 +40,7 @@ bool BlockWeights::finish() {
     largest = std::max(largest, block.largest);
   }
   if (!std::isfinite(largest)) {
-    setEqual();
+    makeEqual();
     return false;
   }
   double total = 0.0;
@@ -54,7 +54,7 @@ bool BlockWeights::finish() {
   return true;
 }
 
-void BlockWeights::setEqual() {
+void BlockWeights::makeEqual() {
   relative_.setOnes();
   for (std::int64_t begin = 0; begin < count(); begin += kSumBlock) {
     sumUp(begin, std::min(kSumBlock, count() - begin));

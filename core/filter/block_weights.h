@@ -17,7 +17,7 @@ namespace dewpoint::filter {
 /// blocks, so each is written only once.
 class BlockWeights {
 public:
-  /// Sets the number of particles. The weights are undefined until setBlock() or setEqual() sets
+  /// Sets the number of particles. The weights are undefined until setBlock() or makeEqual() sets
   /// them.
   void resize(std::int64_t count);
   /// Sets the weights of the block that begins at particle `begin` from its `length` log weights. A
@@ -28,7 +28,7 @@ public:
   /// log weight was finite, all weights become equal and the function returns false.
   bool finish();
   /// Makes all weights equal.
-  void setEqual();
+  void makeEqual();
 
   std::int64_t count() const { return relative_.size(); }
   double operator[](std::int64_t particle) const {

@@ -35,7 +35,7 @@ void CumulativeWeights::compute(const Eigen::ArrayXd& weights) {
   }
 }
 
-std::int64_t CumulativeWeights::blockOf(double draw) const {
+std::int64_t CumulativeWeights::blockOfDraw(double draw) const {
   const auto end = std::upper_bound(before_.begin() + 1, before_.end(), draw);
   return (end - before_.begin() - 1) / kLanes;
 }

@@ -25,7 +25,7 @@ public:
   double total() const { return before_.back(); }
   /// Returns the index of the block of kPrefixBlock particles into which a draw below total()
   /// falls.
-  std::int64_t blockOf(double draw) const;
+  std::int64_t blockOfDraw(double draw) const;
   /// Writes the cumulative weights of a block and returns their number.
   std::int64_t writeBlock(std::int64_t block, double* cumulative) const;
 

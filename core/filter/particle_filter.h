@@ -54,7 +54,7 @@ public:
     ancestors_.resize(static_cast<std::size_t>(states_.rows()));
     std::iota(ancestors_.begin(), ancestors_.end(), 0);
     weights_.resize(states_.rows());
-    weights_.setEqual();
+    weights_.makeEqual();
   }
 
   /// Runs one iteration, draws `nextParticleCount` particles for the next iteration, and returns

@@ -42,11 +42,11 @@ struct PersonMotion {
 
 /// Motion model of a person on the floor. States: x y vx vy (m, m/s) and height (m). Between two
 /// steps, a constant acceleration, drawn at random, acts on x and y. The height changes little and
-/// returns slowly to `usualHeight`.
+/// returns slowly to `meanHeight`.
 struct WalkingMotion {
   double interval = 0.0;          ///< seconds since the last step
   double accelerationSigma = 3.0; ///< standard deviation along each axis, m/s²
-  double usualHeight = 1.72;      ///< m
+  double meanHeight = 1.72;      ///< m
   double heightSigma = 0.01;      ///< standard deviation, m per step
 
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
@@ -59,7 +59,7 @@ struct WalkingMotion {
         rows(row, axis) += interval * rows(row, axis + 2) + half * acceleration;
         rows(row, axis + 2) += interval * acceleration;
       }
-      rows(row, 4) += kHeightPull * (usualHeight - rows(row, 4)) + heightSigma * normal[2];
+      rows(row, 4) += kHeightPull * (meanHeight - rows(row, 4)) + heightSigma * normal[2];
     }
   }
 };

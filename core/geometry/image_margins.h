@@ -16,7 +16,7 @@ struct ImageMargins {
 
   int width() const { return left + right; }  ///< by how many pixels the image becomes narrower
   int height() const { return top + bottom; } ///< by how many pixels the image becomes lower
-  bool isNone() const { return *this == ImageMargins(); }
+  bool isZeroOnAllSides() const { return *this == ImageMargins(); }
   bool operator==(const ImageMargins&) const = default;
 };
 

@@ -53,21 +53,21 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix) {
   return matrix.inverse();
 }
 
-struct SymmetricFactor::Decomposition {
+struct SymmetricFactorization::Decomposition {
   explicit Decomposition(const Eigen::MatrixXd& matrix) : ldlt(matrix) {}
   Eigen::LDLT<Eigen::MatrixXd> ldlt;
 };
 
-SymmetricFactor::SymmetricFactor(const Eigen::MatrixXd& matrix)
+SymmetricFactorization::SymmetricFactorization(const Eigen::MatrixXd& matrix)
     : decomposition_(std::make_unique<Decomposition>(matrix)) {}
 
-SymmetricFactor::~SymmetricFactor() = default;
+SymmetricFactorization::~SymmetricFactorization() = default;
 
-bool SymmetricFactor::isPositive() const {
+bool SymmetricFactorization::isPositiveDefinite() const {
   return decomposition_->ldlt.info() == Eigen::Success && decomposition_->ldlt.isPositive();
 }
 
-Eigen::MatrixXd SymmetricFactor::solve(const Eigen::MatrixXd& right) const {
+Eigen::MatrixXd SymmetricFactorization::solve(const Eigen::MatrixXd& right) const {
   return decomposition_->ldlt.solve(right);
 }
 

@@ -41,15 +41,15 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
 
 /// LDLT decomposition of a symmetric matrix, for solving equations with several right sides. Only
 /// the lower triangle of the matrix is read.
-class SymmetricFactor {
+class SymmetricFactorization {
 public:
-  explicit SymmetricFactor(const Eigen::MatrixXd& matrix);
-  SymmetricFactor(const SymmetricFactor&) = delete;
-  SymmetricFactor& operator=(const SymmetricFactor&) = delete;
-  ~SymmetricFactor();
+  explicit SymmetricFactorization(const Eigen::MatrixXd& matrix);
+  SymmetricFactorization(const SymmetricFactorization&) = delete;
+  SymmetricFactorization& operator=(const SymmetricFactorization&) = delete;
+  ~SymmetricFactorization();
 
   /// Returns whether the decomposition succeeded and the matrix is positive semidefinite.
-  bool isPositive() const;
+  bool isPositiveDefinite() const;
   /// Returns the solution x of `matrix` * x = `right`, with one column for each column of `right`.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 

@@ -76,23 +76,23 @@ std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const WorldB
   return edges;
 }
 
-std::vector<ImageLine> projectedLine(const Projector& projector, const Eigen::Vector3d& from,
+std::vector<ImageLine> projectLine(const Projector& projector, const Eigen::Vector3d& from,
                                      const Eigen::Vector3d& to) {
   const auto pointAt = [&](double share) { return Eigen::Vector3d(from + share * (to - from)); };
   return projectedCurve(projector, pointAt, kPiecesOfLine);
 }
 
-std::vector<ImageLine> projectedEdges(const Projector& projector, const WorldBox& box) {
+std::vector<ImageLine> projectEdges(const Projector& projector, const WorldBox& box) {
   std::vector<ImageLine> lines;
   for (const auto& [from, to] : edgesOf(box)) {
-    for (ImageLine& line : projectedLine(projector, from, to)) {
+    for (ImageLine& line : projectLine(projector, from, to)) {
       lines.push_back(std::move(line));
     }
   }
   return lines;
 }
 
-std::vector<ImageLine> projectedRay(const Projector& projector, const Ray& ray) {
+std::vector<ImageLine> projectRay(const Projector& projector, const Ray& ray) {
   // Steps that grow with the depth, as the image of a ray shrinks with it.
   constexpr double kLast = kRayReach / (kRayReach + kRayMiddle);
   const auto pointAt = [&](double share) {

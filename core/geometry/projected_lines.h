@@ -24,12 +24,12 @@ std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const WorldB
 /// out: parts behind the camera, parts beyond the angle at which the lens model folds back
 /// (Projector::project()), and parts more than 10,000 pixels away from the image. If such parts lie
 /// between visible parts, the result has several pieces.
-std::vector<ImageLine> projectedLine(const Projector& projector, const Eigen::Vector3d& from,
+std::vector<ImageLine> projectLine(const Projector& projector, const Eigen::Vector3d& from,
                                      const Eigen::Vector3d& to);
-/// Projects the twelve edges of a box like projectedLine(), and returns the pieces of all edges.
-std::vector<ImageLine> projectedEdges(const Projector& projector, const WorldBox& box);
-/// Projects a ray like projectedLine(), up to 1000 m from the origin of the ray. If the ray belongs
+/// Projects the twelve edges of a box like projectLine(), and returns the pieces of all edges.
+std::vector<ImageLine> projectEdges(const Projector& projector, const WorldBox& box);
+/// Projects a ray like projectLine(), up to 1000 m from the origin of the ray. If the ray belongs
 /// to a pixel of another camera, the result is the epipolar line of that pixel.
-std::vector<ImageLine> projectedRay(const Projector& projector, const Ray& ray);
+std::vector<ImageLine> projectRay(const Projector& projector, const Ray& ray);
 
 } // namespace dewpoint::geometry

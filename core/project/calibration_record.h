@@ -72,7 +72,7 @@ struct WorldRecord {
   std::optional<double> accuracy;
   /// Error, in meters, that 95 % of the positions outside the calibrated volume do not exceed, if
   /// at least two cameras see them. It is extrapolated.
-  std::optional<double> accuracyOutside;
+  std::optional<double> errorOutsideVolume;
   /// Comparison of a measured with a calibrated length, if the user made one.
   std::optional<LengthCheck> check;
 

@@ -104,7 +104,7 @@ WorldRecord readWorldRecord(TableReader& project, const std::string& file) {
   record.scaleError = readNumber(reader, "scale_error");
   record.floor = readOrigin(reader, "floor");
   record.accuracy = readNumber(reader, "accuracy");
-  record.accuracyOutside = readNumber(reader, "accuracy_outside");
+  record.errorOutsideVolume = readNumber(reader, "accuracy_outside");
   if (reader.has("length")) {
     std::array<double, 2> length{};
     reader.readNumbers("length", length.data(), length.size(), 0.0, kLargestNumber);
@@ -124,7 +124,7 @@ std::string worldRecordText(const WorldRecord& record) {
     text += originText("floor", *record.floor);
   }
   text += numberLine("accuracy", record.accuracy, "meters, 95 %") +
-          numberLine("accuracy_outside", record.accuracyOutside,
+          numberLine("accuracy_outside", record.errorOutsideVolume,
                      "meters, 95 %, outside the calibrated volume");
   if (record.check) {
     text += fmt::format("length = [{}, {}]   # meters: measured with a tape, found in the images\n",

@@ -47,7 +47,7 @@ std::string cameraText(const ProjectCamera& camera, const path& folder) {
   if (camera.mirrored) {
     text += "mirror = true   # left to right, after the rotation\n";
   }
-  if (const ImageMargins& crop = camera.crop; !crop.isNone()) {
+  if (const ImageMargins& crop = camera.crop; !crop.isZeroOnAllSides()) {
     text += fmt::format("crop = [{}, {}, {}, {}]   # pixels cut off: left, top, right, bottom\n",
                         crop.left, crop.top, crop.right, crop.bottom);
   }

@@ -114,7 +114,7 @@ struct SetPace {
 };
 /// Sets whether a calibration board is being shown to live cameras. As long as this is so, no
 /// camera is reported as moved (CameraMotionWatch::setPaused()).
-struct ShowBoard {
+struct ShowCalibrationBoard {
   bool shown = false;
 };
 /// Replaces all of the user's corrections of people (persons added or removed). Only methods that
@@ -148,7 +148,7 @@ using Command =
                  command::Restart, command::SetParameters, command::SetMethod, command::SetTargets,
                  command::SetCameras, command::SetBackgroundImages, command::ShowMasks,
                  command::ShowFrame, command::ReturnToNewestFrame, command::Rerun,
-                 command::ShowMaps, command::ShowBodyShapes, command::ShowBoard,
+                 command::ShowMaps, command::ShowBodyShapes, command::ShowCalibrationBoard,
                  command::SetPersonCorrections, command::SetThreads, command::SetVolumeOfInterest,
                  command::SetCorrections, command::SetPace, command::DescribeFrame>;
 

@@ -131,7 +131,7 @@ public:
   /// `lacksMaps` is true.
   void notePublished(bool isPreview, bool lacksMaps);
   /// Notes that the content missing from the last snapshot was published.
-  void noteMissingPublished() { missing_ = Missing::Nothing; }
+  void noteMissingContentPublished() { missing_ = Missing::Nothing; }
 
 private:
   /// Returns the current rerun, including one that is on hold; null if there is none.

@@ -16,10 +16,10 @@ PlaybackPace::Step PlaybackPace::next(const Situation& situation) const {
   if (situation.isAtFullSpeed) {
     return {};
   }
-  const bool isSlow = pace_.slowUntilHeld && !situation.isReplaying && !situation.isHeld &&
+  const bool isSlow = pace_.slowUntilTracking && !situation.isReplaying && !situation.isHeld &&
                       situation.iterations < kMaxSlowIterations;
   if (isSlow) {
-    return {situation.iterations == 0 ? kFirstIterationDelay : Seconds(1.0 / kSlowIterations),
+    return {situation.iterations == 0 ? kFirstIterationDelay : Seconds(1.0 / kSlowIterationsPerSecond),
             true};
   }
   return {Seconds(1.0 / (pace_.speed * std::max(1.0, situation.framesPerSecond))), false};

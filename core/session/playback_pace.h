@@ -13,7 +13,7 @@ struct Pace {
   double speed = 1.0; ///< factor relative to real time, between kSlowest and kFastest
   /// If true, iterations are shown one by one until the cameras confirm every target (isHeld()), so
   /// that the user sees the filters converge.
-  bool slowUntilHeld = false;
+  bool slowUntilTracking = false;
 
   static constexpr double kSlowest = 1.0 / 30.0;
   static constexpr double kFastest = 8.0;
@@ -30,7 +30,7 @@ public:
   // These values are based on what the eye can follow and how long a user is willing to wait.
 
   /// Iterations per second while they are shown one by one.
-  static constexpr double kSlowIterations = 5.0;
+  static constexpr double kSlowIterationsPerSecond = 5.0;
   /// Time during which the particles are shown before the first iteration.
   static constexpr Seconds kFirstIterationDelay{1.5};
   /// Number of iterations after which a run plays at normal speed even if a target is not held

@@ -111,7 +111,7 @@ void RunDriver::play() {
   } else if (!isEnded || restart(std::nullopt)) {
     playback_.play();
   }
-  recorder_.interrupt();
+  recorder_.noteInterruption();
 }
 
 void RunDriver::stepFrame() {
@@ -230,7 +230,7 @@ void RunDriver::setTargets(const std::vector<Target>& targets) {
   timeTravel().removeCheckpoints();
   playback_.forgetEstimates();
   if (frames) {
-    timeTravel().beginTails(frames->index);
+    timeTravel().startTailsAt(frames->index);
     current_.begin(frames);
   }
 }
@@ -240,7 +240,7 @@ void RunDriver::changeBoxes(RunDefinition wanted) {
   const std::vector<int> numbers = newIndices(definition().targets, wanted.targets);
   change(std::move(wanted));
   if (!areIndicesUnchanged(numbers)) {
-    log_.renumber(numbers, definition().targets.size());
+    log_.changeTargetIndices(numbers, definition().targets.size());
   }
   const auto viewed = playback_.viewedFrame();
   if ((!from && run().frames()) || from == head()) { // a target may begin in the image shown
@@ -367,7 +367,7 @@ void RunDriver::fill(const SnapshotBuilder& builder, bool quickly, TrackSnapshot
 
 void RunDriver::addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                         const TimeTravel::ShouldContinue& shouldContinue) {
-  playback_.noteMissingPublished();
+  playback_.noteMissingContentPublished();
   if (const TrackingRun* then = timeTravel().runAt(snapshot.frame, run(), shouldContinue)) {
     builder.addMaps(*then, snapshot);
   }

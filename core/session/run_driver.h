@@ -76,7 +76,7 @@ public:
   void setBackgroundImages(const command::SetBackgroundImages& request);
   /// Sets whether a calibration board is being shown to live cameras. As long as this is so, no
   /// camera is reported as moved.
-  void setBoardShown(bool shown) { watches_.setPaused(shown); }
+  void setCalibrationBoardShown(bool shown) { watches_.setPaused(shown); }
   void setPersonCorrections(const std::vector<PersonCorrection>& people);
   void setCorrections(const std::vector<PositionCorrection>& corrections);
   /// Sets the number of filter threads from the next iteration on; see SessionInputs::threads.

@@ -19,7 +19,7 @@ RunWithHistory::RunWithHistory(RunDefinition definition, int threads)
 }
 
 Status RunWithHistory::replace(RunDefinition definition, std::int64_t iterations) {
-  definition.useCameras();
+  definition.adaptParametersToCameras();
   auto made = std::make_shared<const RunDefinition>(std::move(definition));
   auto run = TrackingRun::create(made, threads_);
   if (!run) {
@@ -37,7 +37,7 @@ void RunWithHistory::keepHistory(FrameSetSource& source, std::size_t bytes) {
 }
 
 void RunWithHistory::begin(const FrameSetPtr& frames) {
-  travel_->beforeFrame(frames, *run_);
+  travel_->noteFrameBegin(frames, *run_);
   run_->beginFrame(frames);
 }
 
@@ -45,7 +45,7 @@ bool RunWithHistory::change(RunDefinition wanted) {
   if (!run_->accepts(wanted)) {
     return false;
   }
-  wanted.useCameras();
+  wanted.adaptParametersToCameras();
   if (wanted == *definition_) {
     return true;
   }

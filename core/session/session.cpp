@@ -78,8 +78,8 @@ RunRecord Session::record() const {
   return {std::move(project), std::move(figures), peopleRecord(), boxTrack()};
 }
 
-std::vector<LiveSet> Session::liveSets() const {
-  return impl_->loop.log().liveSets();
+std::vector<LiveFrameRecord> Session::liveFrameRecords() const {
+  return impl_->loop.log().liveFrameRecords();
 }
 
 Status Session::saveRun(const std::filesystem::path& folder) const {
@@ -114,8 +114,8 @@ PeopleRecord Session::peopleRecord() const {
   return {trajectory(), impl_->loop.log().people()};
 }
 
-void Session::countDrawing(double seconds) {
-  impl_->loop.countDrawing(seconds);
+void Session::addDrawingTime(double seconds) {
+  impl_->loop.addDrawingTime(seconds);
 }
 
 void Session::setFrameTap(FrameTap tap) {

@@ -80,7 +80,7 @@ public:
   /// Returns the results of the run so far.
   RunRecord record() const;
   /// Returns which images of live cameras the run has tracked since its last start or restart.
-  std::vector<LiveSet> liveSets() const;
+  std::vector<LiveFrameRecord> liveFrameRecords() const;
   /// Writes the results of the run so far to a folder; see RunRecord.
   Status saveRun(const std::filesystem::path& folder) const;
   /// Returns the trajectory so far and, if the method tracks people, the people of its frames.
@@ -126,9 +126,9 @@ public:
   void setMasksShown(bool shown) { send(command::ShowMasks{shown}); }
   void setLikelihoodMapsShown(bool shown) { send(command::ShowMaps{shown}); }
   void setBodyShapesShown(bool shown) { send(command::ShowBodyShapes{shown}); }
-  void setFilterThreads(int threads) { send(command::SetThreads{threads}); }
+  void setFilterThreadCount(int threads) { send(command::SetThreads{threads}); }
   void setPace(const Pace& pace) { send(command::SetPace{pace}); }
-  void setBoardShown(bool shown) { send(command::ShowBoard{shown}); }
+  void setCalibrationBoardShown(bool shown) { send(command::ShowCalibrationBoard{shown}); }
   void setPersonCorrections(const std::vector<PersonCorrection>& people) {
     send(command::SetPersonCorrections{people});
   }
@@ -137,7 +137,7 @@ public:
   }
   /// Adds to the statistics the time, in seconds, from a live estimate until the window has painted
   /// it.
-  void countDrawing(double seconds);
+  void addDrawingTime(double seconds);
   /// Sets a function that receives every frame set taken from now on; an empty function removes it.
   /// The function is called in the tracking thread. A calibration uses this to access the images
   /// while tracking continues.

@@ -221,8 +221,8 @@ TrackingLoop::Publish TrackingLoop::handle(const command::ShowBodyShapes& reques
   return Publish::Now;
 }
 
-TrackingLoop::Publish TrackingLoop::handle(const command::ShowBoard& request) {
-  driver_.setBoardShown(request.shown);
+TrackingLoop::Publish TrackingLoop::handle(const command::ShowCalibrationBoard& request) {
+  driver_.setCalibrationBoardShown(request.shown);
   return Publish::Now;
 }
 

@@ -28,7 +28,7 @@ public:
   const RunLog& log() const { return log_; }
   /// Adds the time, in seconds, from a live estimate until a view has painted it. May be called by
   /// any thread.
-  void countDrawing(double seconds) { log_.countDrawing(seconds); }
+  void addDrawingTime(double seconds) { log_.addDrawingTime(seconds); }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -60,7 +60,7 @@ private:
   Publish handle(const command::ShowMasks& request);
   Publish handle(const command::ShowMaps& request);
   Publish handle(const command::ShowBodyShapes& request);
-  Publish handle(const command::ShowBoard& request);
+  Publish handle(const command::ShowCalibrationBoard& request);
   Publish handle(const command::ShowFrame& request);
   Publish handle(const command::ReturnToNewestFrame& request);
   Publish handle(const command::Rerun& request);

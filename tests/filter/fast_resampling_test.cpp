@@ -116,7 +116,7 @@ TEST(CumulativeWeights, AreThoseOfTheDefinition) {
         const double draw = share * expected.back();
         const auto found = std::upper_bound(expected.begin(), expected.end(), draw);
         if (expected.back() > 0.0) {
-          EXPECT_EQ(cumulative.blockOf(draw), (found - expected.begin()) / kPrefixBlock);
+          EXPECT_EQ(cumulative.blockOfDraw(draw), (found - expected.begin()) / kPrefixBlock);
         }
       }
     }

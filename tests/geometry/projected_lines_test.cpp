@@ -36,7 +36,7 @@ TEST(ProjectedLines, ABoxHasTwelveEdgesThatMeetInItsCorners) {
 TEST(ProjectedLines, GoFromEndToEndOfALineInFront) {
   const Eigen::Vector3d from(-0.5, 0.2, 2.0);
   const Eigen::Vector3d to(0.8, -0.1, 5.0);
-  const auto lines = projectedLine(Projector(plainCamera()), from, to);
+  const auto lines = projectLine(Projector(plainCamera()), from, to);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_LT((lines[0].front() - plainPixel(from)).norm(), 1e-9);
   EXPECT_LT((lines[0].back() - plainPixel(to)).norm(), 1e-9);
@@ -46,7 +46,7 @@ TEST(ProjectedLines, GoFromEndToEndOfALineInFront) {
 TEST(ProjectedLines, LeaveOutWhatIsBehindTheCamera) {
   const Eigen::Vector3d from(0.1, 0.0, -1.0);
   const Eigen::Vector3d to(0.1, 0.0, 4.0);
-  const auto lines = projectedLine(Projector(plainCamera()), from, to);
+  const auto lines = projectLine(Projector(plainCamera()), from, to);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_LT((lines[0].back() - plainPixel(to)).norm(), 1e-9);
   EXPECT_NEAR(lines[0].front().x(), 10000.0, 1.0);
@@ -54,11 +54,11 @@ TEST(ProjectedLines, LeaveOutWhatIsBehindTheCamera) {
     EXPECT_NEAR(pixel.y(), 240.0, 1e-9);
     EXPECT_GT(pixel.x(), 320.0);
   }
-  EXPECT_TRUE(projectedLine(Projector(plainCamera()), {0, 0, -1}, {1, 0, -2}).empty());
+  EXPECT_TRUE(projectLine(Projector(plainCamera()), {0, 0, -1}, {1, 0, -2}).empty());
 }
 
 TEST(ProjectedLines, ABoxAroundTheCameraIsSeenInPart) {
-  const auto lines = projectedEdges(Projector(plainCamera()), {{-1, -1, -1}, {1, 1, 2}});
+  const auto lines = projectEdges(Projector(plainCamera()), {{-1, -1, -1}, {1, 1, 2}});
   EXPECT_EQ(lines.size(), 8U); // four edges of the far face, four that lead to it
   const Eigen::Vector2d corner = plainPixel({1, 1, 2});
   EXPECT_EQ(std::ranges::count_if(lines,
@@ -72,7 +72,7 @@ TEST(ProjectedLines, ABoxAroundTheCameraIsSeenInPart) {
 TEST(ProjectedLines, BendWithTheLens) {
   Camera camera = plainCamera();
   camera.distortion = {-0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-  const auto lines = projectedLine(Projector(camera), {-1.0, 0.8, 2.5}, {1.0, 0.8, 2.5});
+  const auto lines = projectLine(Projector(camera), {-1.0, 0.8, 2.5}, {1.0, 0.8, 2.5});
   ASSERT_EQ(lines.size(), 1U);
   // Barrel distortion: a line below the center hangs through, by r² of the normalized radius.
   const double middle = 240.0 + 500.0 * 0.32 * (1.0 - 0.2 * 0.32 * 0.32);
@@ -86,7 +86,7 @@ TEST(ProjectedLines, BendWithTheLens) {
 // beyond the image, to the vanishing point of its direction.
 TEST(ProjectedLines, OfARayEndAtItsVanishingPoint) {
   const Ray ray{{1.0, 0.0, 0.0}, Eigen::Vector3d(-0.3, 0.1, 1.0).normalized()};
-  const auto lines = projectedRay(Projector(plainCamera()), ray);
+  const auto lines = projectRay(Projector(plainCamera()), ray);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_LT((lines[0].back() - plainPixel({-0.3, 0.1, 1.0})).norm(), 1.0); // 1000 m, not endless
   for (const double depth : {0.5, 2.0, 7.0}) {

@@ -70,7 +70,7 @@ TEST(ProjectRecords, SayWhereACalibrationComesFrom) {
   EXPECT_EQ(project->calibrated.scaleError, 0.002);
   EXPECT_EQ(project->calibrated.floor, CalibrationOrigin::Marks);
   EXPECT_EQ(project->calibrated.accuracy, 0.0031);
-  EXPECT_EQ(project->calibrated.accuracyOutside, 0.0094);
+  EXPECT_EQ(project->calibrated.errorOutsideVolume, 0.0094);
   EXPECT_EQ(project->calibrated.check, (LengthCheck{1.5, 1.503}));
 }
 

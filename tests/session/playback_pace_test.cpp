@@ -31,36 +31,36 @@ TEST(PlaybackPace, IsSlowerAndFasterWithinLimits) {
 
 TEST(PlaybackPace, DoesNotHoldUpLiveCamerasAndWhatIsTrackedAgain) {
   PlaybackPace pace;
-  pace.set({.speed = 0.1, .slowUntilHeld = true});
+  pace.set({.speed = 0.1, .slowUntilTracking = true});
   EXPECT_EQ(pace.next({.isAtFullSpeed = true}), PlaybackPace::Step());
 }
 
 TEST(PlaybackPace, ShowsTheFirstIterationsOneByOne) {
   PlaybackPace pace;
-  pace.set({.speed = 8.0, .slowUntilHeld = true});
+  pace.set({.speed = 8.0, .slowUntilTracking = true});
   EXPECT_EQ(pace.next({.iterations = 0}),
             (PlaybackPace::Step{PlaybackPace::kFirstIterationDelay, true}));
   EXPECT_EQ(pace.next({.iterations = 1}),
-            (PlaybackPace::Step{Seconds(1.0 / PlaybackPace::kSlowIterations), true}));
+            (PlaybackPace::Step{Seconds(1.0 / PlaybackPace::kSlowIterationsPerSecond), true}));
 }
 
 TEST(PlaybackPace, GoesOnAtItsSpeedOnceEveryTargetIsHeld) {
   PlaybackPace pace;
-  pace.set({.slowUntilHeld = true});
+  pace.set({.slowUntilTracking = true});
   const Situation held{.framesPerSecond = 10.0, .iterations = 7, .isHeld = true};
   EXPECT_EQ(pace.next(held), (PlaybackPace::Step{Seconds(0.1), false}));
 }
 
 TEST(PlaybackPace, DoesNotWaitForEverForATargetThatIsNotThere) {
   PlaybackPace pace;
-  pace.set({.slowUntilHeld = true});
+  pace.set({.slowUntilTracking = true});
   const Situation lost{.framesPerSecond = 10.0, .iterations = PlaybackPace::kMaxSlowIterations};
   EXPECT_FALSE(pace.next(lost).isIteration);
 }
 
 TEST(PlaybackPace, ReplaysWhatWasTrackedFrameByFrame) {
   PlaybackPace pace;
-  pace.set({.slowUntilHeld = true});
+  pace.set({.slowUntilTracking = true});
   EXPECT_FALSE(pace.next({.isReplaying = true, .iterations = 3}).isIteration);
 }
 

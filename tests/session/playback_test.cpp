@@ -278,7 +278,7 @@ TEST(Playback, WhatASnapshotLacks) {
   EXPECT_EQ(playback.missing(), Playback::Missing::Images);
   playback.notePublished(false, true);
   EXPECT_EQ(playback.missing(), Playback::Missing::Maps);
-  playback.noteMissingPublished();
+  playback.noteMissingContentPublished();
   EXPECT_EQ(playback.missing(), Playback::Missing::Nothing);
   playback.notePublished(false, false);
   EXPECT_EQ(playback.missing(), Playback::Missing::Nothing);

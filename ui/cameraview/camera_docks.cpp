@@ -153,7 +153,7 @@ void CameraDocks::makeDocks() {
     connect(view, &CameraView::stateChanged, &dock->title(), &DockTitle::setState);
     connect(view, &CameraView::estimatePainted, this, [this](double seconds) {
       if (Session* session = bench_.session.session()) {
-        session->countDrawing(seconds);
+        session->addDrawingTime(seconds);
       }
     });
     view->setMaskShown(mask);

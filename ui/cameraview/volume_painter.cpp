@@ -23,7 +23,7 @@ void paintVolume(QPainter& painter, const Camera& camera, const WorldBox& volume
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setOpacity(kEdgeOpacity);
-  for (const ImageLine& line : projectedEdges(Projector(camera), volume)) {
+  for (const ImageLine& line : projectEdges(Projector(camera), volume)) {
     QPolygonF edge;
     for (const Eigen::Vector2d& pixel : line) {
       edge << placement.corner + QPointF(pixel.x() + 0.5, pixel.y() + 0.5) * placement.scale;

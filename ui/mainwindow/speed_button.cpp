@@ -95,10 +95,10 @@ void SpeedButton::connectActions() {
   bench_.onToggled("actionSlowStart", this, [this](bool slow) {
     Preferences().setSlowUntilHeld(slow);
     Pace pace = bench_.session.pace();
-    pace.slowUntilHeld = slow;
+    pace.slowUntilTracking = slow;
     bench_.session.setPace(pace);
   });
-  bench_.action("actionSlowStart")->setChecked(Preferences().slowUntilHeld());
+  bench_.action("actionSlowStart")->setChecked(Preferences().slowUntilTracking());
 }
 
 void SpeedButton::setSpeed(double speed) {

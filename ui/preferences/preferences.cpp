@@ -98,7 +98,7 @@ void Preferences::setFilterThreadCount(int threads) {
   write(kFilterThreads, std::max(0, threads));
 }
 
-bool Preferences::slowUntilHeld() const {
+bool Preferences::slowUntilTracking() const {
   return read(kSlowUntilHeld, true).toBool();
 }
 

@@ -57,8 +57,8 @@ public:
   void setFilterThreadCount(int threads);
 
   /// Returns whether a run is played iteration by iteration until the cameras confirm every target
-  /// (Pace::slowUntilHeld).
-  bool slowUntilHeld() const;
+  /// (Pace::slowUntilTracking).
+  bool slowUntilTracking() const;
   void setSlowUntilHeld(bool slow);
 
   /// Returns the pre-roll of takes (recordings of all cameras): how many seconds before the start

@@ -132,7 +132,7 @@ std::shared_ptr<const LiveRun> TakeController::liveRun() const {
     live->report = runReport(record.project, record.statistics);
     live->project = std::move(record.project);
     live->trajectory = std::move(record.people.trajectory);
-    live->sets = session->liveSets();
+    live->sets = session->liveFrameRecords();
     live->otherSettings = session->oldResults().frames;
   }
   return live;

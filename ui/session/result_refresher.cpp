@@ -79,7 +79,7 @@ void ResultRefresher::apply() {
     return;
   }
   const auto [action, from] =
-      ChangeRule::actionFor({isLive_, isPlaying_, isRerunning_, isEdited_, old_, quickSeconds_});
+      ChangeRule::decideOn({isLive_, isPlaying_, isRerunning_, isEdited_, old_, quickSeconds_});
   switch (action) {
   case ChangeRule::Action::Nothing:
   case ChangeRule::Action::Mark:

@@ -63,7 +63,7 @@ private:
   Session* session_ = nullptr;
   QTimer* quiet_;   ///< waits while the settings keep changing, for example during a slider drag
   QTimer* timeout_; ///< limits the wait for a requested rerun to begin
-  double quickSeconds_ = ChangeRule::kQuickSeconds;
+  double quickSeconds_ = ChangeRule::kQuickRerunSeconds;
   OldResults old_;
   bool isLive_ = true;
   bool isPlaying_ = false;

@@ -344,7 +344,7 @@ void SessionController::restart(bool newSeed) {
 
 void SessionController::applyFilterThreadCount() {
   if (bridge_ != nullptr) {
-    bridge_->session().setFilterThreads(Preferences().threadCountForFilter());
+    bridge_->session().setFilterThreadCount(Preferences().threadCountForFilter());
   }
 }
 

@@ -27,7 +27,7 @@ void TimelineModel::append(const std::vector<FrameRecord>& more, bool restarted)
       records.pop_back();
     }
     records.push_back(record);
-    missing_ |= record.missingCameras;
+    missing_ |= record.missingCameraBits;
   }
   if (records.size() > 1) {
     const FrameRecord& first = records[records.size() - std::min<std::size_t>(records.size(), 60)];

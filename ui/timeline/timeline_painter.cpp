@@ -34,7 +34,7 @@ void paintDropouts(QPainter& painter, const TimelineModel& model, const Timeline
   const QColor color = trackingStateColor(TrackingState::Missing, palette);
   for (std::size_t k = 0; k < model.records.size(); ++k) {
     const FrameRecord& record = model.records[k];
-    if ((record.missingCameras >> camera & 1U) != 0) {
+    if ((record.missingCameraBits >> camera & 1U) != 0) {
       const double begin = scale.x(static_cast<double>(record.frame));
       const double end = scale.x(static_cast<double>(record.frame) + 1.0);
       if (end >= row.left() && begin <= row.right()) {

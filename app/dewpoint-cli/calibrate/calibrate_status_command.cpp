@@ -38,9 +38,9 @@ void printWorld(const CalibrationStatus& status) {
                                    ? fmt::format("{:.1f} mm in the calibrated volume (95 %)",
                                                  inMillimeters(*status.accuracy))
                                    : "not measured");
-  if (status.accuracyOutside) {
+  if (status.errorOutsideVolume) {
     fmt::print("          {:.1f} mm outside this volume (95 %, extrapolated)\n",
-               inMillimeters(*status.accuracyOutside));
+               inMillimeters(*status.errorOutsideVolume));
   }
   if (status.lengthCheck) {
     fmt::print("length    {:.4f} m measured, {:.4f} m found\n", status.lengthCheck->measured,

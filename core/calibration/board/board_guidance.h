@@ -10,7 +10,7 @@ namespace dewpoint::calibration {
 
 /// Instruction for the user who shows the board.
 enum class GuidanceAdvice {
-  ShowBoard, ///< no board is detected
+  ShowCalibrationBoard, ///< no board is detected
   MoveTo,    ///< move the board to the image region GuidanceState::region
   /// Tilt the board so that the side GuidanceState::tilt is nearer, preferably with the board in
   /// GuidanceState::region.
@@ -38,7 +38,7 @@ struct GuidanceSettings {
 
 /// State of the guidance after processing an image.
 struct GuidanceState {
-  GuidanceAdvice advice = GuidanceAdvice::ShowBoard;
+  GuidanceAdvice advice = GuidanceAdvice::ShowCalibrationBoard;
   /// Index (in BoardCoverage) of the region in which to show the board; -1 if none is requested.
   int region = -1;
   BoardTilt tilt = BoardTilt::Flat; ///< tilt to show if the advice is TiltTo

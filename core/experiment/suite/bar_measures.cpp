@@ -76,7 +76,7 @@ double ratioOf(const SuiteTrace& ours, const SuiteTrace& other) {
 
 RequirementMeasure quantileOverRuns(ResultColumn column, double fraction) {
   return [=](const MeasuredRuns& ours, const MeasuredRuns&) {
-    return quantileOf(ours, column, fraction);
+    return columnQuantile(ours, column, fraction);
   };
 }
 
@@ -130,7 +130,7 @@ RequirementValue depthBias(const MeasuredRuns& ours, const MeasuredRuns&) {
 }
 
 RequirementValue rmseRatioToTriangulation(const MeasuredRuns& ours, const MeasuredRuns& others) {
-  return quantileOf(ours, &SuiteRow::rmseMm, 0.5) / quantileOf(others, &SuiteRow::rmseMm, 0.5);
+  return columnQuantile(ours, &SuiteRow::rmseMm, 0.5) / columnQuantile(others, &SuiteRow::rmseMm, 0.5);
 }
 
 RequirementValue rmseRatioOnSharedFrames(const MeasuredRuns& ours, const MeasuredRuns& others) {

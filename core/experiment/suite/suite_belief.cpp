@@ -19,7 +19,7 @@ template <SuiteRow::Value SuiteRow::*Member> double meanFigure(RunSpan runs) {
 }
 
 double medianNees(RunSpan runs) {
-  return quantileOf(runs, &SuiteRow::nees, 0.5);
+  return columnQuantile(runs, &SuiteRow::nees, 0.5);
 }
 
 double pooledEce(RunSpan runs) {

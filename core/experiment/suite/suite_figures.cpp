@@ -50,7 +50,7 @@ std::vector<double> errorsAt(const SuiteCell& cell, std::size_t begin, std::size
 }
 
 SvgSeries overTime(const SuiteCell& cell, std::size_t frameCount) {
-  SvgSeries series{methodStyle(cell.method), {}, {}, {}, {}};
+  SvgSeries series{plotStyleOfMethod(cell.method), {}, {}, {}, {}};
   const std::size_t step = (frameCount + kMostPoints - 1) / kMostPoints;
   for (std::size_t frame = 0; frame < frameCount; frame += step) {
     const auto errors = errorsAt(cell, frame, frame + step);
@@ -78,7 +78,7 @@ std::size_t frameTotal(const SuiteCell& cell) {
 }
 
 SvgSeries distribution(const SuiteCell& cell, std::size_t frameCount) {
-  SvgSeries series{methodStyle(cell.method), {}, {}, {}, {}};
+  SvgSeries series{plotStyleOfMethod(cell.method), {}, {}, {}, {}};
   const auto errors = errorsAt(cell, 0, frameCount);
   const auto total = static_cast<double>(frameTotal(cell));
   const SvgAxis axis = errorAxis();
@@ -92,7 +92,7 @@ SvgSeries distribution(const SuiteCell& cell, std::size_t frameCount) {
 }
 
 SvgSeries reliabilityOf(const SuiteCell& cell) {
-  SvgSeries series{methodStyle(cell.method), {}, {}, {}, {}};
+  SvgSeries series{plotStyleOfMethod(cell.method), {}, {}, {}, {}};
   const Reliability table = pooledReliability(cell.runs);
   for (const ReliabilityBin& bin : table.bins) {
     if (bin.count > 0) {
@@ -106,7 +106,7 @@ SvgSeries reliabilityOf(const SuiteCell& cell) {
 
 } // namespace
 
-std::string methodStyle(const std::string& method) {
+std::string plotStyleOfMethod(const std::string& method) {
   static const std::vector<std::string> order{
       "dewpoint", "barrera", "triangulation", "triangulation-kalman",
       "camshift", "csrt",    "dynamics",      "dewpoint-smoothed"};

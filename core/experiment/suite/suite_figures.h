@@ -11,7 +11,7 @@ namespace dewpoint::experiment {
 
 /// Returns the CSS class for a method's color, which is the same in all plots: "m0" to "m7", or
 /// "m8" for an unknown method.
-std::string methodStyle(const std::string& method);
+std::string plotStyleOfMethod(const std::string& method);
 
 /// Returns a plot of the error in each frame: the median over runs and targets, and a band from the
 /// 10th to the 90th percentile. Here and in the next two functions, `cells` contains the methods of

@@ -195,7 +195,7 @@ std::string extents(const SuiteReport& report) {
 std::string legendOf(std::span<const SuiteCell> cells) {
   std::string text = "<div class='legend'>";
   for (const SuiteCell& cell : cells) {
-    text += fmt::format("<span class='{}'>{}</span>", methodStyle(cell.method),
+    text += fmt::format("<span class='{}'>{}</span>", plotStyleOfMethod(cell.method),
                         htmlEscaped(cell.method));
   }
   return text + "</div>";

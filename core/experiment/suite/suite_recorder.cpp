@@ -122,13 +122,13 @@ void fillErrors(const std::vector<Eigen::Vector3d>& errors, const CameraRig& rig
   }
   const ErrorSplit split = splitErrors(errors, cameras);
   row.rmseMm = inMillimeters(split.summary.rmse);
-  row.medianMm = inMillimeters(split.summary.median);
-  row.p95Mm = inMillimeters(split.summary.p95);
-  row.maxMm = inMillimeters(split.summary.max);
+  row.medianErrorMm = inMillimeters(split.summary.median);
+  row.p95ErrorMm = inMillimeters(split.summary.p95);
+  row.maxErrorMm = inMillimeters(split.summary.max);
   row.biasMm = inMillimeters(split.summary.bias.norm());
   if (split.meanViewBias) {
-    row.depthMm = inMillimeters(split.meanViewBias->alongAxisRms);
-    row.lateralMm = inMillimeters(split.meanViewBias->acrossAxisRms);
+    row.depthErrorMm = inMillimeters(split.meanViewBias->alongAxisRms);
+    row.lateralErrorMm = inMillimeters(split.meanViewBias->acrossAxisRms);
     row.depthBiasMm = inMillimeters(split.meanViewBias->alongAxisBias);
   }
 }

@@ -80,14 +80,14 @@ Json cellJson(const SuiteCell& cell) {
   json["method"] = cell.method;
   json["runs"] = cell.runs.size();
   json["median_rmse_mm"] = interval(cell.rmseMm);
-  json["pooled_p95_mm"] = interval(cell.p95Mm);
+  json["pooled_p95_mm"] = interval(cell.p95ErrorMm);
   json["converged_within_5_frames"] = cell.quick.count;
   json["converged"] = cell.converged.count;
   json["pooled_existence_ece"] = number(pooledReliability(cell.runs).expectedError);
   for (const SuiteColumn& column : suiteColumns()) {
-    json["runs_median"][column.name] = number(quantileOf(cell.runs, column.value, 0.5));
+    json["runs_median"][column.name] = number(columnQuantile(cell.runs, column.value, 0.5));
     json["runs_mean"][column.name] = number(meanOf(cell.runs, column.value));
-    json["runs_p90"][column.name] = number(quantileOf(cell.runs, column.value, 0.9));
+    json["runs_p90"][column.name] = number(columnQuantile(cell.runs, column.value, 0.9));
   }
   return json;
 }
@@ -110,12 +110,12 @@ std::string summaryCsv(const SuiteReport& report) {
     text += fmt::format("{},{},{},{}", cell.scenario, gradeName(cell.grade), cell.method,
                         cell.runs.size());
     for (const double value : {cell.rmseMm.value, cell.rmseMm.low, cell.rmseMm.high,
-                               cell.p95Mm.value, cell.p95Mm.low, cell.p95Mm.high}) {
+                               cell.p95ErrorMm.value, cell.p95ErrorMm.low, cell.p95ErrorMm.high}) {
       text += fmt::format(",{}", csvNumber(value));
     }
     text += fmt::format(",{},{}", cell.quick.count, cell.converged.count);
     for (const SuiteColumn& column : suiteColumns()) {
-      text += fmt::format(",{}", csvNumber(quantileOf(cell.runs, column.value, 0.5)));
+      text += fmt::format(",{}", csvNumber(columnQuantile(cell.runs, column.value, 0.5)));
     }
     text += '\n';
   }

@@ -70,8 +70,8 @@ std::optional<ReliabilityCount> parseReliability(const std::string& text) {
   }
   const auto count = toNumber<std::int64_t>(parts[0]);
   const auto sum = toNumber<double>(parts[1]);
-  const auto happened = toNumber<std::int64_t>(parts[2]);
-  return count && sum && happened ? std::optional(ReliabilityCount{*count, *sum, *happened})
+  const auto hitCount = toNumber<std::int64_t>(parts[2]);
+  return count && sum && hitCount ? std::optional(ReliabilityCount{*count, *sum, *hitCount})
                                   : std::nullopt;
 }
 
@@ -95,12 +95,12 @@ std::optional<std::vector<Grade>> gradesFromNames(const std::vector<std::string>
 std::span<const SuiteColumn> suiteColumns() {
   static constexpr std::array kColumns{
       SuiteColumn{"rmse_mm", &SuiteRow::rmseMm, "root mean square error after convergence"},
-      SuiteColumn{"median_mm", &SuiteRow::medianMm, "median error after convergence"},
-      SuiteColumn{"p95_mm", &SuiteRow::p95Mm, "95th percentile of the error after convergence"},
-      SuiteColumn{"max_mm", &SuiteRow::maxMm, "largest error after convergence"},
-      SuiteColumn{"depth_mm", &SuiteRow::depthMm,
+      SuiteColumn{"median_mm", &SuiteRow::medianErrorMm, "median error after convergence"},
+      SuiteColumn{"p95_mm", &SuiteRow::p95ErrorMm, "95th percentile of the error after convergence"},
+      SuiteColumn{"max_mm", &SuiteRow::maxErrorMm, "largest error after convergence"},
+      SuiteColumn{"depth_mm", &SuiteRow::depthErrorMm,
                   "RMS error along the mean viewing direction of the cameras"},
-      SuiteColumn{"lateral_mm", &SuiteRow::lateralMm, "RMS error across it"},
+      SuiteColumn{"lateral_mm", &SuiteRow::lateralErrorMm, "RMS error across it"},
       SuiteColumn{"bias_mm", &SuiteRow::biasMm, "length of the mean error"},
       SuiteColumn{"depth_bias_mm", &SuiteRow::depthBiasMm,
                   "mean error along the viewing direction; positive: estimated too far away"},
@@ -200,7 +200,7 @@ std::string traceText(const SuiteTrace& trace) {
   std::string bins;
   for (const ReliabilityCount& bin : trace.reliability) {
     bins += fmt::format("{}{}:{:.6g}:{}", bins.empty() ? "" : " ", bin.count, bin.probabilitySum,
-                        bin.happened);
+                        bin.hitCount);
   }
   return fmt::format("{},{},{}", keyText(trace.key), errors, bins);
 }

@@ -45,11 +45,11 @@ struct SuiteRow {
   using Value = std::optional<double>;
   RunKey key;
   Value rmseMm;
-  Value medianMm;
-  Value p95Mm;
-  Value maxMm;
-  Value depthMm;
-  Value lateralMm;
+  Value medianErrorMm;
+  Value p95ErrorMm;
+  Value maxErrorMm;
+  Value depthErrorMm;
+  Value lateralErrorMm;
   Value biasMm;
   Value depthBiasMm;
   Value jitterMm;
@@ -96,7 +96,7 @@ std::span<const SuiteColumn> suiteColumns();
 struct ReliabilityCount {
   std::int64_t count = 0;
   double probabilitySum = 0.0;
-  std::int64_t happened = 0;
+  std::int64_t hitCount = 0;
 };
 
 /// Data of one run for the plots: one line of traces.csv.

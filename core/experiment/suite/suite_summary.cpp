@@ -42,7 +42,7 @@ Interval medianOfRuns(const SuiteCell& cell) {
 
 void conclude(SuiteCell& cell) {
   cell.rmseMm = medianOfRuns(cell);
-  cell.p95Mm =
+  cell.p95ErrorMm =
       bootstrapInterval(errorsAfterConvergence(cell.runs), p95Of, {kResamplesOfFrames, 0.95, 1});
   for (const SuiteResult* run : cell.runs) {
     const double frames =
@@ -85,7 +85,7 @@ std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
   return values;
 }
 
-double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column,
+double columnQuantile(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column,
                   double fraction) {
   const auto values = columnValues(runs, column);
   if (values.empty()) {
@@ -127,7 +127,7 @@ Reliability pooledReliability(std::span<const SuiteResult* const> runs) {
       const ReliabilityCount& bin = run->trace.reliability[k];
       sums[k].count += bin.count;
       sums[k].probabilitySum += bin.probabilitySum;
-      sums[k].happened += bin.happened;
+      sums[k].hitCount += bin.hitCount;
       pooled.count += bin.count;
     }
   }
@@ -138,7 +138,7 @@ Reliability pooledReliability(std::span<const SuiteResult* const> runs) {
     const ReliabilityBin bin{static_cast<double>(k) / kReliabilityBins,
                              static_cast<double>(k + 1) / kReliabilityBins, sums[k].count,
                              sums[k].probabilitySum / count,
-                             static_cast<double>(sums[k].happened) / count};
+                             static_cast<double>(sums[k].hitCount) / count};
     pooled.bins.push_back(bin);
     if (bin.count > 0) {
       const double gap = std::abs(bin.frequency - bin.meanProbability);

@@ -25,7 +25,7 @@ struct SuiteCell {
   Interval rmseMm; ///< median RMSE of the runs, with its 95 % bootstrap interval
   /// 95th percentile of the errors after convergence, over all frames of all runs, with its
   /// bootstrap interval. Whole runs are resampled for this interval.
-  Interval p95Mm;
+  Interval p95ErrorMm;
   Proportion quick;     ///< runs that converged within kQuickFrames
   Proportion converged; ///< runs that converged
 };
@@ -41,7 +41,7 @@ std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
                                  SuiteRow::Value SuiteRow::*column);
 /// Return a quantile (`fraction` in [0, 1]) and the mean of columnValues(); NaN if there are no
 /// values. A quantile that lies between a finite and an infinite value is infinite.
-double quantileOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column,
+double columnQuantile(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column,
                   double fraction);
 double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column);
 

@@ -65,7 +65,7 @@ std::string beliefCell(const ScenarioSummary& figure) {
 }
 
 std::string methodName(const std::string& method) {
-  return fmt::format("<span class='{}'><span class='dot'></span>{}</span>", methodStyle(method),
+  return fmt::format("<span class='{}'><span class='dot'></span>{}</span>", plotStyleOfMethod(method),
                      htmlEscaped(method));
 }
 
@@ -76,7 +76,7 @@ struct TableColumn {
 };
 
 template <SuiteRow::Value SuiteRow::*Member> std::string medianText(const SuiteCell& cell) {
-  return formatValue(quantileOf(cell.runs, Member, 0.5));
+  return formatValue(columnQuantile(cell.runs, Member, 0.5));
 }
 
 template <SuiteRow::Value SuiteRow::*Member> std::string meanText(const SuiteCell& cell) {
@@ -90,9 +90,9 @@ std::string countText(const Proportion& proportion) {
 const std::vector<TableColumn>& tableColumns() {
   static const std::vector<TableColumn> columns{
       {"median RMSE<br>mm, 95 %", [](const SuiteCell& c) { return intervalText(c.rmseMm); }},
-      {"p95 of frames<br>mm, 95 %", [](const SuiteCell& c) { return intervalText(c.p95Mm); }},
-      {"depth<br>mm", medianText<&SuiteRow::depthMm>},
-      {"lateral<br>mm", medianText<&SuiteRow::lateralMm>},
+      {"p95 of frames<br>mm, 95 %", [](const SuiteCell& c) { return intervalText(c.p95ErrorMm); }},
+      {"depth<br>mm", medianText<&SuiteRow::depthErrorMm>},
+      {"lateral<br>mm", medianText<&SuiteRow::lateralErrorMm>},
       {"bias<br>mm", medianText<&SuiteRow::biasMm>},
       {"jitter<br>mm", medianText<&SuiteRow::jitterMm>},
       {"lost<br>%", meanText<&SuiteRow::lostPercent>},
@@ -132,7 +132,7 @@ std::vector<std::string> methodsOf(std::span<const SuiteCell> cells) {
       methods.push_back(cell.method);
     }
   }
-  std::ranges::stable_sort(methods, {}, methodStyle);
+  std::ranges::stable_sort(methods, {}, plotStyleOfMethod);
   return methods;
 }
 
@@ -148,7 +148,7 @@ struct OverviewError {
 
 /// `inPixels`: no method of the row has an error in millimeters.
 OverviewError overviewError(const SuiteCell& cell, bool inPixels) {
-  return inPixels ? OverviewError{quantileOf(cell.runs, &SuiteRow::rmsePx, 0.5), " px"}
+  return inPixels ? OverviewError{columnQuantile(cell.runs, &SuiteRow::rmsePx, 0.5), " px"}
                   : OverviewError{cell.rmseMm.value, ""};
 }
 
@@ -191,7 +191,7 @@ std::string extentRow(std::span<const SuiteCell> row, const std::vector<std::str
     const double near =
         cell == row.end() ? kNoValue : meanOf(cell->runs, &SuiteRow::nearCentroidPercent);
     const double size =
-        cell == row.end() ? kNoValue : quantileOf(cell->runs, &SuiteRow::sizeErrorPercent, 0.5);
+        cell == row.end() ? kNoValue : columnQuantile(cell->runs, &SuiteRow::sizeErrorPercent, 0.5);
     text += fmt::format("<td>{}{}</td>", formatValue(near),
                         std::isnan(size)
                             ? std::string()

@@ -19,7 +19,7 @@ namespace {
 // Judgments (docs/method-dewpoint.md, section 2).
 
 constexpr int kRowPhases = 4; ///< every frame learns every fourth row
-constexpr int kLearned = BackgroundModel::kLearned;
+constexpr int kObservationsUntilKnown = BackgroundModel::kObservationsUntilKnown;
 constexpr int kMostConfident = 16; ///< agreeing observations, remembered at most
 constexpr int kReplaceAfter = 24;  ///< observations of something new that replace the old
 /// Observations of what is usual, while every target is elsewhere, that count as a background
@@ -82,7 +82,7 @@ struct LabelKernel {
     constexpr auto kTarget = static_cast<std::uint8_t>(PixelLabel::Target);
     for (std::int64_t i = 0; i < count; ++i) {
       const std::uint8_t known = select(mask(label[i] != 0), kBackground, kUnknown);
-      const std::uint8_t rest = select(mask(confidence[i] >= kLearned), known, kUnlearned);
+      const std::uint8_t rest = select(mask(confidence[i] >= kObservationsUntilKnown), known, kUnlearned);
       const std::uint8_t relit = mask((matched[i] != 0) & (rest != kBackground));
       label[i] = select(mask(matched[i] == 0xFF) | relit, kTarget, rest);
     }
@@ -114,7 +114,7 @@ struct CountKernel {
                            std::uint8_t* novel, std::uint8_t* news) {
     for (std::int64_t i = 0; i < count; ++i) {
       const std::uint8_t usual = mask(move[i] != 0);
-      const std::uint8_t known = mask(confidence[i] >= kLearned);
+      const std::uint8_t known = mask(confidence[i] >= kObservationsUntilKnown);
       const auto waited = static_cast<std::uint8_t>(novel[i] + 1);
       const std::uint8_t late = mask(waited >= kReplaceAfter);
       const auto replace = static_cast<std::uint8_t>(~usual & (~known | late));

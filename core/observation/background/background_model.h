@@ -27,7 +27,7 @@ public:
   /// Number of agreeing observations after which the background color of a pixel is known. Three
   /// observations take 12 frames, because each frame updates every fourth row. With fewer
   /// observations, a passing object would be mistaken for background. Chosen by judgment.
-  static constexpr int kLearned = 3;
+  static constexpr int kObservationsUntilKnown = 3;
   /// Tolerance in gray levels: five standard deviations of usual sensor noise. A color agrees with
   /// the mean if the difference in each channel is at most this tolerance plus one eighth of the
   /// mean (mean >> kToleranceShift). The eighth allows for small light changes.
@@ -69,7 +69,7 @@ public:
   /// Returns the fraction of known pixels, 0 to 1, that disagreed with the background in the last
   /// call of learn(). The fraction is near 1 if the camera is covered, receives no light, or was
   /// moved.
-  double novelShare() const { return novelShare_; }
+  double novelPixelShare() const { return novelShare_; }
 
   /// Returns the light of the last image relative to the reference light, per channel (blue, green,
   /// red). The reference light is the light of the first image, or the light at the last call of
@@ -80,12 +80,12 @@ public:
   /// Value of `matched` in labelRow() for a pixel that has the target color only after conversion
   /// to the reference light. Such a pixel belongs to the target unless it agrees with the
   /// background.
-  static constexpr std::uint8_t kInReferenceLight = 1;
+  static constexpr std::uint8_t kMatchesInReferenceLight = 1;
   /// Computes the labels (PixelLabel) of `count` pixels in one row, from `column` on, and writes
   /// them to `labels`. `matched` says for each pixel whether it has the target color. If `matched`
   /// is 255, the label is Target, or Explained if the background image is known to show the same
   /// color there. If `matched` is 0, the label is Unlearned, Background or Unknown. If `matched` is
-  /// kInReferenceLight (target color only after conversion to the reference light), the label is
+  /// kMatchesInReferenceLight (target color only after conversion to the reference light), the label is
   /// as for 255, except that a pixel that agrees with the background stays Background.
   void labelRow(const cv::Mat& image, int column, int row, int count, const std::uint8_t* matched,
                 std::uint8_t* labels) const;

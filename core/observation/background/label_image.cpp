@@ -35,7 +35,7 @@ struct RelightKernel {
 struct EitherKernel {
   DEWPOINT_KERNEL void run(const std::uint8_t* again, std::int64_t count, std::uint8_t* matched) {
     for (std::int64_t i = 0; i < count; ++i) {
-      matched[i] |= static_cast<std::uint8_t>(again[i] & BackgroundModel::kInReferenceLight);
+      matched[i] |= static_cast<std::uint8_t>(again[i] & BackgroundModel::kMatchesInReferenceLight);
     }
   }
 };

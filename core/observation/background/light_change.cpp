@@ -108,7 +108,7 @@ std::vector<LightSample> lightSamples(const cv::Mat& image, const cv::Mat& mean,
     const std::uint8_t* usual = mean.ptr<std::uint8_t>(row);
     for (int column = step / 2; column < image.cols; column += step) {
       const std::ptrdiff_t at = std::ptrdiff_t{3} * column;
-      if (known[column] >= BackgroundModel::kLearned) {
+      if (known[column] >= BackgroundModel::kObservationsUntilKnown) {
         samples.push_back(
             {{now[at], now[at + 1], now[at + 2]}, {usual[at], usual[at + 1], usual[at + 2]}});
       }

@@ -36,12 +36,12 @@ double ColorCue::logLikelihood(const unsigned char* bgr, double hue, double satu
     hueDensity = gaussian(std::min(straight, 1.0 - straight), hueSigma);
   }
   const double saturationDensity = gaussian(seen[1] - saturation, saturationSigma);
-  return std::log(hueFloor + (1.0 - hueFloor) * hueDensity) +
-         std::log(saturationFloor + (1.0 - saturationFloor) * saturationDensity);
+  return std::log(minHueLikelihood + (1.0 - minHueLikelihood) * hueDensity) +
+         std::log(minSaturationLikelihood + (1.0 - minSaturationLikelihood) * saturationDensity);
 }
 
-double ColorCue::logFloor() const {
-  return std::log(hueFloor) + std::log(saturationFloor);
+double ColorCue::minLogLikelihoodPerPixel() const {
+  return std::log(minHueLikelihood) + std::log(minSaturationLikelihood);
 }
 
 Eigen::Vector2d hueAndSaturation(const unsigned char* bgr) {
@@ -49,7 +49,7 @@ Eigen::Vector2d hueAndSaturation(const unsigned char* bgr) {
   return {color.hueDegrees / 360.0, color.saturation};
 }
 
-bool nearestPixel(double column, double row, const cv::Mat& image, cv::Point& pixel) {
+bool findNearestPixel(double column, double row, const cv::Mat& image, cv::Point& pixel) {
   // Written so that NaN is outside.
   if (!(column > -0.5 && column < image.cols - 0.5 && row > -0.5 && row < image.rows - 0.5)) {
     return false;

@@ -19,8 +19,8 @@ void motionLikelihood(const cv::Mat& mask, double sigma, double floor, cv::Mat& 
 struct ColorCue {
   double hueSigma = 0.04;        ///< sigma_h, for a hue in [0, 1]
   double saturationSigma = 0.08; ///< sigma_s
-  double hueFloor = 0.3;         ///< h_B
-  double saturationFloor = 0.3;  ///< s_B
+  double minHueLikelihood = 0.3;         ///< h_B
+  double minSaturationLikelihood = 0.3;  ///< s_B
 
   /// Returns the log likelihood log(p(H | h) p(S | s)) of a pixel (BGR) with hue H and saturation
   /// S, where h is `hue` and s is `saturation`. A gray pixel has no hue. For such a pixel, p(H) is
@@ -28,7 +28,7 @@ struct ColorCue {
   double logLikelihood(const unsigned char* bgr, double hue, double saturation) const;
   /// Returns the smallest value of logLikelihood(), which is log(h_B s_B) for a color that does not
   /// match at all.
-  double logFloor() const;
+  double minLogLikelihoodPerPixel() const;
 };
 
 /// Returns the hue and saturation (HSI) of a pixel, in [0, 1]. The hue is NaN for gray.
@@ -36,6 +36,6 @@ Eigen::Vector2d hueAndSaturation(const unsigned char* bgr);
 
 /// Finds the pixel nearest to a projection (`column`, `row`). Returns false if the projection is
 /// outside the image or NaN.
-bool nearestPixel(double column, double row, const cv::Mat& image, cv::Point& pixel);
+bool findNearestPixel(double column, double row, const cv::Mat& image, cv::Point& pixel);
 
 } // namespace dewpoint::observation

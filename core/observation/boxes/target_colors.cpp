@@ -38,7 +38,7 @@ ImageBox TargetColors::partOf(const ImageBox& box, int part) {
 }
 
 void TargetColors::learn(const cv::Mat& bgr, const ImageBox& box) {
-  for (int part = 0; part < kParts; ++part) {
+  for (int part = 0; part < kPartCount; ++part) {
     first_[std::size_t(part)] = fineHistogramOf(bgr, clippedToImage(partOf(box, part), bgr));
   }
   parts_ = first_;
@@ -62,7 +62,7 @@ FineHistogram TargetColors::figureOf(FineHistogram now, const FineHistogram& ref
 }
 
 void TargetColors::adaptTarget(const cv::Mat& bgr, const ImageBox& box, double rate) {
-  for (int part = 0; part < kParts; ++part) {
+  for (int part = 0; part < kPartCount; ++part) {
     const cv::Rect pixels = clippedToImage(partOf(box, part), bgr);
     if (pixels.empty()) {
       continue; // outside the image: nothing is known of it
@@ -89,14 +89,14 @@ BinShares TargetColors::shares(int part) const {
   BinShares shares(reference.size());
   for (std::size_t bin = 0; bin < reference.size(); ++bin) {
     const double excess = excessOf(reference[bin], surroundings_[bin]);
-    shares[bin] = static_cast<std::uint16_t>(std::lround(excess * kWhole));
+    shares[bin] = static_cast<std::uint16_t>(std::lround(excess * kFixedPointOne));
   }
   return shares;
 }
 
 double TargetColors::similarityOf(const cv::Mat& bgr, const ImageBox& box) const {
   double sum = 0.0;
-  for (int part = 0; part < kParts; ++part) {
+  for (int part = 0; part < kPartCount; ++part) {
     const cv::Rect pixels = clippedToImage(partOf(box, part), bgr);
     const FineHistogram& reference = first_[std::size_t(part)];
     for (int y = pixels.y; y < pixels.y + pixels.height; ++y) {

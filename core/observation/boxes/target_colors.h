@@ -9,7 +9,7 @@
 
 namespace dewpoint::observation {
 
-/// One value per color bin: max(0, 2 P - 1) in units of 1 / TargetColors::kWhole, where P is the
+/// One value per color bin: max(0, 2 P - 1) in units of 1 / TargetColors::kFixedPointOne, where P is the
 /// probability that a pixel of this color belongs to the target. The value is 0 if the color is at
 /// least as frequent in the surroundings as on the target.
 using BinShares = std::vector<std::uint16_t>;
@@ -21,8 +21,8 @@ class TargetColors {
 public:
   static constexpr int kColumns = 2;
   static constexpr int kRows = 3;
-  static constexpr int kParts = kColumns * kRows;
-  static constexpr std::uint16_t kWhole = 256;
+  static constexpr int kPartCount = kColumns * kRows;
+  static constexpr std::uint16_t kFixedPointOne = 256;
 
   /// Discards everything and learns the colors of a box, whose center must be in the image.
   void learn(const cv::Mat& bgr, const ImageBox& box);
@@ -46,7 +46,7 @@ public:
   /// Returns the approximate size of a copy, bytes.
   std::size_t memoryBytes() const {
     // All histograms have the same size.
-    return sizeof(double) * surroundings_.capacity() * (2 * kParts + 1);
+    return sizeof(double) * surroundings_.capacity() * (2 * kPartCount + 1);
   }
 
   /// Returns part number `part` of a box. Parts are numbered row by row from the upper left.
@@ -55,8 +55,8 @@ public:
 private:
   FineHistogram figureOf(FineHistogram now, const FineHistogram& reference) const;
 
-  std::array<FineHistogram, kParts> first_;
-  std::array<FineHistogram, kParts> parts_;
+  std::array<FineHistogram, kPartCount> first_;
+  std::array<FineHistogram, kPartCount> parts_;
   FineHistogram surroundings_;
 };
 

@@ -10,7 +10,7 @@ namespace dewpoint::observation {
 void TargetMap::build(const cv::Mat& bgr, const cv::Rect& region, const TargetColors& colors) {
   region_ = region & cv::Rect({0, 0}, bgr.size());
   const auto columns = std::size_t(region_.width) + 1;
-  std::array<BinShares, TargetColors::kParts> shares;
+  std::array<BinShares, TargetColors::kPartCount> shares;
   for (std::size_t part = 0; part < shares.size(); ++part) {
     shares[part] = colors.shares(static_cast<int>(part));
     integrals_[part].assign(columns * (std::size_t(region_.height) + 1), 0);
@@ -52,7 +52,7 @@ double TargetMap::sum(const ImageBox& box) const {
     return 0.0;
   }
   double total = 0.0;
-  for (int part = 0; part < TargetColors::kParts; ++part) {
+  for (int part = 0; part < TargetColors::kPartCount; ++part) {
     const ImageBox piece = TargetColors::partOf(box, part);
     const Integral& integral = integrals_[std::size_t(part)];
     const double right = piece.x + piece.width;
@@ -60,7 +60,7 @@ double TargetMap::sum(const ImageBox& box) const {
     total += corner(integral, right, bottom) - corner(integral, piece.x, bottom) -
              corner(integral, right, piece.y) + corner(integral, piece.x, piece.y);
   }
-  return total / TargetColors::kWhole;
+  return total / TargetColors::kFixedPointOne;
 }
 
 } // namespace dewpoint::observation

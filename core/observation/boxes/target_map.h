@@ -35,7 +35,7 @@ private:
   double corner(const Integral& integral, double x, double y) const;
 
   cv::Rect region_;
-  std::array<Integral, TargetColors::kParts> integrals_; ///< (rows + 1) x (columns + 1)
+  std::array<Integral, TargetColors::kPartCount> integrals_; ///< (rows + 1) x (columns + 1)
 };
 
 } // namespace dewpoint::observation

@@ -11,7 +11,7 @@ namespace {
 
 /// Origin not recorded. Half widths of the pieces of a person of 1.75 m, meters: what is seen from
 /// all sides, with swinging arms and legs.
-constexpr std::array<double, kBodyPieces> kHalfWidths{0.15, 0.15, 0.20, 0.23, 0.21, 0.10};
+constexpr std::array<double, kBodyPartCount> kHalfWidths{0.15, 0.15, 0.20, 0.23, 0.21, 0.10};
 constexpr double kReferenceHeight = 1.75; ///< meters
 constexpr int kFarOff = 1 << 14;          ///< pixels: so far outside it does not matter how far
 
@@ -32,19 +32,19 @@ SilhouetteProjector::SilhouetteProjector(const Camera& camera)
 BodySilhouette SilhouetteProjector::project(const Eigen::Vector2d& position, double floor,
                                             double height) const {
   constexpr double kNearest = 0.2; // meters
-  std::array<double, kBodyPieces + 1> x;
-  std::array<double, kBodyPieces + 1> y;
-  std::array<double, kBodyPieces + 1> z;
-  std::array<double, kBodyPieces + 1> column;
-  std::array<double, kBodyPieces + 1> row;
-  for (std::size_t k = 0; k <= kBodyPieces; ++k) {
+  std::array<double, kBodyPartCount + 1> x;
+  std::array<double, kBodyPartCount + 1> y;
+  std::array<double, kBodyPartCount + 1> z;
+  std::array<double, kBodyPartCount + 1> column;
+  std::array<double, kBodyPartCount + 1> row;
+  for (std::size_t k = 0; k <= kBodyPartCount; ++k) {
     x[k] = position.x();
     y[k] = position.y();
-    z[k] = floor + height * static_cast<double>(k) / kBodyPieces;
+    z[k] = floor + height * static_cast<double>(k) / kBodyPartCount;
   }
-  projector_.projectBatch(kBodyPieces + 1, x.data(), y.data(), z.data(), column.data(), row.data());
+  projector_.projectBatch(kBodyPartCount + 1, x.data(), y.data(), z.data(), column.data(), row.data());
   BodySilhouette result;
-  for (std::size_t k = 0; k < kBodyPieces; ++k) {
+  for (std::size_t k = 0; k < kBodyPartCount; ++k) {
     const double distance = depth({x[k], y[k], 0.5 * (z[k] + z[k + 1])});
     if (distance < kNearest || std::isnan(column[k] + column[k + 1])) {
       return result;
@@ -73,7 +73,7 @@ double bodyScore(const ScoreSums& score, const BodySilhouette& silhouette, doubl
   for (const cv::Rect& piece : silhouette.pieces) {
     sum += std::max(floor, score.mean(piece));
   }
-  return sum / kBodyPieces;
+  return sum / kBodyPartCount;
 }
 
 double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, double floor) {
@@ -81,10 +81,10 @@ double upperBodyScore(const ScoreSums& score, const BodySilhouette& silhouette, 
     return 0.0;
   }
   double sum = 0.0;
-  for (std::size_t k = kBodyPieces / 2; k < kBodyPieces; ++k) {
+  for (std::size_t k = kBodyPartCount / 2; k < kBodyPartCount; ++k) {
     sum += std::max(floor, score.mean(silhouette.pieces[k]));
   }
-  constexpr auto kLower = kBodyPieces - kBodyPieces / 2;
+  constexpr auto kLower = kBodyPartCount - kBodyPartCount / 2;
   return sum / kLower;
 }
 

@@ -15,14 +15,14 @@
 namespace dewpoint::observation {
 
 /// Number of pieces into which a standing body is divided, from the feet up.
-inline constexpr int kBodyPieces = 6;
+inline constexpr int kBodyPartCount = 6;
 
 /// Silhouette of a standing person in a camera: one upright pixel rectangle per piece of the body,
 /// half-open as in OpenCV. Rectangles may lie outside the image. `visible` is false if the camera
 /// cannot show the person because the person is behind or very near the camera, or beyond the valid
 /// range of its lens.
 struct BodySilhouette {
-  std::array<cv::Rect, kBodyPieces> pieces;
+  std::array<cv::Rect, kBodyPartCount> pieces;
   bool visible = false;
 };
 

@@ -26,13 +26,13 @@ void forEachOwnPixel(const cv::Mat& image, const cv::Mat& mask, const BodySilhou
     return;
   }
   const cv::Rect whole(0, 0, mask.cols, mask.rows);
-  for (std::size_t k = 0; k < kBodyPieces; ++k) {
+  for (std::size_t k = 0; k < kBodyPartCount; ++k) {
     const cv::Rect piece = silhouette.pieces[k] & whole;
     for (int row = piece.y; row < piece.y + piece.height; ++row) {
       for (int column = piece.x; column < piece.x + piece.width; ++column) {
         if (mask.at<std::uint8_t>(row, column) != 0 &&
             (covered.empty() || covered.at<std::uint8_t>(row, column) == 0)) {
-          use(k < kBodyPieces / 2 ? std::size_t{0} : std::size_t{1}, image.ptr(row, column));
+          use(k < kBodyPartCount / 2 ? std::size_t{0} : std::size_t{1}, image.ptr(row, column));
         }
       }
     }
@@ -95,7 +95,7 @@ ClothesRatio ClothesModel::logRatioAgainst(const ClothesModel& other) const {
   return ratio;
 }
 
-double ClothesModel::meanRatio(const ClothesRatio& ratio, const cv::Mat& image, const cv::Mat& mask,
+double ClothesModel::meanLogRatioInSilhouette(const ClothesRatio& ratio, const cv::Mat& image, const cv::Mat& mask,
                                const BodySilhouette& silhouette, const cv::Mat& covered) {
   double sum = 0.0;
   double count = 0.0;

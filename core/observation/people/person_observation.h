@@ -28,7 +28,7 @@ struct PersonCamera {
 /// image. In the MS+C variant, the product also contains the color likelihood at this pixel. The
 /// columns of a state are x y z vx vy vz (meters, m/s). With MS+C, hue and saturation follow, both
 /// in [0, 1]. If the projection of a particle is outside a camera's image, each factor has its
-/// lowest value: `floor` for D, and exp(ColorCue::logFloor()) for the color. The paper does not
+/// lowest value: `floor` for D, and exp(ColorCue::minLogLikelihoodPerPixel()) for the color. The paper does not
 /// specify this case. Without the color factor, a particle outside the image would get a higher
 /// likelihood than a particle inside the image at pixels of the wrong color.
 class PersonObservation {
@@ -64,8 +64,8 @@ private:
   double logLikelihoodAt(const PersonCamera& camera, double column, double row, double hue,
                          double saturation) const {
     cv::Point pixel;
-    if (!nearestPixel(column, row, camera.likelihood, pixel)) {
-      return std::log(floor_) + (color_ ? color_->logFloor() : 0.0);
+    if (!findNearestPixel(column, row, camera.likelihood, pixel)) {
+      return std::log(floor_) + (color_ ? color_->minLogLikelihoodPerPixel() : 0.0);
     }
     double sum = std::log(static_cast<double>(camera.likelihood.at<float>(pixel)));
     if (color_) {

@@ -57,8 +57,8 @@ struct Sums {
     result.covariance.diagonal().array() += kPixelMoment;
     result.box = {corner.x + left, corner.y + top, right - left + 1, bottom - top + 1};
     result.rim = rim;
-    result.cutRim = cut;
-    result.hiddenRim = hidden;
+    result.cutRimPixelCount = cut;
+    result.hiddenRimPixelCount = hidden;
     return result;
   }
 };
@@ -135,8 +135,8 @@ ColorRegion joined(const ColorRegion& one, const ColorRegion& other) {
                       share * (1.0 - share) * apart * apart.transpose();
   result.box = one.box | other.box;
   result.rim = one.rim + other.rim;
-  result.cutRim = one.cutRim + other.cutRim;
-  result.hiddenRim = one.hiddenRim + other.hiddenRim;
+  result.cutRimPixelCount = one.cutRimPixelCount + other.cutRimPixelCount;
+  result.hiddenRimPixelCount = one.hiddenRimPixelCount + other.hiddenRimPixelCount;
   return result;
 }
 

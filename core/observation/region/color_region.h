@@ -17,13 +17,13 @@ struct ColorRegion {
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< covariance of the pixels, px²
   cv::Rect box;                                         ///< bounding box
   int rim = 0;       ///< number of rim pixels: at least one of the four neighbors has another color
-  int cutRim = 0;    ///< number of rim pixels at the image border
-  int hiddenRim = 0; ///< number of rim pixels next to an object that may hide the target
+  int cutRimPixelCount = 0;    ///< number of rim pixels at the image border
+  int hiddenRimPixelCount = 0; ///< number of rim pixels next to an object that may hide the target
 
   /// Returns the fraction of the rim, 0 to 1, where the image border or another object may cut off
   /// the region.
   double cutOffShare() const {
-    return rim > 0 ? static_cast<double>(cutRim + hiddenRim) / rim : 0.0;
+    return rim > 0 ? static_cast<double>(cutRimPixelCount + hiddenRimPixelCount) / rim : 0.0;
   }
 };
 

@@ -84,7 +84,7 @@ struct Counts {
     return 2.0 * targetMatched / std::max(1.0, target + targetMatched + restMatched);
   }
   double ringShare() const { return ringMatched / std::max(1.0, ring); }
-  double restShare() const { return restMatched / std::max(1.0, rest); }
+  double initialMatchShareElsewhere() const { return restMatched / std::max(1.0, rest); }
 };
 
 } // namespace
@@ -280,7 +280,7 @@ std::optional<double> AdaptiveColor::step(PerCamera& camera, const TargetImage& 
   const Counts before = target.count(camera.classifier);
   const Counts after = target.count(classifier);
   if (after.ringShare() > std::max(kMostOfRing, before.ringShare()) ||
-      after.restShare() > std::max(2.0 * camera.restShare + kMostOfRest, before.restShare())) {
+      after.initialMatchShareElsewhere() > std::max(2.0 * camera.initialMatchShareElsewhere + kMostOfRest, before.initialMatchShareElsewhere())) {
     return std::nullopt;
   }
   for (std::size_t k = 0; k < camera.ranges.size(); ++k) {
@@ -294,9 +294,9 @@ std::optional<double> AdaptiveColor::step(PerCamera& camera, const TargetImage& 
 
 void AdaptiveColor::tighten(PerCamera& camera, const TargetImage& target, double f1) {
   const std::size_t turn = static_cast<std::size_t>(camera.updateCount) %
-                           (FollowedRange::kBounds * camera.ranges.size());
-  const std::size_t bound = turn % FollowedRange::kBounds;
-  const std::size_t own = turn / FollowedRange::kBounds;
+                           (FollowedRange::kBoundCount * camera.ranges.size());
+  const std::size_t bound = turn % FollowedRange::kBoundCount;
+  const std::size_t own = turn / FollowedRange::kBoundCount;
   FollowedRange& range = camera.ranges[own];
   const ColorRanges inUse = rangesOf(camera);
   double best = f1 + kWorthwhile;
@@ -327,14 +327,14 @@ bool AdaptiveColor::adapt(std::size_t index, const cv::Mat& image, const SphereI
     return false;
   }
   ++camera.updateCount;
-  if (camera.updateCount <= kReferenceUpdates) {
+  if (camera.updateCount <= kReferenceUpdateCount) {
     const double ofThis = 1.0 / camera.updateCount;
-    camera.restShare += ofThis * (target.count(camera.classifier).restShare() - camera.restShare);
+    camera.initialMatchShareElsewhere += ofThis * (target.count(camera.classifier).initialMatchShareElsewhere() - camera.initialMatchShareElsewhere);
   }
   bool moves = false;
   for (std::size_t k = 0; k < measured.size(); ++k) {
     FollowedRange& range = camera.ranges[k];
-    if (measured[k] && range.addReference(*measured[k], kReferenceUpdates)) {
+    if (measured[k] && range.addReference(*measured[k], kReferenceUpdateCount)) {
       measured[k].reset();
     } else if (measured[k]) {
       measured[k] = range.toward(*measured[k], share);

@@ -51,7 +51,7 @@ public:
   /// Updates the color in one camera from an image (CV_8UC3) in which the target is completely
   /// visible and not covered. The ranges move toward the colors on the target by the fraction
   /// `share` (0 to 1) of the difference. A range with too few visible pixels stays unchanged. The
-  /// first kReferenceUpdates updates of a range do not change the range; they measure the colors in
+  /// first kReferenceUpdateCount updates of a range do not change the range; they measure the colors in
   /// the initial light. `others` are outlines of other objects with the same color.
   ///
   /// Returns whether the ranges were moved. The ranges are not moved if too few pixels inside the
@@ -63,14 +63,14 @@ public:
   /// Number of updates at the start that do not change a range, but measure the colors of the
   /// target in the initial light. Ten updates take a third of a second at 30 images per second.
   /// Chosen by judgment (docs/method-dewpoint.md, section 8).
-  static constexpr int kReferenceUpdates = 10;
+  static constexpr int kReferenceUpdateCount = 10;
 
 private:
   struct PerCamera {
     std::vector<FollowedRange> ranges;
     ColorClassifier classifier;
     int updateCount = 0;
-    double restShare = 0.0; ///< fraction of the rest of the image that matched in the initial light
+    double initialMatchShareElsewhere = 0.0; ///< fraction of the rest of the image that matched in the initial light
   };
   struct TargetImage;
   using Quantiles = FollowedRange::Quantiles;

@@ -16,14 +16,14 @@ constexpr int kWindowBlock = kMaxWindows;
 /// measured (bench/color_window_bench).
 constexpr std::int64_t kPixelsPerWindow = 60;
 
-using LogTable = std::array<double, WindowCounts::kPixels + 1>;
+using LogTable = std::array<double, WindowCounts::kWindowPixelCount + 1>;
 
 /// log(max(m, 1) / 25) for m = 0..25.
 const LogTable& logTable() {
   static const auto table = [] {
     LogTable values{};
     for (std::size_t m = 0; m < values.size(); ++m) {
-      values[m] = std::log(double(std::max<std::size_t>(m, 1)) / double(WindowCounts::kPixels));
+      values[m] = std::log(double(std::max<std::size_t>(m, 1)) / double(WindowCounts::kWindowPixelCount));
     }
     return values;
   }();

@@ -74,7 +74,7 @@ ColorRange FollowedRange::rangeOf(const Quantiles& now, const Quantiles& slack) 
   static constexpr Quantiles kMost{kMostHue,        kMostHue,       kMostSaturation,
                                    kMostSaturation, kMostIntensity, kMostIntensity};
   Quantiles bounds = boundsOfBase();
-  for (std::size_t k = 0; k < kBounds; ++k) {
+  for (std::size_t k = 0; k < kBoundCount; ++k) {
     const double outward = k % 2 == 0 ? -1.0 : 1.0;
     const double way = bounds[k] - reference_[k];
     const double kept = outward * way > 0.0 ? slack[k] * way : way;
@@ -107,7 +107,7 @@ bool FollowedRange::addReference(const Quantiles& measured, int updates) {
     return false;
   }
   const double share = 1.0 / ++updateCount_;
-  for (std::size_t k = 0; k < kBounds; ++k) {
+  for (std::size_t k = 0; k < kBoundCount; ++k) {
     reference_[k] += share * (measured[k] - reference_[k]);
   }
   now_ = reference_;
@@ -116,7 +116,7 @@ bool FollowedRange::addReference(const Quantiles& measured, int updates) {
 
 FollowedRange::Quantiles FollowedRange::toward(const Quantiles& measured, double share) const {
   Quantiles next;
-  for (std::size_t k = 0; k < kBounds; ++k) {
+  for (std::size_t k = 0; k < kBoundCount; ++k) {
     next[k] = now_[k] + share * (measured[k] - now_[k]);
   }
   return next;

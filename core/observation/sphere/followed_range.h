@@ -16,8 +16,8 @@ public:
   /// Number of bounds of a range. Each bound follows a quantile of the colors on the target. There
   /// is a low and a high quantile for each of three values: the hue (degrees from the center of the
   /// range), the saturation, and the logarithm of the intensity.
-  static constexpr std::size_t kBounds = 6;
-  using Quantiles = std::array<double, kBounds>;
+  static constexpr std::size_t kBoundCount = 6;
+  using Quantiles = std::array<double, kBoundCount>;
 
   /// Starts with `base`, the range in the initial light.
   explicit FollowedRange(const ColorRange& base) : base_(base), inUse_(base) {}

@@ -80,7 +80,7 @@ std::optional<MarkerImage> MarkerDetector::find(const cv::Mat& bgr) {
   const bool cut =
       area.x < 2 || area.y < 2 || area.br().x > bgr.cols - 2 || area.br().y > bgr.rows - 2;
   if (cut || sum - held > kOthersShare * held ||
-      held < std::numbers::pi * kMinRadius * kMinRadius) {
+      held < std::numbers::pi * kMinRadiusPixels * kMinRadiusPixels) {
     return std::nullopt;
   }
   const Patch patch = filledPatch(labels_, best, area);

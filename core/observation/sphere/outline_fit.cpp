@@ -149,7 +149,7 @@ struct CameraEquations {
   Matrix4 matrix = Matrix4::Zero();
   Vector4 vector = Vector4::Zero();
   int edges = 0;
-  double sizeMisfit = 0.0;
+  double sizeDeviation = 0.0;
 };
 
 CameraEquations equationsOf(const OutlineView& view, const Eigen::Vector3d& center, double radius,
@@ -186,7 +186,7 @@ CameraEquations equationsOf(const OutlineView& view, const Eigen::Vector3d& cent
   result.matrix -= cross * cross.transpose() / offsetInformation;
   const double offset = offsetVector / offsetInformation;
   result.vector -= cross * offset;
-  result.sizeMisfit = offset * offset / (offsetSigma * offsetSigma);
+  result.sizeDeviation = offset * offset / (offsetSigma * offsetSigma);
   return result;
 }
 
@@ -202,7 +202,7 @@ void compareCameras(const std::vector<CameraEquations>& cameras, const Vector4& 
       continue;
     }
     ++seeing;
-    fit.sizeMisfit += camera.sizeMisfit;
+    fit.sizeDeviation += camera.sizeDeviation;
     const Eigen::Vector3d left = (camera.vector - camera.matrix * step).head<3>();
     Eigen::Matrix3d own = camera.matrix.topLeftCorner<3, 3>();
     fit.pulls[k] = {own, left};
@@ -218,14 +218,14 @@ void compareCameras(const std::vector<CameraEquations>& cameras, const Vector4& 
 } // namespace
 
 OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior,
-                      OutlineReach reach) {
+                      EdgeSearchRange reach) {
   OutlineFit fit;
   fit.center = prior.center;
   fit.radius = prior.radius;
   Matrix4 total = Matrix4::Zero();
   Vector4 step = Vector4::Zero();
   std::vector<CameraEquations> cameras(views.size());
-  for (const double width : reach == OutlineReach::Near ? kNearWidths : kFarWidths) {
+  for (const double width : reach == EdgeSearchRange::Near ? kNearWidths : kFarWidths) {
     total.setZero();
     total.topLeftCorner<3, 3>() = prior.information;
     Vector4 vector = Vector4::Zero();

@@ -47,7 +47,7 @@ struct OutlineFit {
   int degreesOfFreedom = 0; ///< 0 if only one camera sees the outline
   /// Deviation of the outlines from their expected size: the mean offset of all edges in a camera,
   /// squared and divided by its variance, summed over the cameras.
-  double sizeMisfit = 0.0;
+  double sizeDeviation = 0.0;
   std::vector<CameraInformation> pulls; ///< per camera
 };
 
@@ -61,7 +61,7 @@ struct OutlinePrior {
 };
 
 /// Largest distance from the expected outline at which edges are sought.
-enum class OutlineReach {
+enum class EdgeSearchRange {
   Near, ///< up to half a radius; used with a good prediction near other objects of the same color
   Far,  ///< more than a radius at first, reduced step by step; used with a rough start
 };
@@ -74,6 +74,6 @@ enum class OutlineReach {
 /// common amount. This shift is also estimated, so the size of the outline determines the depth
 /// only weakly. `found` is false in the result if too little of the outline was seen.
 OutlineFit fitOutline(const std::vector<OutlineView>& views, const OutlinePrior& prior,
-                      OutlineReach reach = OutlineReach::Far);
+                      EdgeSearchRange reach = EdgeSearchRange::Far);
 
 } // namespace dewpoint::observation

@@ -144,7 +144,7 @@ double SphereObservation::fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& 
   return sum;
 }
 
-bool SphereObservation::showsRim(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
+bool SphereObservation::isRimVisible(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
   return std::any_of(views_.begin(), views_.end(), [&](View& view) {
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
     if (view.labels.empty() || !outline || outline->radius >= kLargestRadiusPx ||
@@ -190,7 +190,7 @@ int SphereObservation::camerasSeeing(const std::vector<CameraEvidence>& cameras)
 }
 
 OutlineFit SphereObservation::fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,
-                                  OutlineReach reach) {
+                                  EdgeSearchRange reach) {
   std::vector<OutlineView> views;
   views.reserve(views_.size());
   for (View& view : views_) {

@@ -83,7 +83,7 @@ public:
                                         const Eigen::Vector3d& velocity) const;
   /// Returns whether at least one camera shows the rim of the target, at which the target color
   /// ends (SphereEvidence::rimShare()). A part of a larger object of the same color has no rim.
-  bool showsRim(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
+  bool isRimVisible(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
   /// Returns the number of cameras with an image into which the position projects.
   int countCamerasInView(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
   /// Returns the evidence from each camera for one position: SphereEvidence, and the fraction of
@@ -98,7 +98,7 @@ public:
   }
   /// Fits the outline (fitOutline()) in all cameras that have an image.
   OutlineFit fit(const OutlinePrior& prior, const Eigen::Vector3d& velocity,
-                 OutlineReach reach = OutlineReach::Far);
+                 EdgeSearchRange reach = EdgeSearchRange::Far);
 
 private:
   struct View {

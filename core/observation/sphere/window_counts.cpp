@@ -64,7 +64,7 @@ namespace {
 struct SumWindowsKernel {
   DEWPOINT_KERNEL void run(const std::uint8_t* matches, int windowCount, std::uint8_t* sums) {
     for (int i = 0; i < windowCount; ++i) {
-      const std::uint8_t* window = matches + std::ptrdiff_t{WindowCounts::kPixels} * i;
+      const std::uint8_t* window = matches + std::ptrdiff_t{WindowCounts::kWindowPixelCount} * i;
       std::array<std::uint64_t, 3> words{};
       std::memcpy(words.data(), window, sizeof words);
       const int bits = __builtin_popcountll(words[0]) + __builtin_popcountll(words[1]) +
@@ -86,7 +86,7 @@ void countWindows(const cv::Mat& bgr, const ColorClassifier& classifier, int win
                   const std::int32_t* pixels, std::uint8_t* counts) {
   constexpr int kRowBytes = 3 * kWindow;
   std::array<std::uint8_t, std::size_t{kMaxWindows} * kWindow * kRowBytes> windows;
-  std::array<std::uint8_t, std::size_t{kMaxWindows} * WindowCounts::kPixels> matches;
+  std::array<std::uint8_t, std::size_t{kMaxWindows} * WindowCounts::kWindowPixelCount> matches;
   std::array<int, kMaxWindows> whole;
   int wholeCount = 0;
   windows.front() = 0; // g++ 12 warns about the rest
@@ -107,7 +107,7 @@ void countWindows(const cv::Mat& bgr, const ColorClassifier& classifier, int win
     }
     whole[static_cast<std::size_t>(wholeCount++)] = i;
   }
-  classifier.matchRow(windows.data(), std::int64_t{WindowCounts::kPixels} * wholeCount,
+  classifier.matchRow(windows.data(), std::int64_t{WindowCounts::kWindowPixelCount} * wholeCount,
                       matches.data());
   std::array<std::uint8_t, kMaxWindows> sums;
   runKernel<SumWindowsKernel>(matches.data(), wholeCount, sums.data());

@@ -17,7 +17,7 @@ namespace dewpoint::observation {
 class WindowCounts {
 public:
   static constexpr int kRadius = 2;
-  static constexpr int kPixels = 25;
+  static constexpr int kWindowPixelCount = 25;
 
   /// Computes the counts for a whole image (CV_8UC3).
   void build(const cv::Mat& bgr, const ColorClassifier& classifier);

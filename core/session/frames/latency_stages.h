@@ -23,7 +23,7 @@ struct Latency {
 Latency latencyOf(const DurationHistogram& durations);
 
 /// Number of values of TimeOrigin.
-inline constexpr std::size_t kTimeOrigins = 3;
+inline constexpr std::size_t kTimeOriginCount = 3;
 
 /// Latency of live images, from the capture to the estimate and to the display, divided into
 /// stages.
@@ -37,7 +37,7 @@ struct LiveLatency {
   /// Number of images for each origin of the capture time, indexed by TimeOrigin. An image whose
   /// capture time is unknown counts under TimeOrigin::Arrival. Such images do not contribute to
   /// `capture`, and their share of `total` is measured from the arrival.
-  std::array<std::int64_t, kTimeOrigins> images{};
+  std::array<std::int64_t, kTimeOriginCount> images{};
 };
 
 /// Collects the durations summarized in LiveLatency.
@@ -49,7 +49,7 @@ public:
   /// when its estimate was finished. Images from recordings are not counted.
   void addFrames(const FrameSet& frames, Clock::time_point taken, Clock::time_point estimated);
   /// Adds the time from an estimate until a view has painted it, in seconds.
-  void addDrawing(double seconds) { draw_.add(seconds); }
+  void addDrawingTime(double seconds) { draw_.add(seconds); }
   LiveLatency summary() const;
 
 private:
@@ -59,7 +59,7 @@ private:
   DurationHistogram compute_;
   DurationHistogram draw_;
   DurationHistogram total_;
-  std::array<std::int64_t, kTimeOrigins> images_{};
+  std::array<std::int64_t, kTimeOriginCount> images_{};
 };
 
 } // namespace dewpoint::session

@@ -10,7 +10,7 @@
 namespace dewpoint::session {
 
 /// Identifies the images of live cameras that a run tracked in one frame.
-struct LiveSet {
+struct LiveFrameRecord {
   struct Image {
     std::int64_t stamp = -1; ///< CaptureInstant::stamp
     TimeStamp captureTime{}; ///< Frame::captureTime

@@ -36,7 +36,7 @@ FrameRecord frameRecord(const TrackedFrame& trackedFrame, const FrameSet& frames
   record.frame = trackedFrame.frame;
   record.time = trackedFrame.time;
   for (std::size_t k = 0; k < std::min<std::size_t>(64, frames.frames.size()); ++k) {
-    record.missingCameras |= frames.frames[k] ? 0 : std::uint64_t{1} << k;
+    record.missingCameraBits |= frames.frames[k] ? 0 : std::uint64_t{1} << k;
   }
   for (const TrackedTarget& target : trackedFrame.targets) {
     const bool held = target.status == TargetStatus::Held || target.status == TargetStatus::Gone ||

@@ -60,7 +60,7 @@ void RunLog::restart(const Project& project, int threads) {
   people_.clear();
   trajectory_ = Trajectory{trajectoryHeader(project), {}};
   boxes_.clear();
-  liveSets_.clear();
+  liveFrameRecords_.clear();
   project_ = project;
   statistics_ = RunStatistics{};
   statistics_.threads = threads;
@@ -131,28 +131,28 @@ void RunLog::countLiveFrame(const FrameSet& frames, LatencyStages::Clock::time_p
   statistics_.live.addFrames(frames, taken, estimated);
 }
 
-void RunLog::addLiveSet(const FrameSet& frames) {
-  LiveSet set{frames.index, frames.time, {}};
+void RunLog::addLiveFrameRecord(const FrameSet& frames) {
+  LiveFrameRecord set{frames.index, frames.time, {}};
   for (const FramePtr& frame : frames.frames) {
     set.images.push_back(
-        frame ? std::optional(LiveSet::Image{frame->instants.stamp, frame->captureTime})
+        frame ? std::optional(LiveFrameRecord::Image{frame->instants.stamp, frame->captureTime})
               : std::nullopt);
   }
   const std::lock_guard lock(mutex_);
-  const bool isNew = liveSets_.empty() || liveSets_.back().index < frames.index;
-  if (isNew && liveSets_.size() < kMaxLiveSets) {
-    liveSets_.push_back(std::move(set));
+  const bool isNew = liveFrameRecords_.empty() || liveFrameRecords_.back().index < frames.index;
+  if (isNew && liveFrameRecords_.size() < kMaxLiveFrameRecords) {
+    liveFrameRecords_.push_back(std::move(set));
   }
 }
 
-std::vector<LiveSet> RunLog::liveSets() const {
+std::vector<LiveFrameRecord> RunLog::liveFrameRecords() const {
   const std::lock_guard lock(mutex_);
-  return liveSets_;
+  return liveFrameRecords_;
 }
 
-void RunLog::countDrawing(double seconds) {
+void RunLog::addDrawingTime(double seconds) {
   const std::lock_guard lock(mutex_);
-  statistics_.live.addDrawing(seconds);
+  statistics_.live.addDrawingTime(seconds);
 }
 
 void RunLog::setFinished(bool finished) {
@@ -174,13 +174,13 @@ void RunLog::append(const std::vector<IterationRecord>& records) {
 
 void RunLog::append(const FrameRecord& record) {
   const std::lock_guard lock(mutex_);
-  frames_.removeBack([&](const FrameRecord& last) { return last.frame == record.frame; });
+  frames_.removeLastWhile([&](const FrameRecord& last) { return last.frame == record.frame; });
   frames_.append(record);
 }
 
 void RunLog::append(PeopleFramePtr people) {
   const std::lock_guard lock(mutex_);
-  people_.removeBack([&](const PeopleFramePtr& last) { return last->frame == people->frame; });
+  people_.removeLastWhile([&](const PeopleFramePtr& last) { return last->frame == people->frame; });
   people_.append(std::move(people));
 }
 
@@ -207,9 +207,9 @@ void RunLog::goBack(std::int64_t frame) {
   const std::lock_guard lock(mutex_);
   ++generation_;
   const auto isLater = [&](const auto& what) { return what.frame >= frame; };
-  records_.removeBack(isLater);
-  frames_.removeBack(isLater);
-  people_.removeBack([&](const PeopleFramePtr& people) { return isLater(*people); });
+  records_.removeLastWhile(isLater);
+  frames_.removeLastWhile(isLater);
+  people_.removeLastWhile([&](const PeopleFramePtr& people) { return isLater(*people); });
   while (!trajectory_.samples.empty() && isLater(trajectory_.samples.back())) {
     trajectory_.samples.pop_back();
   }
@@ -218,18 +218,18 @@ void RunLog::goBack(std::int64_t frame) {
   }
 }
 
-void RunLog::renumber(const std::vector<int>& numbers, std::size_t count) {
+void RunLog::changeTargetIndices(const std::vector<int>& numbers, std::size_t count) {
   const std::lock_guard lock(mutex_);
   ++generation_;
   const auto numberOf = [&](int target) {
     const auto k = static_cast<std::size_t>(target);
     return k < numbers.size() ? numbers[k] : -1;
   };
-  records_.changeAll([&](IterationRecord& record) {
+  records_.changeOrRemoveEach([&](IterationRecord& record) {
     record.target = numberOf(record.target);
     return record.target >= 0;
   });
-  frames_.changeAll([&](FrameRecord& record) {
+  frames_.changeOrRemoveEach([&](FrameRecord& record) {
     std::vector<FrameRecord::Entry> entries(count, {TargetStatus::Gone, 0.0F, {}});
     for (std::size_t k = 0; k < record.targets.size(); ++k) {
       if (const int number = numberOf(static_cast<int>(k)); number >= 0) {

@@ -47,14 +47,14 @@ public:
   /// Adds the latency of the images of a live frame; see LatencyStages::addFrames().
   void countLiveFrame(const FrameSet& frames, LatencyStages::Clock::time_point taken,
                       LatencyStages::Clock::time_point estimated);
-  /// Stores which live images a tracked frame has. Only the first kMaxLiveSets frames of the run
+  /// Stores which live images a tracked frame has. Only the first kMaxLiveFrameRecords frames of the run
   /// are stored. A frame that is tracked again is not stored again.
-  void addLiveSet(const FrameSet& frames);
-  static constexpr std::size_t kMaxLiveSets = 500000;
+  void addLiveFrameRecord(const FrameSet& frames);
+  static constexpr std::size_t kMaxLiveFrameRecords = 500000;
   /// Returns which images each live frame has, in ascending frame order.
-  std::vector<LiveSet> liveSets() const;
+  std::vector<LiveFrameRecord> liveFrameRecords() const;
   /// Adds the time from a live estimate until a view has painted it, in seconds.
-  void countDrawing(double seconds);
+  void addDrawingTime(double seconds);
   /// Sets whether the end of the input was reached.
   void setFinished(bool finished);
   /// Sets the notices that the run has now; `time` is in seconds of the run.
@@ -65,7 +65,7 @@ public:
   void goBack(std::int64_t frame);
   /// Changes the indices of the targets: the target that had index k gets index numbers[k], or is
   /// removed if this is -1. There are `count` targets afterward. Readers receive all records again.
-  void renumber(const std::vector<int>& numbers, std::size_t count);
+  void changeTargetIndices(const std::vector<int>& numbers, std::size_t count);
   /// Returns the iteration records from `position` on, and moves `position` past them. `generation`
   /// identifies the log that the reader knows. If the log was cleared or went back since then,
   /// `generation` is updated and all records are returned. The log keeps at most kMaxRecords
@@ -117,7 +117,7 @@ private:
   Project project_;
   RunStatistics statistics_;
   OldResults oldResults_;
-  std::vector<LiveSet> liveSets_;
+  std::vector<LiveFrameRecord> liveFrameRecords_;
 };
 
 } // namespace dewpoint::session

@@ -60,7 +60,7 @@ void RunRecorder::iterated(const TrackingRun& run, double microseconds) {
   log_.countIteration(1e-6 * microseconds);
   countAgainstBudget(run.definition()->parameters,
                      1e-3 * microseconds *
-                         static_cast<double>(std::max<std::size_t>(1, run.trackedCount())));
+                         static_cast<double>(std::max<std::size_t>(1, run.trackedTargetCount())));
   log_.append(records(run));
 }
 
@@ -70,7 +70,7 @@ Status RunRecorder::tracked(const TrackingRun& run) {
   firstArrival_ = firstArrival_.value_or(arrival_);
   log_.countFrame(Seconds(now - arrival_).count(), Seconds(now - *firstArrival_).count());
   if (std::exchange(isLive_, false)) {
-    log_.addLiveSet(*run.frames());
+    log_.addLiveFrameRecord(*run.frames());
   }
   if (std::exchange(isFresh_, false)) {
     log_.countLiveFrame(*run.frames(), arrival_, now);
@@ -145,17 +145,17 @@ void RunRecorder::record(const TrackingRun& run, const TrackedFrame& trackedFram
     log_.append(peopleFrame(trackedFrame));
   }
   const auto awaited = std::exchange(begun_, std::nullopt);
-  if (run.frameIterations() < run.iterationsPerFrame()) {
+  if (run.frameIterationCount() < run.iterationsPerFrame()) {
     return; // it is under way, and goes on with the settings of then
   }
-  settings_.recordTracked(trackedFrame.frame, run.definition());
+  settings_.recordTrackedFrame(trackedFrame.frame, run.definition());
   if (awaited) {
     append(workTimes_, Seconds(Clock::now() - *awaited).count(), kFrameTimesKept);
   }
 }
 
 void RunRecorder::updateOldResults(const RunDefinition& now) const {
-  log_.setOldResults({settings_.differentFrom(now), settings_.newestFrame(),
+  log_.setOldResults({settings_.framesDifferingFrom(now), settings_.newestFrame(),
                       upperMedian({workTimes_.begin(), workTimes_.end()})});
 }
 

@@ -29,7 +29,7 @@ public:
   /// Notes that the run has gone back and tracks again from this frame on.
   void goBack(std::int64_t frame) { settings_.goBack(frame); }
   /// Restarts the measurement of the frame rate after an interruption.
-  void interrupt() { frameTimes_.clear(); }
+  void noteInterruption() { frameTimes_.clear(); }
   /// Notes that a frame is about to be taken, for the statistics of the work per frame.
   void begin() { begun_ = Clock::now(); }
   /// Notes that a frame was taken. `isLive` is true if the frame has just come from live cameras.

@@ -33,14 +33,14 @@ public:
   }
   /// Removes records from the end of the log as long as `unwanted` returns true for the last
   /// record.
-  template <class Predicate> void removeBack(const Predicate& unwanted) {
+  template <class Predicate> void removeLastWhile(const Predicate& unwanted) {
     while (!entries_.empty() && unwanted(entries_.back().record)) {
       entries_.pop_back();
     }
   }
   /// Calls `change` to change every record in place, and removes the records for which it returns
   /// false.
-  template <class Change> void changeAll(const Change& change) {
+  template <class Change> void changeOrRemoveEach(const Change& change) {
     std::erase_if(entries_, [&](Entry& entry) { return !change(entry.record); });
   }
   /// Returns the records appended at or after `position` that are still in the log, and moves

@@ -32,10 +32,10 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
                           std::vector<Error>& correctionErrors) {
   PeopleChange change;
   if (correction.position && !correction.present) {
-    change.removedPerson = personNear(finding, *correction.position);
+    change.removedPersonId = personNear(finding, *correction.position);
   } else if (correction.position &&
              peopleSettings(parameters).area.contains(*correction.position)) {
-    change.newPerson = bodyCenter(*correction.position, parameters);
+    change.newPersonPosition = bodyCenter(*correction.position, parameters);
   } else if (correction.position) {
     correctionErrors.push_back({ErrorCode::BadValue, "", "place of a person",
                                 fmt::format("{:.2f}, {:.2f} m lies outside the tracked floor",
@@ -43,9 +43,9 @@ PeopleChange peopleChange(const PersonCorrection& correction, const PeopleFindin
   }
   if (correction.click) {
     const auto camera = static_cast<std::size_t>(correction.click->camera);
-    change.newPerson =
+    change.newPersonPosition =
         personAtPixel(finding, rig, parameters, correction.click->camera, correction.click->pixel);
-    if (!change.newPerson && camera < rig.size()) {
+    if (!change.newPersonPosition && camera < rig.size()) {
       correctionErrors.push_back({ErrorCode::Undetermined, "", rig[camera].name,
                                   "a person on the tracked floor cannot appear at this pixel"});
     }

@@ -15,8 +15,8 @@ namespace dewpoint::session {
 /// Change to the people that a method tracks: adds a person that it has not found, or removes one
 /// that does not exist.
 struct PeopleChange {
-  std::optional<Eigen::Vector3d> newPerson; ///< PersonPlacing::addPerson
-  std::optional<int> removedPerson;         ///< PersonPlacing::removePerson
+  std::optional<Eigen::Vector3d> newPersonPosition; ///< PersonPlacing::addPerson
+  std::optional<int> removedPersonId;         ///< PersonPlacing::removePerson
 };
 
 /// Returns the effect of a user's correction in its frame: a person to add, or one to remove. A

@@ -10,7 +10,7 @@ double ChangeRule::expectedSeconds(const OldResults& old) {
                                   old.secondsPerFrame;
 }
 
-ChangeRule::Decision ChangeRule::actionFor(const SessionState& state) {
+ChangeRule::Decision ChangeRule::decideOn(const SessionState& state) {
   const OldResults& old = state.old;
   if (state.isLive || old.frames.empty()) {
     return {};
@@ -20,7 +20,7 @@ ChangeRule::Decision ChangeRule::actionFor(const SessionState& state) {
     return {Action::Mark, from};
   }
   if (state.settingsChanged) {
-    return {expectedSeconds(old) < state.quickLimitSeconds ? Action::TrackAgain : Action::Offer,
+    return {expectedSeconds(old) < state.quickRerunLimitSeconds ? Action::TrackAgain : Action::Offer,
             from};
   }
   // A rerun under way may be what makes them new.

@@ -17,7 +17,7 @@ class ChangeRule {
 public:
   /// Longest expected duration, in seconds, for which frames are tracked again without asking the
   /// user.
-  static constexpr double kQuickSeconds = 2.0;
+  static constexpr double kQuickRerunSeconds = 2.0;
 
   /// State of the session when the rule is applied.
   struct SessionState {
@@ -27,7 +27,7 @@ public:
     bool isRerunning = false;     ///< past frames are being tracked again
     bool settingsChanged = false; ///< settings have changed since the rule was last applied
     OldResults old;
-    double quickLimitSeconds = kQuickSeconds; ///< longest duration that counts as quick, seconds
+    double quickRerunLimitSeconds = kQuickRerunSeconds; ///< longest duration that counts as quick, seconds
   };
   enum class Action {
     Nothing,    ///< leave the results as they are
@@ -42,7 +42,7 @@ public:
   };
 
   /// Returns what to do about old results in this state of the session.
-  static Decision actionFor(const SessionState& state);
+  static Decision decideOn(const SessionState& state);
   /// Returns the expected time, in seconds, to track again from the first old result to the newest
   /// frame; 0 if unknown.
   static double expectedSeconds(const OldResults& old);

@@ -49,7 +49,7 @@ void History::clear() {
   tailBegins_.clear();
 }
 
-void History::beforeFrame(std::int64_t frame, const TrackingRun& run) {
+void History::noteFrameBegin(std::int64_t frame, const TrackingRun& run) {
   if (!methodStart_) {
     methodStart_ = Checkpoint{frame, {nullptr, run.definition(), run.iterations(), 0}};
   }

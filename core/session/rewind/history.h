@@ -41,7 +41,7 @@ public:
   void clear();
   /// Stores a checkpoint (the state of the run) if the last one is far enough back. Must be called
   /// before the run begins `frame`.
-  void beforeFrame(std::int64_t frame, const TrackingRun& run);
+  void noteFrameBegin(std::int64_t frame, const TrackingRun& run);
   /// Stores a change that was made to the run in `frame`, after `iterations` iterations on this
   /// frame.
   void recordChange(std::int64_t frame, int iterations, const RunChange& change);
@@ -54,7 +54,7 @@ public:
   void removeCheckpoints();
   /// Makes all tails (drawn recent paths) begin at this frame, so that they do not continue earlier
   /// estimates.
-  void beginTails(std::int64_t frame) { tailBegins_.insert(frame); }
+  void startTailsAt(std::int64_t frame) { tailBegins_.insert(frame); }
   /// Removes all data of frames before this one, whose images no longer exist.
   void forgetBefore(std::int64_t frame);
 
@@ -71,7 +71,7 @@ public:
   static constexpr std::size_t kTailLength = 256;
   /// Returns the tail (recent path) of a target up to and including frame `end`: the last
   /// kTailLength values of tailPosition(), oldest first. The tail begins no earlier than the last
-  /// frame passed to beginTails() that is not after `frame`. `frame` is the frame shown: `end`
+  /// frame passed to startTailsAt() that is not after `frame`. `frame` is the frame shown: `end`
   /// itself, or the next one if its results are not recorded yet. Empty for targets that are boxes
   /// and for targets that are gone.
   std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame, std::int64_t end) const;

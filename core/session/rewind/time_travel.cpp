@@ -27,17 +27,17 @@ void TimeTravel::clear() {
   probeNext_.reset();
 }
 
-void TimeTravel::beforeFrame(const FrameSetPtr& frames, const TrackingRun& run) {
+void TimeTravel::noteFrameBegin(const FrameSetPtr& frames, const TrackingRun& run) {
   cache_->add(frames);
   if (live_) {
     history_.forgetBefore(cache_->oldest());
   }
-  history_.beforeFrame(frames->index, run);
+  history_.noteFrameBegin(frames->index, run);
 }
 
 void TimeTravel::recordChange(const TrackingRun& run, const RunChange& change) {
   if (run.frames()) {
-    history_.recordChange(run.frames()->index, run.frameIterations(), change);
+    history_.recordChange(run.frames()->index, run.frameIterationCount(), change);
   }
 }
 

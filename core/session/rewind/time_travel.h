@@ -23,7 +23,7 @@ public:
   /// Removes everything, for a new run.
   void clear();
   /// Stores the images of a frame set. Must be called before the run begins this frame set.
-  void beforeFrame(const FrameSetPtr& frames, const TrackingRun& run);
+  void noteFrameBegin(const FrameSetPtr& frames, const TrackingRun& run);
   /// Stores a change that was made to the run in its current frame.
   void recordChange(const TrackingRun& run, const RunChange& change);
   /// Stores the results of the run's current frame and returns them. Must be called when the frame
@@ -64,7 +64,7 @@ public:
     probe_.reset();
   }
   /// Makes the tails (drawn recent paths) of targets begin at this frame.
-  void beginTails(std::int64_t frame) { history_.beginTails(frame); }
+  void startTailsAt(std::int64_t frame) { history_.startTailsAt(frame); }
 
   /// Returns a separate run in the state that `run` had after the past frame `frame`. Use it to get
   /// likelihood maps and motion masks, which the history does not store. Null if the state cannot

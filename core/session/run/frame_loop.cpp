@@ -7,7 +7,7 @@
 namespace dewpoint::session {
 
 Result<bool> trackFrame(TrackingRun& run, FrameObservers observers, FrameStep step) {
-  for (int left = run.iterationsPerFrame() - run.frameIterations(); left > 0; --left) {
+  for (int left = run.iterationsPerFrame() - run.frameIterationCount(); left > 0; --left) {
     const double microseconds = run.iterateTimed();
     for (FrameObserver* const observer : observers) {
       observer->iterated(run, microseconds);

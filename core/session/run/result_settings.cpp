@@ -31,7 +31,7 @@ bool haveSameTargets(const RunDefinition& a, const RunDefinition& b) {
 bool giveSameResults(const RunDefinition& a, const RunDefinition& b) {
   return &a == &b || (a.method == b.method && haveSameValues(a.parameters, b.parameters) &&
                       haveSameTargets(a, b) && (a.rig == b.rig || *a.rig == *b.rig) &&
-                      areSameImages(a.backgroundImages, b.backgroundImages) &&
+                      areImagesEqual(a.backgroundImages, b.backgroundImages) &&
                       a.volumeOfInterest == b.volumeOfInterest && a.seed == b.seed);
 }
 
@@ -44,7 +44,7 @@ void ResultSettings::goBack(std::int64_t frame) {
   }
 }
 
-void ResultSettings::recordTracked(std::int64_t frame, const RunDefinitionPtr& definition) {
+void ResultSettings::recordTrackedFrame(std::int64_t frame, const RunDefinitionPtr& definition) {
   goBack(frame);
   const bool continues = !sections_.empty() && sections_.back().frames.last == frame - 1 &&
                          (sections_.back().definition == definition ||
@@ -56,7 +56,7 @@ void ResultSettings::recordTracked(std::int64_t frame, const RunDefinitionPtr& d
   }
 }
 
-std::vector<ResultRange> ResultSettings::differentFrom(const RunDefinition& now) const {
+std::vector<ResultRange> ResultSettings::framesDifferingFrom(const RunDefinition& now) const {
   std::vector<ResultRange> different;
   for (const Section& section : sections_) {
     if (giveSameResults(*section.definition, now)) {

@@ -39,9 +39,9 @@ public:
   void goBack(std::int64_t frame);
   /// Stores that a frame was tracked with these settings. Earlier data of this frame and of later
   /// ones are removed.
-  void recordTracked(std::int64_t frame, const RunDefinitionPtr& definition);
+  void recordTrackedFrame(std::int64_t frame, const RunDefinitionPtr& definition);
   /// Returns the frames whose results came from settings other than `now`.
-  std::vector<ResultRange> differentFrom(const RunDefinition& now) const;
+  std::vector<ResultRange> framesDifferingFrom(const RunDefinition& now) const;
   /// Returns the last frame with results; -1 if there is none.
   std::int64_t newestFrame() const { return sections_.empty() ? -1 : sections_.back().frames.last; }
 

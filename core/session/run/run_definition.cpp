@@ -29,7 +29,7 @@ std::string volumeText(const WorldBox& volume) {
                      max.z());
 }
 
-bool areSameImages(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b) {
+bool areImagesEqual(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b) {
   return std::ranges::equal(a, b, isSameImage);
 }
 
@@ -47,7 +47,7 @@ RunDefinition RunDefinition::of(const Project& project, std::vector<cv::Mat> bac
   definition.volumeOfInterest = project.volumeOfInterest;
   definition.corrections = project.corrections;
   definition.seed = project.seed;
-  definition.useCameras();
+  definition.adaptParametersToCameras();
   return definition;
 }
 
@@ -66,14 +66,14 @@ Project RunDefinition::appliedTo(Project project) const {
   return project;
 }
 
-void RunDefinition::useCameras() {
+void RunDefinition::adaptParametersToCameras() {
   parameters = tracking::effectiveParameters(std::move(parameters), *rig, volumeOfInterest);
 }
 
 bool RunDefinition::operator==(const RunDefinition& other) const {
   return method == other.method && parameters == other.parameters && targets == other.targets &&
          (rig == other.rig || *rig == *other.rig) &&
-         areSameImages(backgroundImages, other.backgroundImages) &&
+         areImagesEqual(backgroundImages, other.backgroundImages) &&
          backgroundImageFiles == other.backgroundImageFiles && people == other.people &&
          volumeOfInterest == other.volumeOfInterest && corrections == other.corrections &&
          seed == other.seed;

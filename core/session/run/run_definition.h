@@ -22,7 +22,7 @@ namespace dewpoint::session {
 /// Every change creates a new definition.
 struct RunDefinition {
   std::string method;
-  ParameterValues parameters; ///< parameters in use; see useCameras()
+  ParameterValues parameters; ///< parameters in use; see adaptParametersToCameras()
   /// Targets in the project; methods for people find their targets themselves.
   std::vector<Target> targets;
   std::shared_ptr<const CameraRig> rig;  ///< never null; in project order
@@ -42,7 +42,7 @@ struct RunDefinition {
   /// Sets the parameters that the user has not set to values that suit the cameras
   /// (effectiveParameters()). Call this after a change of cameras, parameters or volume of
   /// interest; of() has already done so.
-  void useCameras();
+  void adaptParametersToCameras();
 
   MethodFamily family() const { return methodFamily(method); }
   /// Compares all fields. Background images are compared pixel by pixel, unless they share the same
@@ -55,7 +55,7 @@ using RunDefinitionPtr = std::shared_ptr<const RunDefinition>;
 std::string volumeText(const WorldBox& volume);
 
 /// Returns whether the images are equal, pixel by pixel.
-bool areSameImages(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b);
+bool areImagesEqual(const std::vector<cv::Mat>& a, const std::vector<cv::Mat>& b);
 
 /// Describes how `after` differs from `before`, as text for the header of a trajectory; empty if
 /// there is no difference. Corrections of positions are omitted because they are marked in the rows

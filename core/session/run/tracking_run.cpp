@@ -112,7 +112,7 @@ void TrackingRun::restart(std::uint64_t seed) {
   tracker_->restart(seed);
   frames_ = nullptr;
   iterations_ = 0;
-  frameIterations_ = 0;
+  frameIterationCount_ = 0;
 }
 
 bool TrackingRun::accepts(const RunDefinition& definition) const {
@@ -145,7 +145,7 @@ void TrackingRun::apply(const RunDefinitionPtr& definition) {
   }
   auto* const knowing = tracking::capability<BackgroundImageUsing>(*tracker_);
   if (knowing != nullptr &&
-      !areSameImages(definition->backgroundImages, before->backgroundImages)) {
+      !areImagesEqual(definition->backgroundImages, before->backgroundImages)) {
     knowing->setBackgroundImages(definition->backgroundImages);
   }
 }
@@ -159,11 +159,11 @@ void TrackingRun::apply(const RunChange& change) {
 
 void TrackingRun::applyCorrection(const PeopleChange& people) {
   auto* const placing = tracking::capability<PersonPlacing>(*tracker_);
-  if (people.newPerson && placing != nullptr) {
-    placing->addPerson(*people.newPerson);
+  if (people.newPersonPosition && placing != nullptr) {
+    placing->addPerson(*people.newPersonPosition);
   }
-  if (people.removedPerson && placing != nullptr) {
-    placing->removePerson(*people.removedPerson);
+  if (people.removedPersonId && placing != nullptr) {
+    placing->removePerson(*people.removedPersonId);
   }
 }
 
@@ -193,12 +193,12 @@ void TrackingRun::restore(const State& state) {
   definition_ = state.definition;
   frames_ = nullptr;
   iterations_ = state.iterations;
-  frameIterations_ = 0;
+  frameIterationCount_ = 0;
 }
 
 void TrackingRun::beginFrame(FrameSetPtr frames) {
   frames_ = std::move(frames);
-  frameIterations_ = 0;
+  frameIterationCount_ = 0;
   tracker_->beginFrame(frames_);
 }
 
@@ -210,12 +210,12 @@ double TrackingRun::iterateTimed() {
   const auto begin = std::chrono::steady_clock::now();
   tracker_->iterate(*team_);
   ++iterations_;
-  if (++frameIterations_ == iterationsPerFrame()) {
+  if (++frameIterationCount_ == iterationsPerFrame()) {
     correctPeople();
     correctPositions();
   }
   const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - begin;
-  return took.count() / static_cast<double>(std::max<std::size_t>(1, trackedCount()));
+  return took.count() / static_cast<double>(std::max<std::size_t>(1, trackedTargetCount()));
 }
 
 void TrackingRun::correctPeople() {
@@ -257,7 +257,7 @@ bool TrackingRun::isCorrected(std::size_t target) const {
          });
 }
 
-std::size_t TrackingRun::trackedCount() const {
+std::size_t TrackingRun::trackedTargetCount() const {
   const auto* const finding = capability<PeopleFinding>();
   return finding != nullptr ? finding->people().size() : targets().size();
 }
@@ -306,12 +306,12 @@ TrackedFrame TrackingRun::commonTrackedFrame(const TrackedFrame* before,
   TrackedFrame trackedFrame;
   trackedFrame.frame = frames_ ? frames_->index : -1;
   trackedFrame.time = frames_ ? seconds(frames_->time) : 0.0;
-  trackedFrame.iterations = frameIterations_;
+  trackedFrame.iterations = frameIterationCount_;
   trackedFrame.totalIterations = iterations_;
   const std::vector<Target>& tracked = targets();
-  const bool same = before != nullptr && before->definitions && tracked == *before->definitions;
-  trackedFrame.definitions =
-      same ? before->definitions : std::make_shared<const std::vector<Target>>(tracked);
+  const bool same = before != nullptr && before->targetDefinitions && tracked == *before->targetDefinitions;
+  trackedFrame.targetDefinitions =
+      same ? before->targetDefinitions : std::make_shared<const std::vector<Target>>(tracked);
   if (const auto* const finding = capability<PeopleFinding>()) {
     trackedFrame.peopleCameras = finding->cameraStates();
   }

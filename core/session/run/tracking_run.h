@@ -143,10 +143,10 @@ public:
   /// target was last held (confirmed by the cameras).
   TrackedFrame trackedFrame(int particleLimit, const TrackedFrame* previous) const;
   /// Returns the number of iterations on the current frame.
-  int frameIterations() const { return frameIterations_; }
+  int frameIterationCount() const { return frameIterationCount_; }
   /// Returns the number of targets being tracked or, for methods that find people, of people
   /// present.
-  std::size_t trackedCount() const;
+  std::size_t trackedTargetCount() const;
 
 private:
   /// Returns what currentFrame() and trackedFrame() have in common.
@@ -164,7 +164,7 @@ private:
   FrameSetPtr frames_;
   std::unique_ptr<ThreadTeam> team_;
   std::int64_t iterations_ = 0;
-  int frameIterations_ = 0;
+  int frameIterationCount_ = 0;
   std::vector<Error> correctionErrors_;
 };
 

@@ -65,7 +65,7 @@ std::vector<ImageLine> clickedRayLines(const TrackSnapshot& snapshot, const Poin
                                        int camera) {
   const Camera* shown = cameraOf(snapshot, camera);
   const auto ray = rayOf(snapshot, click);
-  return shown != nullptr && ray && click.camera != camera ? projectedRay(Projector(*shown), *ray)
+  return shown != nullptr && ray && click.camera != camera ? projectRay(Projector(*shown), *ray)
                                                            : std::vector<ImageLine>();
 }
 

@@ -111,11 +111,11 @@ std::optional<StoredSet> setIn(std::string_view line, std::size_t cameras) {
 
 } // namespace
 
-std::vector<StoredSet> storedSets(const std::vector<LiveSet>& sets,
+std::vector<StoredSet> storedSets(const std::vector<LiveFrameRecord>& sets,
                                   const std::vector<std::vector<std::int64_t>>& stamps) {
   std::vector<StampFinder> finders(stamps.begin(), stamps.end());
   std::vector<StoredSet> stored;
-  for (const LiveSet& set : sets) {
+  for (const LiveFrameRecord& set : sets) {
     StoredSet& one = stored.emplace_back(StoredSet{set.index, set.time, {}});
     for (std::size_t k = 0; k < finders.size(); ++k) {
       const bool hasImage = k < set.images.size() && set.images[k];

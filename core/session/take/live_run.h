@@ -21,7 +21,7 @@ struct LiveRun {
   Project project;           ///< the project with the settings at the end of the run
   Trajectory trajectory;     ///< trajectory since the run's last start or restart
   std::string report;        ///< text of run.json
-  std::vector<LiveSet> sets; ///< the images of each frame of the run
+  std::vector<LiveFrameRecord> sets; ///< the images of each frame of the run
   /// Frames that were tracked with other settings than those at the end.
   std::vector<ResultRange> otherSettings;
 };
@@ -44,7 +44,7 @@ struct StoredSet {
 /// Finds the images of a live run in the videos of a take, and returns their locations, frame by
 /// frame. `stamps` has, for each camera, the stamps (CaptureInstant::stamp) of the images in its
 /// video. Frames at the end of the run that have no image in the take are left out.
-std::vector<StoredSet> storedSets(const std::vector<LiveSet>& sets,
+std::vector<StoredSet> storedSets(const std::vector<LiveFrameRecord>& sets,
                                   const std::vector<std::vector<std::int64_t>>& stamps);
 
 /// Name of the folder in a take that contains the results of the live run.

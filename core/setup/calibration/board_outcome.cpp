@@ -80,7 +80,7 @@ void recordPoses(const BoardCalibrationRequest& request, BoardOutcome& outcome) 
   world.scale = CalibrationOrigin::Board;
   world.scaleError = outcome.accuracy ? outcome.accuracy->scale95 : std::nullopt;
   world.accuracy = outcome.accuracy ? std::optional(outcome.accuracy->position95) : std::nullopt;
-  world.accuracyOutside = outcome.accuracy ? outcome.accuracy->outsidePosition95 : std::nullopt;
+  world.errorOutsideVolume = outcome.accuracy ? outcome.accuracy->outsidePosition95 : std::nullopt;
   world.check.reset();
   if (request.floorFrame) {
     world.floor = CalibrationOrigin::Board;

@@ -94,9 +94,8 @@ CalibrationStatus calibrationStatus(const Project& project) {
       !status.cameras.empty() && countKnown(status, &CameraCalibrationStatus::pose,
                                             KnowledgeLevel::Measured) == status.cameras.size();
   status.accuracy = isAllMeasured ? record.accuracy : std::nullopt;
-  status.accuracyOutside = isAllMeasured ? record.accuracyOutside : std::nullopt;
-  status.lengthCheck =
-      status.scale.knowledge == KnowledgeLevel::Missing ? std::nullopt : record.check;
+  status.errorOutsideVolume = isAllMeasured ? record.errorOutsideVolume : std::nullopt;
+  status.lengthCheck = status.scale.knowledge == KnowledgeLevel::Missing ? std::nullopt : record.check;
   return status;
 }
 

@@ -45,8 +45,8 @@ struct CalibrationStatus {
   /// (WorldRecord::accuracy).
   std::optional<double> accuracy;
   /// Error, in meters, that 95 % of the positions outside the calibrated volume do not exceed, if
-  /// at least two cameras see them (WorldRecord::accuracyOutside).
-  std::optional<double> accuracyOutside;
+  /// at least two cameras see them (WorldRecord::errorOutsideVolume).
+  std::optional<double> errorOutsideVolume;
   /// Comparison of a measured with a calibrated length, if the user made one.
   std::optional<LengthCheck> lengthCheck;
 };

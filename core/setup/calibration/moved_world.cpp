@@ -107,7 +107,7 @@ Project withMovedWorld(Project project, const Similarity& change) {
     moveCamera(change, camera);
   }
   moveLength(change, project.calibrated.accuracy);
-  moveLength(change, project.calibrated.accuracyOutside);
+  moveLength(change, project.calibrated.errorOutsideVolume);
   if (project.grid) {
     project.grid = moved(change, *project.grid);
   }

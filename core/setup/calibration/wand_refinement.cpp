@@ -117,7 +117,7 @@ void recordWorld(const WandRefinement& refinement, WorldRecord& world) {
     world.floor = CalibrationOrigin::Wand;
   }
   world.accuracy = accuracy ? std::optional(accuracy->position95) : std::nullopt;
-  world.accuracyOutside = accuracy ? accuracy->outsidePosition95 : std::nullopt;
+  world.errorOutsideVolume = accuracy ? accuracy->outsidePosition95 : std::nullopt;
 }
 
 } // namespace

@@ -52,13 +52,13 @@ LikelihoodMap windowLikelihoodMap(const cv::Mat& image, const ColorClassifier& c
   map.area = cv::Rect(cvRound(center->x()) - reach, cvRound(center->y()) - reach, 2 * reach + 1,
                       2 * reach + 1) &
              whole;
-  map.minLogLikelihood = std::log(1.0 / WindowCounts::kPixels);
+  map.minLogLikelihood = std::log(1.0 / WindowCounts::kWindowPixelCount);
   map.maxLogLikelihood = 0.0;
   cv::Mat counts; // windows cut by the border count the pixels they have
   cv::boxFilter(matchImage(image, color) / 255, counts, CV_32F,
                 {2 * WindowCounts::kRadius + 1, 2 * WindowCounts::kRadius + 1}, {-1, -1}, false,
                 cv::BORDER_CONSTANT);
-  cv::log(cv::max(counts(map.area), 1.0) / WindowCounts::kPixels, map.logLikelihood);
+  cv::log(cv::max(counts(map.area), 1.0) / WindowCounts::kWindowPixelCount, map.logLikelihood);
   return map;
 }
 

@@ -197,8 +197,8 @@ void ClockEstimator::predict() {
 
 void ClockEstimator::update() {
   const Eigen::MatrixXd before = geometry::inverse(covariance_);
-  const geometry::SymmetricFactor after(before + information_);
-  if (after.isPositive()) {
+  const geometry::SymmetricFactorization after(before + information_);
+  if (after.isPositiveDefinite()) {
     const Eigen::VectorXd last = mean_;
     mean_ = after.solve(before * last + informationVector_);
     covariance_ = after.solve(Eigen::MatrixXd::Identity(mean_.size(), mean_.size()));

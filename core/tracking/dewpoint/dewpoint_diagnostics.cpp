@@ -111,7 +111,7 @@ CameraReport explainCamera(const TrackedObjects& objects, const FrameImages& ima
                         unknownShare(labels, *outline) >= kPartlyShare;
     return {partly ? CameraStatus::PartlyHidden : CameraStatus::None, 0.0};
   }
-  if (images.background(camera).novelShare() > kCoveredShare) {
+  if (images.background(camera).novelPixelShare() > kCoveredShare) {
     return {CameraStatus::Covered, 0.0};
   }
   if (expected && (!outline || !isInImage(*outline, labels.size()))) {

@@ -39,7 +39,7 @@ Eigen::Vector2d MohedanoTracker::colorAt(const Eigen::Vector3d& position, double
     const auto pixel = cameras().projector(k).project(position);
     cv::Point at;
     if (pixel && cameras().isUsable(k) &&
-        nearestPixel(pixel->x(), pixel->y(), cameras().mask(k), at) &&
+        findNearestPixel(pixel->x(), pixel->y(), cameras().mask(k), at) &&
         cameras().mask(k).at<unsigned char>(at) != 0) {
       const Eigen::Vector2d color = hueAndSaturation(cameras().image(k).ptr(at.y, at.x));
       if (!std::isnan(color[0])) {

@@ -29,9 +29,9 @@ constexpr double kBodyWider = 1.2;         ///< points are drawn a little beyond
 class StandingObservation {
 public:
   StandingObservation(std::vector<const SilhouetteProjector*> makers, std::vector<ScoreSums> scores,
-                      double floor, double evidence, double usualHeight)
+                      double floor, double evidence, double meanHeight)
       : makers_(std::move(makers)), scores_(std::move(scores)), floor_(floor), evidence_(evidence),
-        usualHeight_(usualHeight) {}
+        usualHeight_(meanHeight) {}
 
   void keepFrom(std::vector<Eigen::Vector2d> others, double distance) {
     others_ = std::move(others);
@@ -161,7 +161,7 @@ std::vector<ScoreSums> PeopleParticleTracker::scoresFor(std::size_t person) cons
     for (std::size_t other = 0; other < people_.size() && own.visible; ++other) {
       if (other != person && areNear(person, other)) {
         addColorScores(cameras().image(k), cameras().mask(k), boundsOf(own),
-                       own.pieces[kBodyPieces / 2].br().y,
+                       own.pieces[kBodyPartCount / 2].br().y,
                        beliefs_[person].clothes.logRatioAgainst(beliefs_[other].clothes),
                        parameters_.at("color_weight"), scores);
       }
@@ -188,7 +188,7 @@ void PeopleParticleTracker::weigh(std::size_t person, ThreadTeam& team) {
   WalkingMotion motion;
   motion.interval = cameras().secondsBetweenFrames();
   motion.accelerationSigma = parameters_.at("acceleration_sigma");
-  motion.usualHeight = parameters_.at("usual_height");
+  motion.meanHeight = parameters_.at("usual_height");
   Belief& belief = beliefs_[person];
   const StateEstimate estimate = belief.filter.iterate(
       MotionProposal<WalkingMotion>{motion}, observation, SystematicResampling{},
@@ -242,7 +242,7 @@ double PeopleParticleTracker::clothesEvidence(std::size_t one, std::size_t other
     const ClothesRatio ratio = beliefs_[own].clothes.logRatioAgainst(beliefs_[foreign].clothes);
     for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
       if (cameras().isUsable(k)) {
-        sum += ClothesModel::meanRatio(ratio, cameras().image(k), cameras().mask(k),
+        sum += ClothesModel::meanLogRatioInSilhouette(ratio, cameras().image(k), cameras().mask(k),
                                        silhouette(people_[own], k), coveredByOthers(own, k));
       }
     }
@@ -311,7 +311,7 @@ BodyCloud PeopleParticleTracker::body(int identity) const {
     const auto state = found->filter.states().row(ancestors[static_cast<std::size_t>(i)]);
     const auto uniform = stream.uniform3(static_cast<std::uint32_t>(i), 1);
     const double height = state[4];
-    const int piece = static_cast<int>(kBodyPieces * uniform[0]);
+    const int piece = static_cast<int>(kBodyPartCount * uniform[0]);
     const double radius = kBodyWider * bodyHalfWidth(piece, height) * std::sqrt(uniform[1]);
     const double angle = 2.0 * std::numbers::pi * uniform[2];
     cloud.points(i, 0) = state[0] + radius * std::cos(angle);

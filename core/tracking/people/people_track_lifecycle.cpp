@@ -215,7 +215,7 @@ PeopleTrackLifecycle::Visibility PeopleTrackLifecycle::visibilityOf(std::size_t 
     }
   }
   const cv::Rect image(0, 0, mask.cols, mask.rows);
-  for (std::size_t k = 0; body.visible && k < kBodyPieces; ++k) {
+  for (std::size_t k = 0; body.visible && k < kBodyPartCount; ++k) {
     all += body.pieces[k].area();
     const cv::Rect inside = body.pieces[k] & image;
     for (int row = inside.y; row < inside.y + inside.height; ++row) {

@@ -24,7 +24,7 @@ struct Showing {
 
 TEST(BoardGuidance, AsksForTheBoard) {
   Showing showing;
-  EXPECT_EQ(showing.guidance.step(0.0, std::nullopt).advice, GuidanceAdvice::ShowBoard);
+  EXPECT_EQ(showing.guidance.step(0.0, std::nullopt).advice, GuidanceAdvice::ShowCalibrationBoard);
 }
 
 TEST(BoardGuidance, TakesAViewThatIsHeldStillOnceOnly) {

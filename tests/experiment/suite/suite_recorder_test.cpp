@@ -53,11 +53,11 @@ TEST(SuiteRecorder, SplitsAConstantError) {
   const SuiteRow row = recorder.result(12.0).row;
   EXPECT_EQ(row.key, (RunKey{"S0-test", Grade::Ideal, "test", 5}));
   EXPECT_NEAR(*row.rmseMm, 5.0, 1e-9);
-  EXPECT_NEAR(*row.medianMm, 5.0, 1e-9);
+  EXPECT_NEAR(*row.medianErrorMm, 5.0, 1e-9);
   EXPECT_NEAR(*row.biasMm, 5.0, 1e-9);
-  EXPECT_NEAR(*row.depthMm, 4.0, 1e-9);
+  EXPECT_NEAR(*row.depthErrorMm, 4.0, 1e-9);
   EXPECT_NEAR(*row.depthBiasMm, 4.0, 1e-9);
-  EXPECT_NEAR(*row.lateralMm, 3.0, 1e-9);
+  EXPECT_NEAR(*row.lateralErrorMm, 3.0, 1e-9);
   EXPECT_NEAR(*row.nees, 25.0 / 9.0, 1e-9);
   EXPECT_EQ(*row.coverage95Percent, 100.0);
   EXPECT_EQ(*row.coverage50Percent, 0.0);
@@ -275,7 +275,7 @@ TEST(SuiteRecorder, NamesOfIdenticalTargetsAreTheMethods) {
   EXPECT_EQ(*row.framesToConverge, 0.0);
   EXPECT_EQ(*row.identitySwitches, 2.0);
   EXPECT_NEAR(*row.lostPercent, 20.0, 1e-9);
-  EXPECT_NEAR(*row.medianMm, 1.0, 1e-9);
+  EXPECT_NEAR(*row.medianErrorMm, 1.0, 1e-9);
   EXPECT_NEAR(*row.confidentlyWrongPercent, 20.0, 1e-9) << "each target counts in each frame";
 }
 

@@ -26,7 +26,7 @@ TEST(SuiteRow, IsReadBackAsItWasWritten) {
   ASSERT_TRUE(row.has_value());
   EXPECT_EQ(row->key, sampleRow().key);
   EXPECT_EQ(row->rmseMm, 1.25);
-  EXPECT_FALSE(row->medianMm.has_value());
+  EXPECT_FALSE(row->medianErrorMm.has_value());
   EXPECT_TRUE(std::isinf(*row->framesToConverge));
   EXPECT_FALSE(row->nees.has_value()) << "what is not a number is nothing";
   EXPECT_EQ(rowText(*row), text);

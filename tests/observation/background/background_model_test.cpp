@@ -53,7 +53,7 @@ TEST(BackgroundModel, KnowsNothingAtFirstAndAfterReset) {
   EXPECT_EQ(count(labelsOf(model, image), PixelLabel::Background), kAll);
   model.reset();
   EXPECT_EQ(count(labelsOf(model, image), PixelLabel::Unlearned), kAll);
-  EXPECT_EQ(model.novelShare(), 0.0);
+  EXPECT_EQ(model.novelPixelShare(), 0.0);
 }
 
 TEST(BackgroundModel, TellsTheUsualFromTheNew) {
@@ -94,7 +94,7 @@ TEST(BackgroundModel, ToleratesNoise) {
   cv::Mat image = plain(90, 100, 110);
   drawn::addNoise(image, 4.0, 1000);
   EXPECT_GT(count(labelsOf(model, image), PixelLabel::Background), 0.99 * kAll);
-  EXPECT_LT(model.novelShare(), 0.01);
+  EXPECT_LT(model.novelPixelShare(), 0.01);
 }
 
 TEST(BackgroundModel, FollowsLightThatChangesSlowly) {
@@ -102,7 +102,7 @@ TEST(BackgroundModel, FollowsLightThatChangesSlowly) {
   learn(model, plain(90, 100, 110));
   for (int level = 0; level <= 60; ++level) {
     learn(model, plain(90 + level, 100 + level, 110 + level), 32);
-    EXPECT_EQ(model.novelShare(), 0.0) << level;
+    EXPECT_EQ(model.novelPixelShare(), 0.0) << level;
   }
   EXPECT_EQ(count(labelsOf(model, plain(150, 160, 170)), PixelLabel::Background), kAll);
 }
@@ -232,13 +232,13 @@ TEST(BackgroundModel, WhatReplacesAnEmptyPlaceIsNotEmpty) {
 TEST(BackgroundModel, NovelShareIsNearOneOnABlackFrame) {
   BackgroundModel model;
   const cv::Mat usual = plain(90, 100, 110);
-  EXPECT_EQ(model.novelShare(), 0.0);
+  EXPECT_EQ(model.novelPixelShare(), 0.0);
   learn(model, usual);
-  EXPECT_EQ(model.novelShare(), 0.0);
+  EXPECT_EQ(model.novelPixelShare(), 0.0);
   model.learn(plain(0, 0, 0), {});
-  EXPECT_GT(model.novelShare(), 0.99);
+  EXPECT_GT(model.novelPixelShare(), 0.99);
   model.learn(usual, {});
-  EXPECT_EQ(model.novelShare(), 0.0);
+  EXPECT_EQ(model.novelPixelShare(), 0.0);
 }
 
 TEST(BackgroundModel, NovelShareIsTheShareOfThePicture) {
@@ -247,7 +247,7 @@ TEST(BackgroundModel, NovelShareIsTheShareOfThePicture) {
   learn(model, image);
   image(cv::Rect(0, 0, kModelWidth / 4, kModelHeight)) = cv::Scalar(0, 0, 0);
   model.learn(image, {});
-  EXPECT_NEAR(model.novelShare(), 0.25, 1e-9);
+  EXPECT_NEAR(model.novelPixelShare(), 0.25, 1e-9);
 }
 
 TEST(BackgroundModel, ANewSizeStartsAnewAndNoImageChangesNothing) {

@@ -24,7 +24,7 @@ TEST(BodySilhouette, StandsWhereItIsSeen) {
   // halves.
   EXPECT_EQ(body.pieces.front().br().y, 126);
   EXPECT_EQ(body.pieces.back().y, 76);
-  for (int k = 0; k < kBodyPieces; ++k) {
+  for (int k = 0; k < kBodyPartCount; ++k) {
     const cv::Rect& piece = body.pieces[static_cast<std::size_t>(k)];
     EXPECT_NEAR(piece.width, 2.0 * 25.0 * bodyHalfWidth(k, 2.0), 1.0);
     EXPECT_NEAR(piece.x + 0.5 * piece.width, 100.5, 0.6);
@@ -53,8 +53,8 @@ TEST(BodyScore, TheUpperHalfCountsByItself) {
   // A column of six pieces of 10 x 10 pixels; the upper three move, but for half of the head.
   BodySilhouette body;
   body.visible = true;
-  for (int k = 0; k < kBodyPieces; ++k) {
-    body.pieces[static_cast<std::size_t>(k)] = cv::Rect(20, 10 * (kBodyPieces - 1 - k), 10, 10);
+  for (int k = 0; k < kBodyPartCount; ++k) {
+    body.pieces[static_cast<std::size_t>(k)] = cv::Rect(20, 10 * (kBodyPartCount - 1 - k), 10, 10);
   }
   cv::Mat mask = cv::Mat::zeros(60, 60, CV_8UC1);
   mask(cv::Rect(20, 5, 10, 25)).setTo(255);
@@ -77,9 +77,9 @@ TEST(ClothesModel, TellsColorsApart) {
   const cv::Rect body(10, 10, 20, 60);
   BodySilhouette silhouette;
   silhouette.visible = true;
-  for (int k = 0; k < kBodyPieces; ++k) {
+  for (int k = 0; k < kBodyPartCount; ++k) {
     silhouette.pieces[static_cast<std::size_t>(k)] =
-        cv::Rect(body.x, body.y + 10 * (kBodyPieces - 1 - k), body.width, 10);
+        cv::Rect(body.x, body.y + 10 * (kBodyPartCount - 1 - k), body.width, 10);
   }
   cv::Mat mask = cv::Mat::zeros(80, 60, CV_8UC1);
   mask(body).setTo(255);
@@ -97,9 +97,9 @@ TEST(ClothesModel, TellsColorsApart) {
   ASSERT_TRUE(one.known());
   const ClothesRatio ratio = one.logRatioAgainst(other);
   // log(1.01 / 0.01) is cut at 1.
-  EXPECT_NEAR(ClothesModel::meanRatio(ratio, blue, mask, silhouette, cv::Mat()), 1.0, 1e-6);
-  EXPECT_NEAR(ClothesModel::meanRatio(ratio, red, mask, silhouette, cv::Mat()), -1.0, 1e-6);
-  EXPECT_EQ(ClothesModel::meanRatio(ratio, red, mask, silhouette, mask), 0.0); // covered
+  EXPECT_NEAR(ClothesModel::meanLogRatioInSilhouette(ratio, blue, mask, silhouette, cv::Mat()), 1.0, 1e-6);
+  EXPECT_NEAR(ClothesModel::meanLogRatioInSilhouette(ratio, red, mask, silhouette, cv::Mat()), -1.0, 1e-6);
+  EXPECT_EQ(ClothesModel::meanLogRatioInSilhouette(ratio, red, mask, silhouette, mask), 0.0); // covered
 }
 
 } // namespace

@@ -68,10 +68,10 @@ TEST(ColorRegion, KnowsWhereItsRimIsNotItsOwn) {
   cv::rectangle(scene.image(0), cv::Rect(220, 50, 20, 20), kSomethingNew, cv::FILLED);
   const auto regions = findRegions(firstLabels(scene), {0, 0, 320, 240}, 4.0);
   ASSERT_EQ(regions.size(), 2U);
-  EXPECT_EQ(regions[0].cutRim, 20);
-  EXPECT_EQ(regions[0].hiddenRim, 0);
-  EXPECT_EQ(regions[1].cutRim, 0);
-  EXPECT_EQ(regions[1].hiddenRim, 20);
+  EXPECT_EQ(regions[0].cutRimPixelCount, 20);
+  EXPECT_EQ(regions[0].hiddenRimPixelCount, 0);
+  EXPECT_EQ(regions[1].cutRimPixelCount, 0);
+  EXPECT_EQ(regions[1].hiddenRimPixelCount, 20);
   EXPECT_NEAR(regions[1].cutOffShare(), 20.0 / (4 * 19), 1e-9);
 }
 

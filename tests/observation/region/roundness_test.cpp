@@ -68,7 +68,7 @@ TEST(Roundness, ARegionFarLargerThanTheBallIsNone) {
   EXPECT_LT(*touching, -2.0);
   EXPECT_GT(*small, *touching + 3.0);
   ColorRegion hidden = disc(20.0);
-  hidden.hiddenRim = 60;
+  hidden.hiddenRimPixelCount = 60;
   const auto partly = shapeEvidence(hidden, circle(5.0));
   ASSERT_TRUE(partly) << "what is hidden could only add to it";
   EXPECT_GT(*partly, 3.0);
@@ -76,7 +76,7 @@ TEST(Roundness, ARegionFarLargerThanTheBallIsNone) {
 
 TEST(Roundness, WhatIsNotSeenWholeSaysNothing) {
   ColorRegion hidden = disc(20.0);
-  hidden.hiddenRim = 30;
+  hidden.hiddenRimPixelCount = 30;
   EXPECT_FALSE(shapeEvidence(hidden, circle(20.0)));
   EXPECT_FALSE(shapeEvidence(disc(4.0), circle(4.0)));
 }

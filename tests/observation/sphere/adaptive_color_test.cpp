@@ -33,7 +33,7 @@ cv::Scalar gray(double gain) {
 /// Reference looks in full light.
 AdaptiveColor begun() {
   AdaptiveColor color(kGreen, 2);
-  for (int k = 0; k < AdaptiveColor::kReferenceUpdates; ++k) {
+  for (int k = 0; k < AdaptiveColor::kReferenceUpdateCount; ++k) {
     EXPECT_FALSE(color.adapt(0, scene(gray(1.0), std::uint32_t(k)), kBallOutline, {}, kShare));
   }
   EXPECT_TRUE(color.rangesInUse().empty());

@@ -275,8 +275,8 @@ TEST(OutlineFit, TellsWhetherTheSizeIsRight) {
     scene.show({Ball{truth, 0.030}});
     const OutlineFit wrong = fitOutline(scene.views(), prior);
     ASSERT_TRUE(right.found && wrong.found) << k;
-    EXPECT_LT(right.sizeMisfit, 2.0) << k;
-    EXPECT_GT(wrong.sizeMisfit, 8.0) << k;
+    EXPECT_LT(right.sizeDeviation, 2.0) << k;
+    EXPECT_GT(wrong.sizeDeviation, 8.0) << k;
   }
 }
 

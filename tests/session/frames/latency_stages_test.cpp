@@ -30,7 +30,7 @@ constexpr double kAccuracy = 0.006; ///< relative, of DurationHistogram
 TEST(LatencyStages, EachPartIsMeasuredFromTheOneBefore) {
   LatencyStages stages;
   stages.addFrames(setOf({liveImage(TimeOrigin::Driver), nullptr}), kLight + 20ms, kLight + 22ms);
-  stages.addDrawing(0.016);
+  stages.addDrawingTime(0.016);
   const LiveLatency live = stages.summary();
   EXPECT_NEAR(live.capture.median, 0.010, kAccuracy * 0.010);
   EXPECT_NEAR(live.decode.median, 0.003, kAccuracy * 0.003);
@@ -38,7 +38,7 @@ TEST(LatencyStages, EachPartIsMeasuredFromTheOneBefore) {
   EXPECT_NEAR(live.compute.p99, 0.002, kAccuracy * 0.002);
   EXPECT_NEAR(live.draw.median, 0.016, kAccuracy * 0.016);
   EXPECT_NEAR(live.total.median, 0.022, kAccuracy * 0.022); // from light to estimate
-  EXPECT_EQ(live.images, (std::array<std::int64_t, kTimeOrigins>{1, 0, 0}));
+  EXPECT_EQ(live.images, (std::array<std::int64_t, kTimeOriginCount>{1, 0, 0}));
 }
 
 TEST(LatencyStages, WithoutACaptureTimeItBeginsAtTheArrival) {

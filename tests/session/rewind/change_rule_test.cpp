@@ -59,7 +59,7 @@ TEST(ChangeRule, WhatIsDone) {
   cases.push_back({"live", situation(true, old({{0, 99}}, kFast)), {Action::Nothing, 0}});
   cases.back().situation.isLive = true;
   for (const Case& one : cases) {
-    EXPECT_EQ(ChangeRule::actionFor(one.situation), one.expected) << one.name;
+    EXPECT_EQ(ChangeRule::decideOn(one.situation), one.expected) << one.name;
   }
 }
 

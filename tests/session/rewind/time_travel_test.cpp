@@ -367,7 +367,7 @@ TEST(TimeTravel, TheFrameLogTellsStatusReasonsAndMissingCameras) {
   ASSERT_EQ(piece.records.size(), std::size_t{kTravelFrames});
   for (const FrameRecord& record : piece.records) {
     const bool lost = record.frame % 40 >= 30 && record.frame % 40 < 33;
-    EXPECT_EQ(record.missingCameras, lost ? 2U : 0U) << record.frame; // bit 1
+    EXPECT_EQ(record.missingCameraBits, lost ? 2U : 0U) << record.frame; // bit 1
     ASSERT_EQ(record.targets.size(), 1U);
     EXPECT_DOUBLE_EQ(record.time, seconds(timeStamp(static_cast<double>(record.frame) / 30.0)));
   }

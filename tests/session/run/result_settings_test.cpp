@@ -59,12 +59,12 @@ TEST(ResultSettings, FramesOfEarlierSettings) {
   const auto before = particles(300);
   const auto after = particles(400);
   for (std::int64_t frame = 0; frame < 10; ++frame) {
-    settings.recordTracked(frame, frame < 6 ? before : after);
+    settings.recordTrackedFrame(frame, frame < 6 ? before : after);
   }
   EXPECT_EQ(settings.newestFrame(), 9);
-  EXPECT_EQ(settings.differentFrom(*after), (Ranges{{0, 5}}));
-  EXPECT_EQ(settings.differentFrom(*before), (Ranges{{6, 9}})); // undone
-  EXPECT_EQ(settings.differentFrom(*particles(500)), (Ranges{{0, 9}}));
+  EXPECT_EQ(settings.framesDifferingFrom(*after), (Ranges{{0, 5}}));
+  EXPECT_EQ(settings.framesDifferingFrom(*before), (Ranges{{6, 9}})); // undone
+  EXPECT_EQ(settings.framesDifferingFrom(*particles(500)), (Ranges{{0, 9}}));
 }
 
 TEST(ResultSettings, TrackedAgain) {
@@ -72,27 +72,27 @@ TEST(ResultSettings, TrackedAgain) {
   const auto before = particles(300);
   const auto after = particles(400);
   for (std::int64_t frame = 0; frame < 10; ++frame) {
-    settings.recordTracked(frame, before);
+    settings.recordTrackedFrame(frame, before);
   }
   settings.goBack(4);
   EXPECT_EQ(settings.newestFrame(), 3);
   for (std::int64_t frame = 4; frame < 8; ++frame) {
-    settings.recordTracked(frame, after);
+    settings.recordTrackedFrame(frame, after);
   }
-  settings.recordTracked(7, after); // another iteration on it
-  EXPECT_EQ(settings.differentFrom(*after), (Ranges{{0, 3}}));
+  settings.recordTrackedFrame(7, after); // another iteration on it
+  EXPECT_EQ(settings.framesDifferingFrom(*after), (Ranges{{0, 3}}));
   settings.goBack(0);
   EXPECT_EQ(settings.newestFrame(), -1);
-  EXPECT_EQ(settings.differentFrom(*after), Ranges{});
+  EXPECT_EQ(settings.framesDifferingFrom(*after), Ranges{});
 }
 
 TEST(ResultSettings, FramesThatWereNeverTracked) {
   ResultSettings settings;
   const auto before = particles(300);
-  settings.recordTracked(0, before);
-  settings.recordTracked(50, before); // the run went on from there
-  settings.recordTracked(51, before);
-  EXPECT_EQ(settings.differentFrom(*particles(400)), (Ranges{{0, 0}, {50, 51}}));
+  settings.recordTrackedFrame(0, before);
+  settings.recordTrackedFrame(50, before); // the run went on from there
+  settings.recordTrackedFrame(51, before);
+  EXPECT_EQ(settings.framesDifferingFrom(*particles(400)), (Ranges{{0, 0}, {50, 51}}));
   settings.clear();
   EXPECT_EQ(settings.newestFrame(), -1);
 }

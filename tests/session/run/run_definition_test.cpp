@@ -136,7 +136,7 @@ TEST(RunDefinition, TakesFromTheCamerasWhatNobodyGave) {
   EXPECT_EQ(applied.parameters.at("start_x"), run.parameters.at("start_x"));
   EXPECT_FALSE(applied.parameters.isGiven("start_x"));
   run.volumeOfInterest = WorldBox{{0.4, 0.4, 0.1}, {0.6, 0.6, 0.3}};
-  run.useCameras();
+  run.adaptParametersToCameras();
   EXPECT_NEAR(run.parameters.at("start_half_x"), 0.1, 0.0101);
 }
 
@@ -223,10 +223,10 @@ TEST_P(FilterThreads, AnotherNumberTakesOverInTheMiddleOfARun) {
   }
   ASSERT_TRUE(eventually([&] { return session.newest()->history.newestTrackedFrame == 14; }));
   EXPECT_EQ(reportedThreads(session), "1");
-  session.setFilterThreads(3);
+  session.setFilterThreadCount(3);
   ASSERT_TRUE(eventually([&] { return reportedThreads(session) == "3"; }));
   EXPECT_TRUE(sameBits(playedToTheEnd(session), expected));
-  session.setFilterThreads(2);
+  session.setFilterThreadCount(2);
   rerunToTheEnd(session, 11);
   EXPECT_EQ(reportedThreads(session), "2");
   EXPECT_TRUE(sameBits(session.trajectory(), expected));

@@ -78,7 +78,7 @@ protected:
     live.report = runReport(record.project, record.statistics);
     live.project = record.project;
     live.trajectory = record.people.trajectory;
-    live.sets = session_->liveSets();
+    live.sets = session_->liveFrameRecords();
     live.otherSettings = session_->oldResults().frames;
     EXPECT_TRUE(take_->stop());
     const Status added = take_->addLiveRun(live);

@@ -31,7 +31,7 @@ Project boardProject() {
   project.calibrated.scaleError = 0.001;
   project.calibrated.floor = CalibrationOrigin::Board;
   project.calibrated.accuracy = 0.003;
-  project.calibrated.accuracyOutside = 0.009;
+  project.calibrated.errorOutsideVolume = 0.009;
   return project;
 }
 
@@ -75,7 +75,7 @@ TEST(CalibrationStatus, MeasuredCamerasHaveAnAccuracy) {
   EXPECT_EQ(status.scale.error, 0.001);
   EXPECT_EQ(status.floor.origin, CalibrationOrigin::Board);
   EXPECT_EQ(status.accuracy, 0.003);
-  EXPECT_EQ(status.accuracyOutside, 0.009);
+  EXPECT_EQ(status.errorOutsideVolume, 0.009);
 }
 
 TEST(CalibrationStatus, ACameraMovedByHandIsNoLongerMeasured) {
@@ -88,7 +88,7 @@ TEST(CalibrationStatus, ACameraMovedByHandIsNoLongerMeasured) {
   EXPECT_EQ(status.cameras[1].pose.knowledge, KnowledgeLevel::Given);
   EXPECT_EQ(status.cameras[1].lens.knowledge, KnowledgeLevel::Measured);
   EXPECT_FALSE(status.accuracy); // it was that of both
-  EXPECT_FALSE(status.accuracyOutside);
+  EXPECT_FALSE(status.errorOutsideVolume);
 }
 
 TEST(CalibrationStatus, APoorLensIsNotDone) {
@@ -118,7 +118,7 @@ TEST(CalibrationStatus, AMoveOfAllCamerasKeepsWhatIsKnown) {
   EXPECT_EQ(countKnown(status, &CameraCalibrationStatus::pose, KnowledgeLevel::Measured), 2U);
   EXPECT_NEAR(*worstError(status, &CameraCalibrationStatus::pose), 0.004, 1e-12);
   EXPECT_NEAR(*status.accuracy, 0.006, 1e-12);
-  EXPECT_NEAR(*status.accuracyOutside, 0.018, 1e-12);
+  EXPECT_NEAR(*status.errorOutsideVolume, 0.018, 1e-12);
 }
 
 TEST(CalibrationStatus, ACalibrationFromAFileIsGiven) {

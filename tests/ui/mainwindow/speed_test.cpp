@@ -81,14 +81,14 @@ void SpeedTest::aSpeedHoldsForTheNextProject() {
 
 void SpeedTest::slowlyAtFirstIsRemembered() {
   QVERIFY(action("actionSlowStart")->isChecked());
-  QVERIFY(pace().slowUntilHeld);
+  QVERIFY(pace().slowUntilTracking);
   action("actionSlowStart")->trigger();
-  QVERIFY(!pace().slowUntilHeld);
-  QVERIFY(!Preferences().slowUntilHeld());
+  QVERIFY(!pace().slowUntilTracking);
+  QVERIFY(!Preferences().slowUntilTracking());
   window_.reset();
   makeAnotherWindow();
   QVERIFY(!action("actionSlowStart")->isChecked());
-  QVERIFY(!pace().slowUntilHeld);
+  QVERIFY(!pace().slowUntilTracking);
 }
 
 void SpeedTest::whatIsBelievedBeforeTheFirstIterationIsShown() {

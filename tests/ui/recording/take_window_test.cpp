@@ -235,7 +235,7 @@ void TakeWindowTest::aTakeIsComparedWithTheLiveRun() {
   action("actionRestart")->trigger();
   QVERIFY(waitFor([this] {
     const Session* session = window_->workbench().session.session();
-    return session->liveSets().size() >= 20;
+    return session->liveFrameRecords().size() >= 20;
   }));
   QSignalSpy stopped(&takes(), &TakeController::stopped);
   QTest::mouseClick(find<QToolButton>("actionRecordButton"), Qt::LeftButton);

@@ -100,7 +100,7 @@ TEST(TimelineModel, TheRateIsThatOfTheTimeStamps) {
 TEST(TimelineModel, DropoutsAreKnownUntilTheRunBeginsAnew) {
   TimelineModel model = modelOf({0});
   FrameRecord without = record(1);
-  without.missingCameras = 2; // the second camera
+  without.missingCameraBits = 2; // the second camera
   model.append({without}, false);
   EXPECT_FALSE(model.hasDropouts(0));
   EXPECT_TRUE(model.hasDropouts(1));

@@ -33,7 +33,7 @@ void installBoardCalibration(const Workbench& bench, CalibrationMode& mode,
   QObject::connect(board, &BoardCalibrator::boardVisibilityChanged, &bench.session,
                    [run = &bench.session](bool shown) {
                      if (run->isRunning()) {
-                       run->session()->setBoardShown(shown);
+                       run->session()->setCalibrationBoardShown(shown);
                      }
                    });
   MessageBar* messages = &bench.messages;

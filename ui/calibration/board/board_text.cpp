@@ -157,7 +157,7 @@ QString adviceText(const BoardGuideState::PerCamera& camera) {
     return BoardText::tr("No image yet");
   }
   switch (camera.lens.advice) {
-  case GuidanceAdvice::ShowBoard:
+  case GuidanceAdvice::ShowCalibrationBoard:
     return BoardText::tr("Show the whole board");
   case GuidanceAdvice::MoveTo:
     return BoardText::tr("Move the board to: %1").arg(regionText(camera.lens.region));

@@ -188,9 +188,9 @@ void GuidePage::refreshTable() {
   } else {
     lines << tr("○ Accuracy in the calibrated volume: not measured");
   }
-  if (status.accuracyOutside) {
+  if (status.errorOutsideVolume) {
     lines << tr("○ Accuracy outside this volume: %1 (95 %, extrapolated)")
-                 .arg(lengthText(*status.accuracyOutside, LengthForm::TwoDigits));
+                 .arg(lengthText(*status.errorOutsideVolume, LengthForm::TwoDigits));
   }
   if (status.lengthCheck) {
     lines << tr("✓ Length check: you measured %1, the calibration gives %2")

@@ -130,7 +130,7 @@ void BernoulliTrack::updateHypotheses(SphereObservation& observation, const Rand
 double BernoulliTrack::priorProbability(TrackHypothesis& hypothesis,
                                         SphereObservation& observation) const {
   observation.setRadius(hypothesis.radius);
-  if (observation.showsRim(hypothesis.position(), hypothesis.velocity())) {
+  if (observation.isRimVisible(hypothesis.position(), hypothesis.velocity())) {
     hypothesis.wasRimSeen = true;
     hypothesis.secondsSinceRim = 0.0;
   }
@@ -210,7 +210,7 @@ void BernoulliTrack::scoreInitialHypotheses(SphereObservation& observation,
     const double full =
         std::min(one.logLikelihoodRatio + explainedRingGain(hypotheses_, k, observation),
                  one.fullyVisibleLogLikelihoodRatio);
-    const double size = 0.5 * std::min(one.sizeMisfit, kMaxSizeMisfit);
+    const double size = 0.5 * std::min(one.sizeDeviation, kMaxSizeMisfit);
     logMasses[k] += full - size - (one.logLikelihoodRatio - evidenceBeyondSaturation(one));
   }
 }
@@ -239,8 +239,8 @@ TrackHypothesis BernoulliTrack::createHypothesis(const OutlineFit& fit,
   hypothesis.fullyVisibleLogLikelihoodRatio =
       observation.fullyVisibleLogLikelihoodRatio(fit.center, Eigen::Vector3d::Zero());
   hypothesis.wasOutlineFound = true;
-  hypothesis.wasRimSeen = observation.showsRim(fit.center, Eigen::Vector3d::Zero());
-  hypothesis.sizeMisfit = radiusPrior_.isTrusted() ? fit.sizeMisfit : 0.0;
+  hypothesis.wasRimSeen = observation.isRimVisible(fit.center, Eigen::Vector3d::Zero());
+  hypothesis.sizeDeviation = radiusPrior_.isTrusted() ? fit.sizeDeviation : 0.0;
   hypothesis.measurement = {fit.center, fit.covariance};
   drawParticles(hypothesis, observation, settings_.minParticles, key, team);
   return hypothesis;

@@ -143,7 +143,7 @@ struct Prediction {
 
 OutlineMeasurement measure(const TrackHypothesis& hypothesis, SphereObservation& observation,
                            const Gaussian3& before, const Prediction& prediction,
-                           OutlineReach reach) {
+                           EdgeSearchRange reach) {
   OutlinePrior prior;
   prior.center = before.mean;
   prior.radius = hypothesis.radius;
@@ -194,12 +194,12 @@ Gaussian3 startAtBestParticle(TrackHypothesis& hypothesis, SphereObservation& ob
 OutlineMeasurement findOutline(TrackHypothesis& hypothesis, SphereObservation& observation,
                                const Prediction& prediction, ThreadTeam& team) {
   OutlineMeasurement found =
-      measure(hypothesis, observation, prediction.position, prediction, OutlineReach::Near);
+      measure(hypothesis, observation, prediction.position, prediction, EdgeSearchRange::Near);
   const double best =
       observation.fullyVisibleLogLikelihoodRatio(prediction.position.mean, hypothesis.velocity());
   const auto fitFrom = [&](const Gaussian3& before) {
     const OutlineMeasurement farther =
-        measure(hypothesis, observation, before, prediction, OutlineReach::Far);
+        measure(hypothesis, observation, before, prediction, EdgeSearchRange::Far);
     if (farther.accepted && (!found.accepted || farther.logLikelihoodRatio >
                                                     found.logLikelihoodRatio + kFarFitMinGain)) {
       found = farther;

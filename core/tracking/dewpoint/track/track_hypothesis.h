@@ -42,9 +42,9 @@ struct TrackHypothesis {
   /// Log likelihood ratio that would result if every camera with the target in its image saw it
   /// fully.
   double fullyVisibleLogLikelihoodRatio = 0.0;
-  /// OutlineFit::sizeMisfit at the birth if the radius is known; otherwise 0.
-  double sizeMisfit = 0.0;
-  int updateCount = 0;          ///< frames with a measurement update since the birth
+  /// OutlineFit::sizeDeviation at the birth if the radius is known; otherwise 0.
+  double sizeDeviation = 0.0;
+  int updateCount = 0;       ///< frames with a measurement update since the birth
   bool wasOutlineFound = false; ///< at the last measurement update
   /// Position (m, m²) from the last measurement update alone, without the prediction. Valid if
   /// `wasOutlineFound` is true.
