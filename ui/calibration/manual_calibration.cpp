@@ -349,10 +349,10 @@ void ManualCalibration::nudge(int axis, double factor, bool repeated) {
 void ManualCalibration::nudgeFocal(double percent, bool repeated) {
   const std::string key = fmt::format("nudge {} focal {}", camera(), percent > 0.0);
   const double sum = runningSum(key, percent, repeated);
-  changeCamera(
-      camera(),
-      tr("%1 focal length %2 %").arg(nameOf(camera()), numberText(sum, 1, NumberForm::Signed)),
-      zoomed(cameraAt(camera()), 1.0 + percent / 100.0), key);
+  changeCamera(camera(),
+               tr("%1: change focal length by %2 %")
+                   .arg(nameOf(camera()), numberText(sum, 1, NumberForm::Signed)),
+               zoomed(cameraAt(camera()), 1.0 + percent / 100.0), key);
 }
 
 void ManualCalibration::changeCamera(int camera, const QString& step, const Camera& changed,

@@ -48,9 +48,11 @@ void openFrameField(const Workbench& bench, ViewDock* dock, Timeline* timeline, 
 
 void stepToTrouble(const Workbench& bench, Timeline* timeline, int direction) {
   if (!timeline->stepToTrouble(direction)) {
-    bench.messages.showNotice(direction > 0
-                                  ? Timeline::tr("There is no new trouble after this frame.")
-                                  : Timeline::tr("There is no other trouble before this frame."));
+    bench.messages.showNotice(
+        direction > 0
+            ? Timeline::tr("After this frame, there are no new problems with targets or cameras.")
+            : Timeline::tr(
+                  "Before this frame, there are no other problems with targets or cameras."));
   }
 }
 
