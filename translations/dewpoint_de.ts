@@ -40,8 +40,8 @@
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Write the project to its file</source>
-        <translation>Das Projekt in seine Datei schreiben</translation>
+        <source>Save the changes to the project file</source>
+        <translation>Die Änderungen in der Projektdatei speichern</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -56,7 +56,7 @@
         <translation>Projekt schließen</translation>
     </message>
     <message>
-        <source>Back to the start page</source>
+        <source>Go back to the start page</source>
         <translation>Zurück zur Startseite</translation>
     </message>
     <message>
@@ -736,8 +736,8 @@
         <translation>Ergebnisse senden</translation>
     </message>
     <message>
-        <source>Start or stop sending positions to other programs during the run. Nothing is sent before you choose this</source>
-        <translation>Positionen während des Laufs an andere Programme senden, oder das Senden beenden. Bevor Sie dies wählen, wird nichts gesendet</translation>
+        <source>Start or stop sending positions to other programs during the run. Until you start sending, nothing is sent</source>
+        <translation>Positionen während des Laufs an andere Programme senden, oder das Senden beenden. Solange Sie das Senden nicht starten, wird nichts gesendet</translation>
     </message>
     <message>
         <source>Outputs…</source>
@@ -748,7 +748,7 @@
         <translation>Wählen, wohin Ergebnisse gesendet werden: TCP, WebSocket, OSC, TUIO, CSV</translation>
     </message>
     <message>
-        <source>Reproduce figures of the papers that describe the methods, and write a report</source>
+        <source>Reproduce figures from the papers that describe the methods, and write a report</source>
         <translation>Abbildungen der Artikel, die die Verfahren beschreiben, reproduzieren und einen Bericht schreiben</translation>
     </message>
     <message>
@@ -824,7 +824,7 @@
         <translation>Die Kameraansichten und die Vogelperspektive als Video speichern</translation>
     </message>
     <message>
-        <source>Take number and notes…</source>
+        <source>Set take number and notes…</source>
         <translation>Nummer und Notizen der Aufnahme …</translation>
     </message>
     <message>
@@ -876,8 +876,8 @@
         <translation>Ziel aus- oder einblenden</translation>
     </message>
     <message>
-        <source>Hide the selected target in the images and in the bird&apos;s-eye view, or show it again; it is tracked all the same</source>
-        <translation>Das gewählte Ziel in den Bildern und in der Vogelperspektive ausblenden oder wieder einblenden; verfolgt wird es trotzdem</translation>
+        <source>Hide the selected target in the images and in the bird&apos;s-eye view, or show it again. A hidden target is still tracked</source>
+        <translation>Das gewählte Ziel in den Bildern und in der Vogelperspektive ausblenden oder wieder einblenden. Auch ein ausgeblendetes Ziel wird verfolgt</translation>
     </message>
     <message>
         <source>Calibrate with a wand…</source>
@@ -1054,8 +1054,8 @@
         <translation>Die Kamerapositionen konnten nicht berechnet werden: %1</translation>
     </message>
     <message>
-        <source>The accuracy cannot be estimated: the board was too rarely seen by two cameras at once.</source>
-        <translation>Die Genauigkeit lässt sich nicht schätzen: Zu selten sahen zwei Kameras die Tafel zugleich.</translation>
+        <source>The accuracy cannot be estimated, because two cameras rarely saw the board at the same time.</source>
+        <translation>Die Genauigkeit lässt sich nicht schätzen, weil zwei Kameras die Tafel zu selten gleichzeitig sahen.</translation>
     </message>
     <message>
         <source>a chessboard with %1 × %2 inner corners</source>
@@ -1152,8 +1152,8 @@
         <translation>alle Kameras</translation>
     </message>
     <message>
-        <source>All cameras seem to see the back of the board or of the floor: the measured points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
-        <translation>Alle Kameras sehen anscheinend die Rückseite der Tafel oder des Bodens: Die gemessenen Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und dass der Druck nicht seitenverkehrt ist.</translation>
+        <source>All cameras seem to see the board from behind, or the floor from below: the measured points are probably mirrored. Check the direction of the axes, and make sure that the printed board is not mirrored.</source>
+        <translation>Alle Kameras sehen anscheinend die Tafel von hinten oder den Boden von unten: Die gemessenen Punkte sind wahrscheinlich gespiegelt. Prüfen Sie die Richtung der Achsen, und ob die Tafel nicht seitenverkehrt gedruckt ist.</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
@@ -1196,8 +1196,8 @@
         <translation>Die von Ihnen eingegebene Größe der Felder ist das %1-fache der Größe, die die Kameras sehen. Messen Sie eine Reihe mit dem Lineal: Drucke werden oft skaliert.</translation>
     </message>
     <message>
-        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably measures from the corner of the first pixel, not from its center. Convert the principal points.</source>
-        <translation>Die Bilder passen nur, wenn sie um %1 in beiden Achsen verschoben werden: Die Kalibrierung misst wahrscheinlich ab der Ecke des ersten Pixels statt ab dessen Mitte. Rechnen Sie die Hauptpunkte um.</translation>
+        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably counts pixel coordinates from the corner of the first pixel, not from its center. Convert the principal points.</source>
+        <translation>Die Bilder passen nur, wenn sie um %1 in beiden Achsen verschoben werden: Die Kalibrierung zählt Pixelkoordinaten wahrscheinlich ab der Ecke des ersten Pixels statt ab dessen Mitte. Rechnen Sie die Hauptpunkte um.</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -1216,8 +1216,8 @@
         <translation>noch nicht gemessen (auf der Seite Boden messen)</translation>
     </message>
     <message>
-        <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
-        <translation>Im kalibrierten Raum: Position %1, Maßstab %2, Richtung nach oben %3 (jeweils mit einer Wahrscheinlichkeit von 95 %).</translation>
+        <source>In the calibrated volume: position %1, scale %2, upward direction %3 (95 % of the errors are smaller).</source>
+        <translation>Im kalibrierten Raum: Position %1, Maßstab %2, Richtung nach oben %3 (95 % der Fehler sind kleiner).</translation>
     </message>
     <message>
         <source>Outside the calibrated volume, up to %1 away: position ±%2 (extrapolated).</source>
@@ -1663,8 +1663,8 @@
         <translation>Nur %1 % des Hintergrunds haben auch diese Farbe; das ist wenig im Vergleich zum Ziel.</translation>
     </message>
     <message>
-        <source>The largest region of this color outside the target is in the image of %3, %2 (it looks %1).</source>
-        <translation>Der größte Bereich dieser Farbe außerhalb des Ziels ist im Bild von %3 %2 (er ist %1).</translation>
+        <source>Outside the target, the largest region of this color (%1) is in the image of %3, %2.</source>
+        <translation>Außerhalb des Ziels ist der größte Bereich dieser Farbe (%1) im Bild von %3 %2.</translation>
     </message>
 </context>
 <context>
@@ -1945,8 +1945,8 @@
         <translation>Barrera et al. 2005, Abbildung 8: die Wolke in sechs Iterationen, mit kleinem und mit großem Bewegungs-Sigma.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, depending on the size of the start volume, and on how far behind the ball a start point lies.</source>
-        <translation>Barrera et al. 2005, Abschnitt III-B: der Anteil der Läufe, die konvergieren, abhängig von der Größe des Startvolumens und davon, wie weit hinter dem Ball ein Startpunkt liegt.</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of different sizes, and for start points at different distances behind the ball.</source>
+        <translation>Barrera et al. 2005, Abschnitt III-B: der Anteil der Läufe, die konvergieren, für verschieden große Startvolumen und für Startpunkte in verschiedenen Abständen hinter dem Ball.</translation>
     </message>
     <message>
         <source>Error after each iteration, for different motion sigmas</source>
@@ -2158,16 +2158,16 @@
         <translation>Korrigieren Sie in der Projektdatei den Wert von late_by für diese Kamera. Er ist in Sekunden angegeben.</translation>
     </message>
     <message>
-        <source>Correct the file, or remove the key &apos;truth&apos; from the project file.</source>
-        <translation>Korrigieren Sie die Datei, oder entfernen Sie den Schlüssel „truth“ aus der Projektdatei.</translation>
+        <source>Correct the file of true positions, or remove the key &apos;truth&apos; from the project file.</source>
+        <translation>Korrigieren Sie die Datei der wahren Positionen, oder entfernen Sie den Schlüssel „truth“ aus der Projektdatei.</translation>
     </message>
     <message>
         <source>Correct the project file in a text editor, or make a new project.</source>
         <translation>Korrigieren Sie die Projektdatei in einem Texteditor, oder erstellen Sie ein neues Projekt.</translation>
     </message>
     <message>
-        <source>Correct the table, or remove this camera&apos;s key &apos;times&apos; from the project file.</source>
-        <translation>Korrigieren Sie die Tabelle, oder entfernen Sie den Schlüssel „times“ dieser Kamera aus der Projektdatei.</translation>
+        <source>Correct the table of times, or remove this camera&apos;s key &apos;times&apos; from the project file.</source>
+        <translation>Korrigieren Sie die Zeittabelle, oder entfernen Sie den Schlüssel „times“ dieser Kamera aus der Projektdatei.</translation>
     </message>
     <message>
         <source>The project has corrections for frames that the recording does not have: %1.</source>
@@ -2234,12 +2234,12 @@
         <translation>Verschieben Sie den Suchraum, oder entfernen Sie ihn.</translation>
     </message>
     <message>
-        <source>No part of the volume of interest is seen by enough cameras (at least %1).</source>
-        <translation>Kein Teil des Suchraums ist in genügend Kameras zu sehen (mindestens %1).</translation>
+        <source>No part of the volume of interest is seen by enough cameras (at least %1 are needed).</source>
+        <translation>Kein Teil des Suchraums ist in genügend Kameras zu sehen (mindestens %1 sind nötig).</translation>
     </message>
     <message>
-        <source>No pixel can have the color of target %1: its range is too narrow.</source>
-        <translation>Kein Pixel kann die Farbe von Ziel %1 haben: Ihr Bereich ist zu eng.</translation>
+        <source>No pixel can have the color of target %1: the color range is too narrow.</source>
+        <translation>Kein Pixel kann die Farbe von Ziel %1 haben: Der Farbbereich ist zu eng.</translation>
     </message>
     <message>
         <source>Nothing can be tracked: %1.</source>
@@ -3181,11 +3181,11 @@
         <translation>Zeit, nach der ein neues Objekt, das am Ort bleibt, als Hintergrund gilt.</translation>
     </message>
     <message>
-        <source>Area half size x</source>
+        <source>Area, half width x</source>
         <translation>Fläche: halbe Größe x</translation>
     </message>
     <message>
-        <source>Area half size y</source>
+        <source>Area, half width y</source>
         <translation>Fläche: halbe Größe y</translation>
     </message>
     <message>
@@ -4028,8 +4028,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Der Maßstab kommt von einer bekannten Strecke: Fügen Sie die Zeitpunkte hinzu, zu denen der Ball an jedem Ende dieser Strecke ist.</translation>
     </message>
     <message>
-        <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
-        <translation>Ein Fall braucht zwei Zeitpunkte: einen, zu dem der Ball zu fallen beginnt, und einen, zu dem er noch fällt.</translation>
+        <source>To use a fall, add two times: the first and the last frame of the fall.</source>
+        <translation>Für einen Fall fügen Sie zwei Zeitpunkte hinzu: das erste und das letzte Bild des Falls.</translation>
     </message>
     <message>
         <source>Both ends of the wand are the same target: choose another target for one of them.</source>
@@ -4088,10 +4088,10 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>%1 sah den Ball nur in %2 des Bildes.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move it where both see it.</source>
+        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move the ball where both cameras see it.</source>
         <translation>
-            <numerusform>%1 und %2 sahen den Ball nur in %n Bild gleichzeitig. Bewegen Sie ihn dort, wo beide ihn sehen.</numerusform>
-            <numerusform>%1 und %2 sahen den Ball nur in %n Bildern gleichzeitig. Bewegen Sie ihn dort, wo beide ihn sehen.</numerusform>
+            <numerusform>%1 und %2 sahen den Ball nur in %n Bild gleichzeitig. Bewegen Sie ihn dort, wo beide Kameras ihn sehen.</numerusform>
+            <numerusform>%1 und %2 sahen den Ball nur in %n Bildern gleichzeitig. Bewegen Sie ihn dort, wo beide Kameras ihn sehen.</numerusform>
         </translation>
     </message>
     <message>
@@ -4099,8 +4099,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Die Kameras waren schon kalibriert, und die Bewegung in dieser Aufnahme reicht nicht aus, um diese Kalibrierung zu verbessern. Behalten Sie die bisherige Kalibrierung.</translation>
     </message>
     <message>
-        <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old ones.</source>
-        <translation>Die bisherigen Kamerapositionen sind genauer bekannt (±%1) als die neuen (±%2). Behalten Sie die bisherigen.</translation>
+        <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old positions.</source>
+        <translation>Die bisherigen Kamerapositionen sind genauer bekannt (±%1) als die neuen (±%2). Behalten Sie die bisherigen Positionen.</translation>
     </message>
 </context>
 <context>
@@ -4240,8 +4240,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Adresse einer Netzwerkkamera, eine GStreamer-Pipeline oder ein Testbild</translation>
     </message>
     <message>
-        <source>Open the address, and show its first image, its size and its rate</source>
-        <translation>Die Adresse öffnen und ihr erstes Bild, dessen Größe und die Bildrate zeigen</translation>
+        <source>Open the address, and show the first image, its size and the frame rate</source>
+        <translation>Die Adresse öffnen und das erste Bild, dessen Größe und die Bildrate zeigen</translation>
     </message>
     <message>
         <source>Add</source>
@@ -4454,12 +4454,12 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::BoardFloor</name>
     <message>
-        <source>Searching the images shown for the board…</source>
+        <source>Looking for the board in the images shown…</source>
         <translation>Die Tafel wird in den gezeigten Bildern gesucht…</translation>
     </message>
     <message>
-        <source>No camera sees the described board well enough: %1. Show images in which the board lies on the floor, or correct its description on the page Board.</source>
-        <translation>Keine Kamera sieht die beschriebene Tafel gut genug: %1. Zeigen Sie Bilder, in denen die Tafel auf dem Boden liegt, oder berichtigen Sie ihre Beschreibung auf der Seite Tafel.</translation>
+        <source>No camera sees the board well enough: %1. Show images in which the board lies on the floor, or correct the description of the board on the page Board.</source>
+        <translation>Keine Kamera sieht die Tafel gut genug: %1. Zeigen Sie Bilder, in denen die Tafel auf dem Boden liegt, oder berichtigen Sie die Beschreibung der Tafel auf der Seite Tafel.</translation>
     </message>
     <message>
         <source>The floor was not set, because the cameras have changed in the meantime. Try again.</source>
@@ -5108,20 +5108,20 @@ Effektive Stichprobengröße %8 von %9</translation>
 <context>
     <name>dewpoint::ui::CalibrationFit</name>
     <message>
-        <source>Images compared with the calibration:</source>
-        <translation>Bilder im Vergleich zur Kalibrierung:</translation>
+        <source>Change since the calibration:</source>
+        <translation>Änderung seit der Kalibrierung:</translation>
     </message>
     <message>
         <source>How the images differ from those of the calibration, if they have another size</source>
         <translation>Wie sich die Bilder von denen der Kalibrierung unterscheiden, wenn sie eine andere Größe haben</translation>
     </message>
     <message>
-        <source>Change of the images</source>
-        <translation>Änderung der Bilder</translation>
+        <source>Change of the images since the calibration</source>
+        <translation>Änderung der Bilder seit der Kalibrierung</translation>
     </message>
     <message>
-        <source>Choose the camera of the file for each camera of the project:</source>
-        <translation>Wählen Sie für jede Kamera des Projekts die Kamera der Datei:</translation>
+        <source>For each camera of the project, choose a camera of the file:</source>
+        <translation>Wählen Sie für jede Kamera des Projekts eine Kamera der Datei:</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -5367,7 +5367,7 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Bildformat ändern</translation>
     </message>
     <message>
-        <source>Change camera control</source>
+        <source>Change camera setting</source>
         <translation>Kameraeinstellung ändern</translation>
     </message>
     <message>
@@ -5494,8 +5494,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>drehen</translation>
     </message>
     <message>
-        <source>Effect of the keys</source>
-        <translation>Wirkung der Tasten</translation>
+        <source>What the keys do to the camera</source>
+        <translation>Was die Tasten mit der Kamera tun</translation>
     </message>
     <message>
         <source>camera axes</source>
@@ -5506,8 +5506,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Weltachsen</translation>
     </message>
     <message>
-        <source>Axes of the keys</source>
-        <translation>Achsen der Tasten</translation>
+        <source>Axes along which the keys move the camera</source>
+        <translation>Achsen, entlang denen die Tasten die Kamera bewegen</translation>
     </message>
     <message>
         <source>Move along the camera&apos;s right, forward and up directions, or along the world axes</source>
@@ -5530,8 +5530,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>%1-Koordinate der Kameraposition</translation>
     </message>
     <message>
-        <source>Looks at %1</source>
-        <translation>Blickt auf %1</translation>
+        <source>Looks at (%1 coordinate)</source>
+        <translation>Blickt auf (%1-Koordinate)</translation>
     </message>
     <message>
         <source>%1 coordinate of the point that the camera looks at</source>
@@ -5624,8 +5624,8 @@ Effektive Stichprobengröße %8 von %9</translation>
         <translation>Kamera umbenennen</translation>
     </message>
     <message>
-        <source>Change source of images</source>
-        <translation>Quelle der Bilder ändern</translation>
+        <source>Change image source</source>
+        <translation>Bildquelle ändern</translation>
     </message>
     <message>
         <source>Rotate images</source>
@@ -5817,8 +5817,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Kameras – Dewpoint</translation>
     </message>
     <message>
-        <source>Use formats that fit the bus</source>
-        <translation>Zum Bus passende Formate verwenden</translation>
+        <source>Fit formats to the USB bus</source>
+        <translation>Formate an USB-Bus anpassen</translation>
     </message>
     <message>
         <source>These formats fit the USB bus: %1.</source>
@@ -5917,8 +5917,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Hier lässt sich keine Farbe lernen, weil diese Kamera kein Bild zeigt.</translation>
     </message>
     <message>
-        <source>Click the target first. Then exclude colors that are not the target.</source>
-        <translation>Klicken Sie zuerst das Ziel an. Schließen Sie dann Farben aus, die nicht zum Ziel gehören.</translation>
+        <source>Click the target first. Then exclude colors of other objects.</source>
+        <translation>Klicken Sie zuerst das Ziel an. Schließen Sie dann Farben anderer Objekte aus.</translation>
     </message>
     <message>
         <source>Exclude color</source>
@@ -6297,8 +6297,8 @@ Position x, y, z: %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::DropZone</name>
     <message>
-        <source>Drop videos here, or add them</source>
-        <translation>Videos hierher ziehen oder hinzufügen</translation>
+        <source>Drop or click to add videos</source>
+        <translation>Videos hierher ziehen oder klicken</translation>
     </message>
     <message>
         <source>One video or image folder per camera; you can also drop a calibration file</source>
@@ -6455,8 +6455,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Aufnahmen</translation>
     </message>
     <message>
-        <source>none: only a rendered clip</source>
-        <translation>keine: nur ein berechneter Film</translation>
+        <source>no folder: only a rendered clip</source>
+        <translation>kein Ordner: nur ein berechneter Film</translation>
     </message>
     <message>
         <source>Folder with the recordings juggle1 and otb; without a folder, only a rendered clip is used</source>
@@ -6739,8 +6739,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Helligkeit der Pixel des Ziels</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. The bars at the two ends, drawn in the color of text, count pixels that are too dark or overexposed: these pixels have lost their color.</source>
-        <translation>Helligkeit der Pixel des Ziels, von Schwarz links bis Weiß rechts. Die Balken an beiden Enden, in der Farbe von Text gezeichnet, zählen Pixel, die zu dunkel oder überbelichtet sind: Diese Pixel haben ihre Farbe verloren.</translation>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. The highlighted bars at the two ends count pixels that are too dark or overexposed: these pixels have lost their color.</source>
+        <translation>Helligkeit der Pixel des Ziels, von Schwarz links bis Weiß rechts. Die hervorgehobenen Balken an beiden Enden zählen Pixel, die zu dunkel oder überbelichtet sind: Diese Pixel haben ihre Farbe verloren.</translation>
     </message>
 </context>
 <context>
@@ -6975,12 +6975,12 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Position der Ecke, an der die Achsen des Gitters beginnen, in Metern</translation>
     </message>
     <message>
-        <source>Show the grid as the cameras saw it before</source>
-        <translation>Das Gitter so zeigen, wie die Kameras es vorher sahen</translation>
+        <source>Show the grid with the earlier camera poses</source>
+        <translation>Das Gitter mit den früheren Lagen der Kameras zeigen</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid as the cameras saw it before. Choose below which earlier state is used. The key B does the same after you have clicked an image</source>
-        <translation>Halten Sie diese Schaltfläche gedrückt, um das Gitter so zu zeichnen, wie die Kameras es vorher sahen. Wählen Sie unten, welcher frühere Zustand verwendet wird. Die Taste B tut dasselbe, nachdem Sie ein Bild angeklickt haben</translation>
+        <source>Hold down this button to draw the grid with earlier camera poses. Choose below which earlier poses are used. The key B does the same after you have clicked an image</source>
+        <translation>Halten Sie diese Schaltfläche gedrückt, um das Gitter mit früheren Lagen der Kameras zu zeichnen. Wählen Sie unten, welche früheren Lagen verwendet werden. Die Taste B tut dasselbe, nachdem Sie ein Bild angeklickt haben</translation>
     </message>
     <message>
         <source>Before shows</source>
@@ -6995,8 +6995,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Kameras vor der letzten Änderung</translation>
     </message>
     <message>
-        <source>Earlier state that the button Before shows</source>
-        <translation>Früherer Stand, den die Schaltfläche Vorher zeigt</translation>
+        <source>Earlier camera poses that the button Before shows</source>
+        <translation>Frühere Lagen der Kameras, die die Schaltfläche Vorher zeigt</translation>
     </message>
     <message>
         <source>The cameras as they were when you opened this panel, or as they were before the last step that changed a camera</source>
@@ -7018,8 +7018,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>vorher</translation>
     </message>
     <message>
-        <source>before: the earlier grid is outside the visible part of the image</source>
-        <translation>vorher: Das frühere Gitter liegt außerhalb des sichtbaren Teils des Bildes</translation>
+        <source>The earlier grid is outside the visible part of the image</source>
+        <translation>Das frühere Gitter liegt außerhalb des sichtbaren Teils des Bildes</translation>
     </message>
 </context>
 <context>
@@ -7033,8 +7033,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Anleitung</translation>
     </message>
     <message>
-        <source>What is known</source>
-        <translation>Was bekannt ist</translation>
+        <source>Calibration so far</source>
+        <translation>Bisherige Kalibrierung</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -7053,8 +7053,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Verzögerung</translation>
     </message>
     <message>
-        <source>What is known about each camera</source>
-        <translation>Was über jede Kamera bekannt ist</translation>
+        <source>Calibration of each camera so far</source>
+        <translation>Bisherige Kalibrierung jeder Kamera</translation>
     </message>
     <message>
         <source>Back</source>
@@ -7346,8 +7346,8 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>%1 %2 %3</translation>
     </message>
     <message>
-        <source>%1 focal length %2 %</source>
-        <translation>%1 Brennweite %2 %</translation>
+        <source>%1: change focal length by %2 %</source>
+        <translation>%1: Brennweite um %2 % ändern</translation>
     </message>
     <message>
         <source>At most three grid points can be held in place. To release one, click it</source>
@@ -7392,7 +7392,7 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>Seiten des Handbuchs</translation>
     </message>
     <message>
-        <source>Back to the previous page</source>
+        <source>Go back to the previous page</source>
         <translation>Zurück zur vorigen Seite</translation>
     </message>
     <message>
@@ -7646,8 +7646,8 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>%1. Wählen Sie unten, wie sich die Bilder von denen der Kalibrierung unterscheiden.</translation>
     </message>
     <message>
-        <source>%1. Choose the camera of the file for each camera of the project below.</source>
-        <translation>%1. Wählen Sie unten für jede Kamera des Projekts die Kamera der Datei.</translation>
+        <source>%1. For each camera of the project, choose a camera of the file below.</source>
+        <translation>%1. Wählen Sie unten für jede Kamera des Projekts eine Kamera der Datei.</translation>
     </message>
 </context>
 <context>
@@ -8098,16 +8098,16 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>Blickwinkel, Bildbreite und -höhe</translation>
     </message>
     <message>
-        <source>Planned position %1</source>
-        <translation>Geplanter Ort %1</translation>
+        <source>Planned position (%1 coordinate)</source>
+        <translation>Geplante Position (%1-Koordinate)</translation>
     </message>
     <message>
         <source>Position of the camera, in meters</source>
         <translation>Position der Kamera, in Metern</translation>
     </message>
     <message>
-        <source>Planned camera looks at %1</source>
-        <translation>Geplante Kamera blickt auf %1</translation>
+        <source>Planned camera looks at (%1 coordinate)</source>
+        <translation>Geplante Kamera blickt auf (%1-Koordinate)</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -8232,7 +8232,7 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>%1 konnte nicht geschrieben werden.</translation>
     </message>
     <message>
-        <source>Plots appear when tracking runs.</source>
+        <source>Plots appear during tracking.</source>
         <translation>Kurven erscheinen, sobald die Verfolgung läuft.</translation>
     </message>
     <message>
@@ -8240,9 +8240,9 @@ Wenn diese Schaltfläche aus ist, tut Strg+Umschalt+Klick dasselbe; auch Alt+Kli
         <translation>Das Ziel, dessen Werte gezeichnet werden: das im Bereich „Ziel“ gewählte, oder das erste, wenn keines gewählt ist.</translation>
     </message>
     <message>
-        <source>The frame that all views show. The numbers beside the plots belong to it.
+        <source>The frame that all views show. The numbers beside the plots are the values in this frame.
 In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Shift+wheel moves along the time axis.</source>
-        <translation>Das Bild, das alle Ansichten zeigen. Die Zahlen neben den Kurven gehören dazu.
+        <translation>Das Bild, das alle Ansichten zeigen. Die Zahlen neben den Kurven sind die Werte in diesem Bild.
 In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und Umschalt+Mausrad bewegt sie.</translation>
     </message>
 </context>
@@ -8469,8 +8469,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
 <context>
     <name>dewpoint::ui::PreviewPane</name>
     <message>
-        <source>Working on the preview: %1 %</source>
-        <translation>Vorschau in Arbeit: %1 %</translation>
+        <source>Preparing the preview: %1 %</source>
+        <translation>Vorschau wird erstellt: %1 %</translation>
     </message>
     <message>
         <source>First lines of the file</source>
@@ -8485,8 +8485,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Some of these results are from earlier settings.</source>
-        <translation>Einige dieser Ergebnisse stammen von früheren Einstellungen.</translation>
+        <source>Some of these results were tracked with earlier settings.</source>
+        <translation>Einige dieser Ergebnisse entstanden mit früheren Einstellungen.</translation>
     </message>
     <message>
         <source>The preview was stopped. It starts again when you change a setting.</source>
@@ -8767,8 +8767,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Was Sie sehen</translation>
     </message>
     <message>
-        <source>Each camera view shows its image with the estimates drawn over it. The bird&apos;s-eye view shows the same in the room.</source>
-        <translation>Jede Kameraansicht zeigt ihr Bild und darüber die Schätzungen. Die Vogelperspektive zeigt dasselbe im Raum.</translation>
+        <source>Each camera view shows its image with the estimates drawn over it. The bird&apos;s-eye view shows the estimates in the room.</source>
+        <translation>Jede Kameraansicht zeigt ihr Bild und darüber die Schätzungen. Die Vogelperspektive zeigt die Schätzungen im Raum.</translation>
     </message>
     <message>
         <source>State of a target</source>
@@ -8867,8 +8867,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 at x %2, y %3, z %4, the error is at most %6 in %5 of the volume, instead of %7 without this camera.</source>
-        <translation>Mit %1 an der Stelle x %2, y %3, z %4 ist der Fehler in %5 des Raums höchstens %6, statt in %7 ohne diese Kamera.</translation>
+        <source>With %1 at x %2, y %3, z %4, the error is at most %6 in %5 of the volume (in %7 without this camera).</source>
+        <translation>Mit %1 an der Stelle x %2, y %3, z %4 ist der Fehler in %5 des Raums höchstens %6 (in %7 ohne diese Kamera).</translation>
     </message>
 </context>
 <context>
@@ -9100,7 +9100,7 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Alle Tastenkürzel auf ihre Vorgaben zurücksetzen</translation>
     </message>
     <message>
-        <source>Choose an action, click into the field below and press the new keys.</source>
+        <source>Choose an action, click the field below and press the new keys.</source>
         <translation>Eine Aktion wählen, in das Feld unten klicken und die neuen Tasten drücken.</translation>
     </message>
     <message>
@@ -9112,12 +9112,12 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Alle Tastenkürzel wurden auf ihre Vorgaben zurückgesetzt.</translation>
     </message>
     <message>
-        <source>“%1” is now %2.</source>
-        <translation>„%1“ ist jetzt %2.</translation>
+        <source>“%1” now has the shortcut %2.</source>
+        <translation>„%1“ hat jetzt das Tastenkürzel %2.</translation>
     </message>
     <message>
-        <source>“%1” is now %2; it was removed from “%3”.</source>
-        <translation>„%1“ ist jetzt %2; bei „%3“ wurde es entfernt.</translation>
+        <source>“%1” now has the shortcut %2, which was removed from “%3”.</source>
+        <translation>„%1“ hat jetzt das Tastenkürzel %2, das bei „%3“ entfernt wurde.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -9550,7 +9550,7 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Zeit vor dem Start, die mit aufgenommen wird. Dafür bleiben die letzten Bilder aller Kameras im Speicher, zusammen bis zu 512 MB.</translation>
     </message>
     <message>
-        <source>Text that is kept with the take</source>
+        <source>Text that is saved with the take</source>
         <translation>Text, der mit der Aufnahme gespeichert wird</translation>
     </message>
 </context>
@@ -9711,7 +9711,7 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Zahl der Threads, die den Filter berechnen. Die Ergebnisse hängen nicht davon ab</translation>
     </message>
     <message>
-        <source>The new number is used from the next frame.</source>
+        <source>The new number is used from the next frame on.</source>
         <translation>Die neue Anzahl gilt ab dem nächsten Bild.</translation>
     </message>
     <message>
@@ -9746,12 +9746,12 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Die Änderung gilt für neue Bilder. Mit „%1“ verfolgen Sie ab dem aktuellen Bild erneut.</translation>
     </message>
     <message>
-        <source>There is no new trouble after this frame.</source>
-        <translation>Nach diesem Bild gibt es keine neue Störung.</translation>
+        <source>After this frame, there are no new problems with targets or cameras.</source>
+        <translation>Nach diesem Bild gibt es keine neuen Störungen bei Zielen oder Kameras.</translation>
     </message>
     <message>
-        <source>There is no other trouble before this frame.</source>
-        <translation>Vor diesem Bild gibt es keine andere Störung.</translation>
+        <source>Before this frame, there are no other problems with targets or cameras.</source>
+        <translation>Vor diesem Bild gibt es keine anderen Störungen bei Zielen oder Kameras.</translation>
     </message>
 </context>
 <context>
@@ -10206,8 +10206,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>1 is real time, 0.1 is ten times slower, 8 is eight times faster; up to 100. With 0, every frame is shown once</source>
-        <translation>1 ist Echtzeit, 0,1 ist zehnmal langsamer, 8 ist achtmal schneller; bis 100. Mit 0 wird jeder Frame einmal gezeigt</translation>
+        <source>Speed of the video, up to 100: 1 is real time, 0.1 is ten times slower, and 8 is eight times faster. With 0, every frame is shown once</source>
+        <translation>Geschwindigkeit des Videos, bis 100: 1 ist Echtzeit, 0,1 ist zehnmal langsamer, und 8 ist achtmal schneller. Mit 0 wird jeder Frame einmal gezeigt</translation>
     </message>
     <message>
         <source>Size</source>
@@ -10483,8 +10483,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>dem Durchmesser des Balls, %1</translation>
     </message>
     <message>
-        <source>the current cameras</source>
-        <translation>den aktuellen Kameras</translation>
+        <source>the current camera positions</source>
+        <translation>den aktuellen Kamerapositionen</translation>
     </message>
     <message>
         <source>a known distance</source>
@@ -10507,7 +10507,7 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Art des Stabs</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the scale. It is more accurate than the scale from a diameter or a distance</source>
+        <source>A wand with two balls also gives the scale. This scale is more accurate than one from a diameter or a distance</source>
         <translation>Ein Stab mit zwei Bällen gibt auch den Maßstab, und zwar genauer als ein Durchmesser oder eine Strecke</translation>
     </message>
     <message>
@@ -10742,8 +10742,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Kalibrierungen aus verschiedenen Teilen der Aufnahme weichen %1-mal so stark voneinander ab, wie das Rauschen der Bilder erklärt. Die angegebene Genauigkeit berücksichtigt das.</translation>
     </message>
     <message>
-        <source>%1 was far off: the refinement rotates it by %2 and moves it by %3, much more than the others. Was it moved after its calibration?</source>
-        <translation>%1 lag weit daneben: Die Verfeinerung dreht sie um %2 und verschiebt sie um %3, viel mehr als die anderen. Wurde sie nach ihrer Kalibrierung bewegt?</translation>
+        <source>%1 was far off: the refinement rotates this camera by %2 and moves it by %3, much more than the other cameras. Was it moved after its calibration?</source>
+        <translation>%1 lag weit daneben: Die Verfeinerung dreht diese Kamera um %2 und verschiebt sie um %3, viel mehr als die anderen Kameras. Wurde sie nach ihrer Kalibrierung bewegt?</translation>
     </message>
     <message>
         <source>The previous calibration fits the images as well as the new one. Keep the previous one, or wave longer and through more of the volume.</source>
@@ -10773,8 +10773,8 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         <translation>Schwenken beginnen</translation>
     </message>
     <message>
-        <source>Nothing collected yet.</source>
-        <translation>Noch nichts gesammelt.</translation>
+        <source>No ball positions collected yet.</source>
+        <translation>Noch keine Ballpositionen gesammelt.</translation>
     </message>
     <message>
         <source>Every camera has seen the ball often enough: stop waving, or press Refine cameras.</source>

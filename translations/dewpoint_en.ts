@@ -24,10 +24,10 @@
 <context>
     <name>WandSettings</name>
     <message numerus="yes">
-        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move it where both see it.</source>
+        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move the ball where both cameras see it.</source>
         <translation>
-            <numerusform>%1 and %2 saw the ball at the same time in only %n frame. Move it where both see it.</numerusform>
-            <numerusform>%1 and %2 saw the ball at the same time in only %n frames. Move it where both see it.</numerusform>
+            <numerusform>%1 and %2 saw the ball at the same time in only %n frame. Move the ball where both cameras see it.</numerusform>
+            <numerusform>%1 and %2 saw the ball at the same time in only %n frames. Move the ball where both cameras see it.</numerusform>
         </translation>
     </message>
 </context>

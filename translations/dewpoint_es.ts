@@ -40,8 +40,8 @@
         <translation>Guardar</translation>
     </message>
     <message>
-        <source>Write the project to its file</source>
-        <translation>Escribir el proyecto en su archivo</translation>
+        <source>Save the changes to the project file</source>
+        <translation>Guardar los cambios en el archivo del proyecto</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -56,7 +56,7 @@
         <translation>Cerrar el proyecto</translation>
     </message>
     <message>
-        <source>Back to the start page</source>
+        <source>Go back to the start page</source>
         <translation>Volver a la página de inicio</translation>
     </message>
     <message>
@@ -736,8 +736,8 @@
         <translation>Enviar resultados</translation>
     </message>
     <message>
-        <source>Start or stop sending positions to other programs during the run. Nothing is sent before you choose this</source>
-        <translation>Empezar o dejar de enviar posiciones a otros programas durante la ejecución. No se envía nada antes de que elija esto</translation>
+        <source>Start or stop sending positions to other programs during the run. Until you start sending, nothing is sent</source>
+        <translation>Empezar o dejar de enviar posiciones a otros programas durante la ejecución. Mientras no inicie el envío, no se envía nada</translation>
     </message>
     <message>
         <source>Outputs…</source>
@@ -748,7 +748,7 @@
         <translation>Elegir adónde se envían los resultados: TCP, WebSocket, OSC, TUIO, CSV</translation>
     </message>
     <message>
-        <source>Reproduce figures of the papers that describe the methods, and write a report</source>
+        <source>Reproduce figures from the papers that describe the methods, and write a report</source>
         <translation>Reproducir figuras de los artículos que describen los métodos y escribir un informe</translation>
     </message>
     <message>
@@ -824,7 +824,7 @@
         <translation>Guardar las vistas de las cámaras y la vista de pájaro como vídeo</translation>
     </message>
     <message>
-        <source>Take number and notes…</source>
+        <source>Set take number and notes…</source>
         <translation>Número y notas de la toma…</translation>
     </message>
     <message>
@@ -876,8 +876,8 @@
         <translation>Ocultar o mostrar el objetivo</translation>
     </message>
     <message>
-        <source>Hide the selected target in the images and in the bird&apos;s-eye view, or show it again; it is tracked all the same</source>
-        <translation>Ocultar el objetivo seleccionado en las imágenes y en la vista de pájaro, o volver a mostrarlo; se sigue igualmente</translation>
+        <source>Hide the selected target in the images and in the bird&apos;s-eye view, or show it again. A hidden target is still tracked</source>
+        <translation>Ocultar el objetivo seleccionado en las imágenes y en la vista de pájaro, o volver a mostrarlo. Un objetivo oculto se sigue igualmente</translation>
     </message>
     <message>
         <source>Calibrate with a wand…</source>
@@ -1054,8 +1054,8 @@
         <translation>No se pudieron calcular las posiciones de las cámaras: %1</translation>
     </message>
     <message>
-        <source>The accuracy cannot be estimated: the board was too rarely seen by two cameras at once.</source>
-        <translation>No se puede estimar la precisión: muy pocas veces vieron dos cámaras el tablero a la vez.</translation>
+        <source>The accuracy cannot be estimated, because two cameras rarely saw the board at the same time.</source>
+        <translation>No se puede estimar la precisión, porque muy pocas veces vieron dos cámaras el tablero a la vez.</translation>
     </message>
     <message>
         <source>a chessboard with %1 × %2 inner corners</source>
@@ -1152,8 +1152,8 @@
         <translation>todas las cámaras</translation>
     </message>
     <message>
-        <source>All cameras seem to see the back of the board or of the floor: the measured points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
-        <translation>Todas las cámaras parecen ver el reverso del tablero o del suelo: probablemente los puntos medidos están reflejados. Compruebe la dirección de los ejes y que la impresión no esté invertida.</translation>
+        <source>All cameras seem to see the board from behind, or the floor from below: the measured points are probably mirrored. Check the direction of the axes, and make sure that the printed board is not mirrored.</source>
+        <translation>Todas las cámaras parecen ver el tablero por detrás o el suelo por debajo: probablemente los puntos medidos están reflejados. Compruebe la dirección de los ejes y que el tablero no se haya impreso invertido.</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
@@ -1196,8 +1196,8 @@
         <translation>El tamaño de las casillas que introdujo es %1 veces el que ven las cámaras. Mida una fila con una regla: las impresiones suelen cambiar de escala.</translation>
     </message>
     <message>
-        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably measures from the corner of the first pixel, not from its center. Convert the principal points.</source>
-        <translation>Las imágenes solo encajan desplazadas %1 en ambos ejes: probablemente la calibración mide desde la esquina del primer píxel y no desde su centro. Convierta los puntos principales.</translation>
+        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably counts pixel coordinates from the corner of the first pixel, not from its center. Convert the principal points.</source>
+        <translation>Las imágenes solo encajan desplazadas %1 en ambos ejes: probablemente la calibración cuenta las coordenadas de los píxeles desde la esquina del primer píxel y no desde su centro. Convierta los puntos principales.</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -1216,8 +1216,8 @@
         <translation>aún sin medir (use la página Suelo)</translation>
     </message>
     <message>
-        <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
-        <translation>En el volumen calibrado: posición %1, escala %2, dirección hacia arriba %3 (cada una con una probabilidad del 95 %).</translation>
+        <source>In the calibrated volume: position %1, scale %2, upward direction %3 (95 % of the errors are smaller).</source>
+        <translation>En el volumen calibrado: posición %1, escala %2, dirección hacia arriba %3 (el 95 % de los errores es menor).</translation>
     </message>
     <message>
         <source>Outside the calibrated volume, up to %1 away: position ±%2 (extrapolated).</source>
@@ -1663,8 +1663,8 @@
         <translation>Solo el %1 % del fondo tiene también este color, poco en comparación con el objetivo.</translation>
     </message>
     <message>
-        <source>The largest region of this color outside the target is in the image of %3, %2 (it looks %1).</source>
-        <translation>La zona más grande de este color fuera del objetivo está en la imagen de %3, %2 (%1).</translation>
+        <source>Outside the target, the largest region of this color (%1) is in the image of %3, %2.</source>
+        <translation>Fuera del objetivo, la zona más grande de este color (%1) está en la imagen de %3, %2.</translation>
     </message>
 </context>
 <context>
@@ -1945,8 +1945,8 @@
         <translation>Barrera et al. 2005, figura 8: la nube en seis iteraciones, con una sigma de movimiento pequeña y con una grande.</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, depending on the size of the start volume, and on how far behind the ball a start point lies.</source>
-        <translation>Barrera et al. 2005, sección III-B: la proporción de ejecuciones que convergen, según el tamaño del volumen inicial y según lo lejos que esté el punto inicial detrás de la pelota.</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of different sizes, and for start points at different distances behind the ball.</source>
+        <translation>Barrera et al. 2005, sección III-B: la proporción de ejecuciones que convergen, con volúmenes iniciales de distintos tamaños y con puntos iniciales a distintas distancias detrás de la pelota.</translation>
     </message>
     <message>
         <source>Error after each iteration, for different motion sigmas</source>
@@ -2158,16 +2158,16 @@
         <translation>En el archivo del proyecto, corrija el valor de late_by de esta cámara. Está en segundos.</translation>
     </message>
     <message>
-        <source>Correct the file, or remove the key &apos;truth&apos; from the project file.</source>
-        <translation>Corrija el archivo o quite la clave «truth» del archivo del proyecto.</translation>
+        <source>Correct the file of true positions, or remove the key &apos;truth&apos; from the project file.</source>
+        <translation>Corrija el archivo de posiciones verdaderas o quite la clave «truth» del archivo del proyecto.</translation>
     </message>
     <message>
         <source>Correct the project file in a text editor, or make a new project.</source>
         <translation>Corrija el archivo del proyecto en un editor de texto o cree un proyecto nuevo.</translation>
     </message>
     <message>
-        <source>Correct the table, or remove this camera&apos;s key &apos;times&apos; from the project file.</source>
-        <translation>Corrija la tabla o quite la clave «times» de esta cámara del archivo del proyecto.</translation>
+        <source>Correct the table of times, or remove this camera&apos;s key &apos;times&apos; from the project file.</source>
+        <translation>Corrija la tabla de tiempos o quite la clave «times» de esta cámara del archivo del proyecto.</translation>
     </message>
     <message>
         <source>The project has corrections for frames that the recording does not have: %1.</source>
@@ -2234,12 +2234,12 @@
         <translation>Mueva el volumen de interés o quítelo.</translation>
     </message>
     <message>
-        <source>No part of the volume of interest is seen by enough cameras (at least %1).</source>
-        <translation>Ninguna parte del volumen de interés está a la vista de suficientes cámaras (mínimo: %1).</translation>
+        <source>No part of the volume of interest is seen by enough cameras (at least %1 are needed).</source>
+        <translation>Ninguna parte del volumen de interés está a la vista de suficientes cámaras (se necesitan al menos %1).</translation>
     </message>
     <message>
-        <source>No pixel can have the color of target %1: its range is too narrow.</source>
-        <translation>Ningún píxel puede tener el color del objetivo %1: su rango es demasiado estrecho.</translation>
+        <source>No pixel can have the color of target %1: the color range is too narrow.</source>
+        <translation>Ningún píxel puede tener el color del objetivo %1: el rango de color es demasiado estrecho.</translation>
     </message>
     <message>
         <source>Nothing can be tracked: %1.</source>
@@ -3181,11 +3181,11 @@
         <translation>Tiempo tras el cual un objeto nuevo que no se mueve cuenta como fondo.</translation>
     </message>
     <message>
-        <source>Area half size x</source>
+        <source>Area, half width x</source>
         <translation>Zona: semitamaño x</translation>
     </message>
     <message>
-        <source>Area half size y</source>
+        <source>Area, half width y</source>
         <translation>Zona: semitamaño y</translation>
     </message>
     <message>
@@ -4028,8 +4028,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>La escala se toma de una distancia conocida: añada los instantes en que la pelota está en cada extremo de esa distancia.</translation>
     </message>
     <message>
-        <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
-        <translation>Una caída necesita dos instantes: uno en que la pelota empieza a caer y otro en que todavía cae.</translation>
+        <source>To use a fall, add two times: the first and the last frame of the fall.</source>
+        <translation>Para usar una caída, añada dos instantes: el primer y el último fotograma de la caída.</translation>
     </message>
     <message>
         <source>Both ends of the wand are the same target: choose another target for one of them.</source>
@@ -4088,10 +4088,10 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>%1 vio la bola solo en el %2 de su imagen.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move it where both see it.</source>
+        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move the ball where both cameras see it.</source>
         <translation>
-            <numerusform>%1 y %2 vieron la bola a la vez en solo %n fotograma. Muévala donde ambas la vean.</numerusform>
-            <numerusform>%1 y %2 vieron la bola a la vez en solo %n fotogramas. Muévala donde ambas la vean.</numerusform>
+            <numerusform>%1 y %2 vieron la bola a la vez en solo %n fotograma. Muévala donde ambas cámaras la vean.</numerusform>
+            <numerusform>%1 y %2 vieron la bola a la vez en solo %n fotogramas. Muévala donde ambas cámaras la vean.</numerusform>
         </translation>
     </message>
     <message>
@@ -4099,8 +4099,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Las cámaras ya estaban calibradas, y el movimiento de esta grabación no basta para mejorar esa calibración. Conserve la calibración anterior.</translation>
     </message>
     <message>
-        <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old ones.</source>
-        <translation>Las posiciones anteriores de las cámaras se conocen con más exactitud (±%1) que las nuevas (±%2). Conserve las anteriores.</translation>
+        <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old positions.</source>
+        <translation>Las posiciones anteriores de las cámaras se conocen con más exactitud (±%1) que las nuevas (±%2). Conserve las posiciones anteriores.</translation>
     </message>
 </context>
 <context>
@@ -4240,8 +4240,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Dirección de una cámara de red, una pipeline de GStreamer o una carta de ajuste</translation>
     </message>
     <message>
-        <source>Open the address, and show its first image, its size and its rate</source>
-        <translation>Abrir la dirección y mostrar su primera imagen, su tamaño y su frecuencia</translation>
+        <source>Open the address, and show the first image, its size and the frame rate</source>
+        <translation>Abrir la dirección y mostrar la primera imagen, su tamaño y la frecuencia de imágenes</translation>
     </message>
     <message>
         <source>Add</source>
@@ -4454,12 +4454,12 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::BoardFloor</name>
     <message>
-        <source>Searching the images shown for the board…</source>
+        <source>Looking for the board in the images shown…</source>
         <translation>Buscando el tablero en las imágenes mostradas…</translation>
     </message>
     <message>
-        <source>No camera sees the described board well enough: %1. Show images in which the board lies on the floor, or correct its description on the page Board.</source>
-        <translation>Ninguna cámara ve lo bastante bien el tablero descrito: %1. Muestre imágenes en que el tablero esté en el suelo, o corrija su descripción en la página Tablero.</translation>
+        <source>No camera sees the board well enough: %1. Show images in which the board lies on the floor, or correct the description of the board on the page Board.</source>
+        <translation>Ninguna cámara ve lo bastante bien el tablero: %1. Muestre imágenes en que el tablero esté en el suelo, o corrija la descripción del tablero en la página Tablero.</translation>
     </message>
     <message>
         <source>The floor was not set, because the cameras have changed in the meantime. Try again.</source>
@@ -5108,20 +5108,20 @@ Tamaño efectivo de la muestra %8 de %9</translation>
 <context>
     <name>dewpoint::ui::CalibrationFit</name>
     <message>
-        <source>Images compared with the calibration:</source>
-        <translation>Imágenes respecto a la calibración:</translation>
+        <source>Change since the calibration:</source>
+        <translation>Cambio desde la calibración:</translation>
     </message>
     <message>
         <source>How the images differ from those of the calibration, if they have another size</source>
         <translation>En qué se diferencian las imágenes de las de la calibración, si tienen otro tamaño</translation>
     </message>
     <message>
-        <source>Change of the images</source>
-        <translation>Cambio de las imágenes</translation>
+        <source>Change of the images since the calibration</source>
+        <translation>Cambio de las imágenes desde la calibración</translation>
     </message>
     <message>
-        <source>Choose the camera of the file for each camera of the project:</source>
-        <translation>Elija la cámara del archivo para cada cámara del proyecto:</translation>
+        <source>For each camera of the project, choose a camera of the file:</source>
+        <translation>Para cada cámara del proyecto, elija una cámara del archivo:</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -5367,8 +5367,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Cambiar el formato de imagen</translation>
     </message>
     <message>
-        <source>Change camera control</source>
-        <translation>Cambiar un control de la cámara</translation>
+        <source>Change camera setting</source>
+        <translation>Cambiar un ajuste de la cámara</translation>
     </message>
     <message>
         <source>Lock colors</source>
@@ -5494,8 +5494,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>girar</translation>
     </message>
     <message>
-        <source>Effect of the keys</source>
-        <translation>Efecto de las teclas</translation>
+        <source>What the keys do to the camera</source>
+        <translation>Qué hacen las teclas con la cámara</translation>
     </message>
     <message>
         <source>camera axes</source>
@@ -5506,8 +5506,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>ejes del mundo</translation>
     </message>
     <message>
-        <source>Axes of the keys</source>
-        <translation>Ejes de las teclas</translation>
+        <source>Axes along which the keys move the camera</source>
+        <translation>Ejes a lo largo de los que las teclas mueven la cámara</translation>
     </message>
     <message>
         <source>Move along the camera&apos;s right, forward and up directions, or along the world axes</source>
@@ -5530,8 +5530,8 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Coordenada %1 de la posición de la cámara</translation>
     </message>
     <message>
-        <source>Looks at %1</source>
-        <translation>Mira a %1</translation>
+        <source>Looks at (%1 coordinate)</source>
+        <translation>Mira a (coordenada %1)</translation>
     </message>
     <message>
         <source>%1 coordinate of the point that the camera looks at</source>
@@ -5624,7 +5624,7 @@ Tamaño efectivo de la muestra %8 de %9</translation>
         <translation>Renombrar la cámara</translation>
     </message>
     <message>
-        <source>Change source of images</source>
+        <source>Change image source</source>
         <translation>Cambiar el origen de las imágenes</translation>
     </message>
     <message>
@@ -5817,8 +5817,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Cámaras – Dewpoint</translation>
     </message>
     <message>
-        <source>Use formats that fit the bus</source>
-        <translation>Usar formatos que caben en el bus</translation>
+        <source>Fit formats to the USB bus</source>
+        <translation>Adaptar formatos al bus USB</translation>
     </message>
     <message>
         <source>These formats fit the USB bus: %1.</source>
@@ -5917,8 +5917,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>No se puede aprender un color aquí, porque esta cámara no muestra ninguna imagen.</translation>
     </message>
     <message>
-        <source>Click the target first. Then exclude colors that are not the target.</source>
-        <translation>Primero haga clic en el objetivo. Después excluya los colores que no son del objetivo.</translation>
+        <source>Click the target first. Then exclude colors of other objects.</source>
+        <translation>Primero haga clic en el objetivo. Después excluya los colores de otros objetos.</translation>
     </message>
     <message>
         <source>Exclude color</source>
@@ -6297,8 +6297,8 @@ Posición x, y, z: %4, %5, %6</translation>
 <context>
     <name>dewpoint::ui::DropZone</name>
     <message>
-        <source>Drop videos here, or add them</source>
-        <translation>Suelte vídeos aquí o añádalos</translation>
+        <source>Drop or click to add videos</source>
+        <translation>Suelte vídeos o haga clic aquí</translation>
     </message>
     <message>
         <source>One video or image folder per camera; you can also drop a calibration file</source>
@@ -6455,8 +6455,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Grabaciones</translation>
     </message>
     <message>
-        <source>none: only a rendered clip</source>
-        <translation>ninguna: solo un vídeo generado</translation>
+        <source>no folder: only a rendered clip</source>
+        <translation>sin carpeta: solo un vídeo generado</translation>
     </message>
     <message>
         <source>Folder with the recordings juggle1 and otb; without a folder, only a rendered clip is used</source>
@@ -6739,8 +6739,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Brillo de los píxeles del objetivo</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. The bars at the two ends, drawn in the color of text, count pixels that are too dark or overexposed: these pixels have lost their color.</source>
-        <translation>Brillo de los píxeles del objetivo, de negro a la izquierda a blanco a la derecha. Las barras de los dos extremos, dibujadas en el color del texto, cuentan los píxeles demasiado oscuros o sobreexpuestos: estos píxeles han perdido su color.</translation>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. The highlighted bars at the two ends count pixels that are too dark or overexposed: these pixels have lost their color.</source>
+        <translation>Brillo de los píxeles del objetivo, de negro a la izquierda a blanco a la derecha. Las barras resaltadas de los dos extremos cuentan los píxeles demasiado oscuros o sobreexpuestos: estos píxeles han perdido su color.</translation>
     </message>
 </context>
 <context>
@@ -6975,12 +6975,12 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Posición de la esquina en que empiezan los ejes de la cuadrícula, en metros</translation>
     </message>
     <message>
-        <source>Show the grid as the cameras saw it before</source>
-        <translation>Mostrar la cuadrícula como la veían antes las cámaras</translation>
+        <source>Show the grid with the earlier camera poses</source>
+        <translation>Mostrar la cuadrícula con las poses anteriores de las cámaras</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid as the cameras saw it before. Choose below which earlier state is used. The key B does the same after you have clicked an image</source>
-        <translation>Mantenga pulsado este botón para dibujar la cuadrícula como la veían antes las cámaras. Elija abajo qué estado anterior se usa. La tecla B hace lo mismo después de hacer clic en una imagen</translation>
+        <source>Hold down this button to draw the grid with earlier camera poses. Choose below which earlier poses are used. The key B does the same after you have clicked an image</source>
+        <translation>Mantenga pulsado este botón para dibujar la cuadrícula con poses anteriores de las cámaras. Elija abajo qué poses anteriores se usan. La tecla B hace lo mismo después de hacer clic en una imagen</translation>
     </message>
     <message>
         <source>Before shows</source>
@@ -6995,8 +6995,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>cámaras antes del último cambio</translation>
     </message>
     <message>
-        <source>Earlier state that the button Before shows</source>
-        <translation>Estado anterior que muestra el botón Antes</translation>
+        <source>Earlier camera poses that the button Before shows</source>
+        <translation>Poses anteriores de las cámaras que muestra el botón Antes</translation>
     </message>
     <message>
         <source>The cameras as they were when you opened this panel, or as they were before the last step that changed a camera</source>
@@ -7018,8 +7018,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>antes</translation>
     </message>
     <message>
-        <source>before: the earlier grid is outside the visible part of the image</source>
-        <translation>antes: la cuadrícula anterior está fuera de la parte visible de la imagen</translation>
+        <source>The earlier grid is outside the visible part of the image</source>
+        <translation>La cuadrícula anterior está fuera de la parte visible de la imagen</translation>
     </message>
 </context>
 <context>
@@ -7033,8 +7033,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Guía</translation>
     </message>
     <message>
-        <source>What is known</source>
-        <translation>Lo que se sabe</translation>
+        <source>Calibration so far</source>
+        <translation>Calibración hasta ahora</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -7053,8 +7053,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Retraso</translation>
     </message>
     <message>
-        <source>What is known about each camera</source>
-        <translation>Lo que se sabe de cada cámara</translation>
+        <source>Calibration of each camera so far</source>
+        <translation>Calibración de cada cámara hasta ahora</translation>
     </message>
     <message>
         <source>Back</source>
@@ -7346,8 +7346,8 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>%1 %2 %3</translation>
     </message>
     <message>
-        <source>%1 focal length %2 %</source>
-        <translation>%1 distancia focal %2 %</translation>
+        <source>%1: change focal length by %2 %</source>
+        <translation>%1: cambiar la distancia focal un %2 %</translation>
     </message>
     <message>
         <source>At most three grid points can be held in place. To release one, click it</source>
@@ -7392,7 +7392,7 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>Páginas del manual</translation>
     </message>
     <message>
-        <source>Back to the previous page</source>
+        <source>Go back to the previous page</source>
         <translation>Volver a la página anterior</translation>
     </message>
     <message>
@@ -7646,8 +7646,8 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>%1. Elija abajo en qué se diferencian las imágenes de las de la calibración.</translation>
     </message>
     <message>
-        <source>%1. Choose the camera of the file for each camera of the project below.</source>
-        <translation>%1. Elija abajo la cámara del archivo para cada cámara del proyecto.</translation>
+        <source>%1. For each camera of the project, choose a camera of the file below.</source>
+        <translation>%1. Para cada cámara del proyecto, elija abajo una cámara del archivo.</translation>
     </message>
 </context>
 <context>
@@ -8098,16 +8098,16 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>Campo de visión, anchura y altura de la imagen</translation>
     </message>
     <message>
-        <source>Planned position %1</source>
-        <translation>Posición planeada %1</translation>
+        <source>Planned position (%1 coordinate)</source>
+        <translation>Posición planeada (coordenada %1)</translation>
     </message>
     <message>
         <source>Position of the camera, in meters</source>
         <translation>Posición de la cámara, en metros</translation>
     </message>
     <message>
-        <source>Planned camera looks at %1</source>
-        <translation>La cámara planeada mira a %1</translation>
+        <source>Planned camera looks at (%1 coordinate)</source>
+        <translation>La cámara planeada mira a (coordenada %1)</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -8232,7 +8232,7 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>No se pudo escribir %1.</translation>
     </message>
     <message>
-        <source>Plots appear when tracking runs.</source>
+        <source>Plots appear during tracking.</source>
         <translation>Los gráficos aparecen durante el seguimiento.</translation>
     </message>
     <message>
@@ -8240,9 +8240,9 @@ Si este botón está desactivado, Ctrl+Mayús+clic hace lo mismo; también Alt+c
         <translation>El objetivo cuyos valores se representan: el elegido en el panel Objetivo, o el primero si no hay ninguno elegido.</translation>
     </message>
     <message>
-        <source>The frame that all views show. The numbers beside the plots belong to it.
+        <source>The frame that all views show. The numbers beside the plots are the values in this frame.
 In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Shift+wheel moves along the time axis.</source>
-        <translation>El fotograma que muestran todas las vistas. Los números junto a los gráficos le corresponden.
+        <translation>El fotograma que muestran todas las vistas. Los números junto a los gráficos son los valores en este fotograma.
 En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero y Mayús+rueda recorre el eje del tiempo.</translation>
     </message>
 </context>
@@ -8469,7 +8469,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
 <context>
     <name>dewpoint::ui::PreviewPane</name>
     <message>
-        <source>Working on the preview: %1 %</source>
+        <source>Preparing the preview: %1 %</source>
         <translation>Preparando la vista previa: %1 %</translation>
     </message>
     <message>
@@ -8485,7 +8485,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Tamaño</translation>
     </message>
     <message>
-        <source>Some of these results are from earlier settings.</source>
+        <source>Some of these results were tracked with earlier settings.</source>
         <translation>Algunos de estos resultados se obtuvieron con ajustes anteriores.</translation>
     </message>
     <message>
@@ -8767,8 +8767,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Qué se ve</translation>
     </message>
     <message>
-        <source>Each camera view shows its image with the estimates drawn over it. The bird&apos;s-eye view shows the same in the room.</source>
-        <translation>Cada vista de cámara muestra su imagen y, encima, las estimaciones. La vista de pájaro muestra lo mismo en la sala.</translation>
+        <source>Each camera view shows its image with the estimates drawn over it. The bird&apos;s-eye view shows the estimates in the room.</source>
+        <translation>Cada vista de cámara muestra su imagen y, encima, las estimaciones. La vista de pájaro muestra las estimaciones en la sala.</translation>
     </message>
     <message>
         <source>State of a target</source>
@@ -8867,8 +8867,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 at x %2, y %3, z %4, the error is at most %6 in %5 of the volume, instead of %7 without this camera.</source>
-        <translation>Con %1 en x %2, y %3, z %4, el error es como mucho %6 en el %5 del volumen, en lugar del %7 sin esta cámara.</translation>
+        <source>With %1 at x %2, y %3, z %4, the error is at most %6 in %5 of the volume (in %7 without this camera).</source>
+        <translation>Con %1 en x %2, y %3, z %4, el error es como mucho %6 en el %5 del volumen (en el %7 sin esta cámara).</translation>
     </message>
 </context>
 <context>
@@ -9100,7 +9100,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Restablecer todos los atajos a sus valores predeterminados</translation>
     </message>
     <message>
-        <source>Choose an action, click into the field below and press the new keys.</source>
+        <source>Choose an action, click the field below and press the new keys.</source>
         <translation>Elija una acción, haga clic en el campo de abajo y pulse las nuevas teclas.</translation>
     </message>
     <message>
@@ -9112,12 +9112,12 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Todos los atajos se restablecieron a sus valores predeterminados.</translation>
     </message>
     <message>
-        <source>“%1” is now %2.</source>
-        <translation>«%1» es ahora %2.</translation>
+        <source>“%1” now has the shortcut %2.</source>
+        <translation>«%1» tiene ahora el atajo %2.</translation>
     </message>
     <message>
-        <source>“%1” is now %2; it was removed from “%3”.</source>
-        <translation>«%1» es ahora %2; se quitó de «%3».</translation>
+        <source>“%1” now has the shortcut %2, which was removed from “%3”.</source>
+        <translation>«%1» tiene ahora el atajo %2, que se quitó de «%3».</translation>
     </message>
     <message>
         <source>Close</source>
@@ -9550,7 +9550,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Tiempo anterior al inicio que también se graba. Para ello se guardan en memoria las últimas imágenes de todas las cámaras, hasta 512 MB en total.</translation>
     </message>
     <message>
-        <source>Text that is kept with the take</source>
+        <source>Text that is saved with the take</source>
         <translation>Texto que se guarda con la toma</translation>
     </message>
 </context>
@@ -9711,7 +9711,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Número de hilos que calculan el filtro. Los resultados no dependen de él</translation>
     </message>
     <message>
-        <source>The new number is used from the next frame.</source>
+        <source>The new number is used from the next frame on.</source>
         <translation>El nuevo número se usa a partir del próximo fotograma.</translation>
     </message>
     <message>
@@ -9746,12 +9746,12 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>El cambio se aplica a los fotogramas nuevos. Use «%1» para seguir de nuevo desde el fotograma actual.</translation>
     </message>
     <message>
-        <source>There is no new trouble after this frame.</source>
-        <translation>No hay ningún problema nuevo después de este fotograma.</translation>
+        <source>After this frame, there are no new problems with targets or cameras.</source>
+        <translation>Después de este fotograma no hay problemas nuevos con los objetivos ni las cámaras.</translation>
     </message>
     <message>
-        <source>There is no other trouble before this frame.</source>
-        <translation>No hay ningún otro problema antes de este fotograma.</translation>
+        <source>Before this frame, there are no other problems with targets or cameras.</source>
+        <translation>Antes de este fotograma no hay otros problemas con los objetivos ni las cámaras.</translation>
     </message>
 </context>
 <context>
@@ -10206,8 +10206,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Velocidad</translation>
     </message>
     <message>
-        <source>1 is real time, 0.1 is ten times slower, 8 is eight times faster; up to 100. With 0, every frame is shown once</source>
-        <translation>1 es tiempo real, 0,1 es diez veces más lento, 8 es ocho veces más rápido; hasta 100. Con 0, cada fotograma se muestra una vez</translation>
+        <source>Speed of the video, up to 100: 1 is real time, 0.1 is ten times slower, and 8 is eight times faster. With 0, every frame is shown once</source>
+        <translation>Velocidad del vídeo, hasta 100: 1 es tiempo real, 0,1 es diez veces más lento y 8 es ocho veces más rápido. Con 0, cada fotograma se muestra una vez</translation>
     </message>
     <message>
         <source>Size</source>
@@ -10483,8 +10483,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>el diámetro de la pelota, %1</translation>
     </message>
     <message>
-        <source>the current cameras</source>
-        <translation>las cámaras actuales</translation>
+        <source>the current camera positions</source>
+        <translation>posiciones de cámara actuales</translation>
     </message>
     <message>
         <source>a known distance</source>
@@ -10507,7 +10507,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Tipo de varita</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the scale. It is more accurate than the scale from a diameter or a distance</source>
+        <source>A wand with two balls also gives the scale. This scale is more accurate than one from a diameter or a distance</source>
         <translation>Una varita con dos pelotas da también la escala, con más precisión que un diámetro o una distancia</translation>
     </message>
     <message>
@@ -10742,8 +10742,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Las calibraciones con distintas partes de la grabación difieren %1 veces lo que explica el ruido de las imágenes. La precisión indicada lo tiene en cuenta.</translation>
     </message>
     <message>
-        <source>%1 was far off: the refinement rotates it by %2 and moves it by %3, much more than the others. Was it moved after its calibration?</source>
-        <translation>%1 estaba muy desviada: el ajuste la gira %2 y la desplaza %3, mucho más que las demás. ¿Se movió después de calibrarla?</translation>
+        <source>%1 was far off: the refinement rotates this camera by %2 and moves it by %3, much more than the other cameras. Was it moved after its calibration?</source>
+        <translation>%1 estaba muy desviada: el ajuste gira esta cámara %2 y la desplaza %3, mucho más que las demás cámaras. ¿Se movió después de calibrarla?</translation>
     </message>
     <message>
         <source>The previous calibration fits the images as well as the new one. Keep the previous one, or wave longer and through more of the volume.</source>
@@ -10773,8 +10773,8 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         <translation>Empezar a agitar</translation>
     </message>
     <message>
-        <source>Nothing collected yet.</source>
-        <translation>Aún no se ha reunido nada.</translation>
+        <source>No ball positions collected yet.</source>
+        <translation>Aún no se ha reunido ninguna posición de la pelota.</translation>
     </message>
     <message>
         <source>Every camera has seen the ball often enough: stop waving, or press Refine cameras.</source>

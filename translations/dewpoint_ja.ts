@@ -40,8 +40,8 @@
         <translation>保存</translation>
     </message>
     <message>
-        <source>Write the project to its file</source>
-        <translation>プロジェクトをファイルに書き込みます</translation>
+        <source>Save the changes to the project file</source>
+        <translation>変更をプロジェクトファイルに保存します</translation>
     </message>
     <message>
         <source>Save as…</source>
@@ -56,7 +56,7 @@
         <translation>プロジェクトを閉じる</translation>
     </message>
     <message>
-        <source>Back to the start page</source>
+        <source>Go back to the start page</source>
         <translation>開始ページに戻ります</translation>
     </message>
     <message>
@@ -736,8 +736,8 @@
         <translation>結果を送信</translation>
     </message>
     <message>
-        <source>Start or stop sending positions to other programs during the run. Nothing is sent before you choose this</source>
-        <translation>実行中に他のプログラムへの位置の送信を開始または停止します。これを選ぶまで何も送信されません</translation>
+        <source>Start or stop sending positions to other programs during the run. Until you start sending, nothing is sent</source>
+        <translation>実行中に他のプログラムへの位置の送信を開始または停止します。送信を開始するまで何も送信されません</translation>
     </message>
     <message>
         <source>Outputs…</source>
@@ -748,7 +748,7 @@
         <translation>結果の送信先を選びます: TCP、WebSocket、OSC、TUIO、CSV</translation>
     </message>
     <message>
-        <source>Reproduce figures of the papers that describe the methods, and write a report</source>
+        <source>Reproduce figures from the papers that describe the methods, and write a report</source>
         <translation>手法を説明した論文の図を再現し、レポートを書き出します</translation>
     </message>
     <message>
@@ -824,7 +824,7 @@
         <translation>カメラの表示と鳥瞰図を動画として保存します</translation>
     </message>
     <message>
-        <source>Take number and notes…</source>
+        <source>Set take number and notes…</source>
         <translation>テイクの番号とメモ…</translation>
     </message>
     <message>
@@ -876,8 +876,8 @@
         <translation>ターゲットの表示／非表示</translation>
     </message>
     <message>
-        <source>Hide the selected target in the images and in the bird&apos;s-eye view, or show it again; it is tracked all the same</source>
-        <translation>選択中のターゲットを画像と鳥瞰図で隠す、または再び表示します。追跡は続きます</translation>
+        <source>Hide the selected target in the images and in the bird&apos;s-eye view, or show it again. A hidden target is still tracked</source>
+        <translation>選択中のターゲットを画像と鳥瞰図で隠す、または再び表示します。隠したターゲットも追跡は続きます</translation>
     </message>
     <message>
         <source>Calibrate with a wand…</source>
@@ -1054,8 +1054,8 @@
         <translation>カメラの位置を計算できませんでした: %1</translation>
     </message>
     <message>
-        <source>The accuracy cannot be estimated: the board was too rarely seen by two cameras at once.</source>
-        <translation>精度を見積もれません。2台のカメラが同時にボードを見た回数が少なすぎます。</translation>
+        <source>The accuracy cannot be estimated, because two cameras rarely saw the board at the same time.</source>
+        <translation>2 台のカメラが同時にボードを見た回数が少なすぎるため、精度を見積もれません。</translation>
     </message>
     <message>
         <source>a chessboard with %1 × %2 inner corners</source>
@@ -1152,8 +1152,8 @@
         <translation>全カメラ</translation>
     </message>
     <message>
-        <source>All cameras seem to see the back of the board or of the floor: the measured points are probably mirrored. Check the direction of the axes, and that the print is not reversed.</source>
-        <translation>すべてのカメラがボードまたは床の裏側を見ているようです。測定した点がおそらく鏡像になっています。軸の向きと、印刷が反転していないことを確かめてください。</translation>
+        <source>All cameras seem to see the board from behind, or the floor from below: the measured points are probably mirrored. Check the direction of the axes, and make sure that the printed board is not mirrored.</source>
+        <translation>すべてのカメラがボードを裏から、または床を下から見ているようです。測定した点がおそらく鏡像になっています。軸の向きと、ボードが左右反転して印刷されていないことを確かめてください。</translation>
     </message>
     <message>
         <source>Everything fits when %1 and %2 are exchanged: their videos are probably swapped. Exchange the two files.</source>
@@ -1196,8 +1196,8 @@
         <translation>入力したマス目の大きさは、カメラの見る大きさの %1 倍です。定規で1列を測ってください。印刷はよく拡大縮小されます。</translation>
     </message>
     <message>
-        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably measures from the corner of the first pixel, not from its center. Convert the principal points.</source>
-        <translation>画像は両軸に %1 ずらしたときだけ合います。おそらくキャリブレーションは、最初のピクセルの中心ではなく角から測っています。主点を換算してください。</translation>
+        <source>The images fit only if they are shifted by %1 along both axes: the calibration probably counts pixel coordinates from the corner of the first pixel, not from its center. Convert the principal points.</source>
+        <translation>画像は両軸に %1 ずらしたときだけ合います。おそらくキャリブレーションのピクセル座標は、最初のピクセルの中心ではなく角を原点としています。主点を換算してください。</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -1216,8 +1216,8 @@
         <translation>未測定（ページ「床」で測定）</translation>
     </message>
     <message>
-        <source>In the calibrated volume: position %1, scale %2, upward direction %3 (each with a probability of 95 %).</source>
-        <translation>キャリブレーションした空間内: 位置 %1、縮尺 %2、上方向 %3（それぞれ確率 95 %）。</translation>
+        <source>In the calibrated volume: position %1, scale %2, upward direction %3 (95 % of the errors are smaller).</source>
+        <translation>キャリブレーションした空間内: 位置 %1、縮尺 %2、上方向 %3（誤差の 95 % はこれより小さい）。</translation>
     </message>
     <message>
         <source>Outside the calibrated volume, up to %1 away: position ±%2 (extrapolated).</source>
@@ -1662,7 +1662,7 @@
         <translation>この色は背景の %1 % だけで、ターゲットに比べてわずかです。</translation>
     </message>
     <message>
-        <source>The largest region of this color outside the target is in the image of %3, %2 (it looks %1).</source>
+        <source>Outside the target, the largest region of this color (%1) is in the image of %3, %2.</source>
         <translation>ターゲット以外でこの色の最も大きい領域（%1）は、%3 の画像の%2にあります。</translation>
     </message>
 </context>
@@ -1944,8 +1944,8 @@
         <translation>Barrera ら 2005、図8：小さいモーションシグマと大きいモーションシグマでの、6回の反復における雲。</translation>
     </message>
     <message>
-        <source>Barrera et al. 2005, section III-B: the share of runs that converge, depending on the size of the start volume, and on how far behind the ball a start point lies.</source>
-        <translation>Barrera ら 2005、III-B節：収束した実行の割合。開始体積の大きさと、開始点がボールのどれだけ後ろにあるかによる違いを示します。</translation>
+        <source>Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes of different sizes, and for start points at different distances behind the ball.</source>
+        <translation>Barrera ら 2005、III-B節：収束した実行の割合。開始体積の大きさと、開始点からその手前のボールまでの距離を変えて示します。</translation>
     </message>
     <message>
         <source>Error after each iteration, for different motion sigmas</source>
@@ -2157,16 +2157,16 @@
         <translation>プロジェクトファイルで、このカメラの late_by の値を直してください。単位は秒です。</translation>
     </message>
     <message>
-        <source>Correct the file, or remove the key &apos;truth&apos; from the project file.</source>
-        <translation>ファイルを直すか、プロジェクトファイルからキー「truth」を削除してください。</translation>
+        <source>Correct the file of true positions, or remove the key &apos;truth&apos; from the project file.</source>
+        <translation>真の位置のファイルを直すか、プロジェクトファイルからキー「truth」を削除してください。</translation>
     </message>
     <message>
         <source>Correct the project file in a text editor, or make a new project.</source>
         <translation>テキストエディターでプロジェクトファイルを直すか、新しいプロジェクトを作成してください。</translation>
     </message>
     <message>
-        <source>Correct the table, or remove this camera&apos;s key &apos;times&apos; from the project file.</source>
-        <translation>表を直すか、プロジェクトファイルからこのカメラのキー「times」を削除してください。</translation>
+        <source>Correct the table of times, or remove this camera&apos;s key &apos;times&apos; from the project file.</source>
+        <translation>時刻の表を直すか、プロジェクトファイルからこのカメラのキー「times」を削除してください。</translation>
     </message>
     <message>
         <source>The project has corrections for frames that the recording does not have: %1.</source>
@@ -2233,11 +2233,11 @@
         <translation>探索範囲を動かすか、削除してください。</translation>
     </message>
     <message>
-        <source>No part of the volume of interest is seen by enough cameras (at least %1).</source>
-        <translation>探索範囲のどの部分も、%1 台以上のカメラから見えません。</translation>
+        <source>No part of the volume of interest is seen by enough cameras (at least %1 are needed).</source>
+        <translation>探索範囲のどの部分も、必要な台数のカメラ（%1 台以上）から見えません。</translation>
     </message>
     <message>
-        <source>No pixel can have the color of target %1: its range is too narrow.</source>
+        <source>No pixel can have the color of target %1: the color range is too narrow.</source>
         <translation>ターゲット %1 の色の範囲が狭すぎて、どのピクセルも一致しません。</translation>
     </message>
     <message>
@@ -3180,11 +3180,11 @@
         <translation>動かずに残る新しい物体を背景とみなすまでの時間。</translation>
     </message>
     <message>
-        <source>Area half size x</source>
+        <source>Area, half width x</source>
         <translation>領域の半分 x</translation>
     </message>
     <message>
-        <source>Area half size y</source>
+        <source>Area, half width y</source>
         <translation>領域の半分 y</translation>
     </message>
     <message>
@@ -4026,8 +4026,8 @@ Effective sample size %8 of %9</source>
         <translation>縮尺は既知の距離から求めます。ボールがその距離の両端にある時刻を追加してください。</translation>
     </message>
     <message>
-        <source>A fall needs two times: one at which the ball starts to fall, and one at which it is still falling.</source>
-        <translation>落下には2つの時刻が必要です。ボールが落ち始める時刻と、まだ落ちている時刻です。</translation>
+        <source>To use a fall, add two times: the first and the last frame of the fall.</source>
+        <translation>落下を使うには、落下の最初のフレームと最後のフレームの 2 つの時刻を追加してください。</translation>
     </message>
     <message>
         <source>Both ends of the wand are the same target: choose another target for one of them.</source>
@@ -4086,9 +4086,9 @@ Effective sample size %8 of %9</source>
         <translation>%1 では、画像の %2 にしかボールが写っていません。</translation>
     </message>
     <message numerus="yes">
-        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move it where both see it.</source>
+        <source>%1 and %2 saw the ball at the same time in only %n frame(s). Move the ball where both cameras see it.</source>
         <translation>
-            <numerusform>%1 と %2 が同時にボールを見たのは %n フレームだけです。両方から見える場所で動かしてください。</numerusform>
+            <numerusform>%1 と %2 が同時にボールを見たのは %n フレームだけです。両方のカメラから見える場所でボールを動かしてください。</numerusform>
         </translation>
     </message>
     <message>
@@ -4096,7 +4096,7 @@ Effective sample size %8 of %9</source>
         <translation>カメラはすでにキャリブレーションされており、この記録の動きではそのキャリブレーションを改善できません。以前のキャリブレーションを使ってください。</translation>
     </message>
     <message>
-        <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old ones.</source>
+        <source>The old camera positions are known more accurately (±%1) than the new ones (±%2). Keep the old positions.</source>
         <translation>以前のカメラ位置（±%1）は、新しい位置（±%2）より正確にわかっています。以前の位置を使ってください。</translation>
     </message>
 </context>
@@ -4237,7 +4237,7 @@ Effective sample size %8 of %9</source>
         <translation>ネットワークカメラのアドレス、GStreamer パイプライン、またはテストパターン</translation>
     </message>
     <message>
-        <source>Open the address, and show its first image, its size and its rate</source>
+        <source>Open the address, and show the first image, its size and the frame rate</source>
         <translation>アドレスを開き、最初の画像、サイズ、フレームレートを表示します</translation>
     </message>
     <message>
@@ -4451,12 +4451,12 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::BoardFloor</name>
     <message>
-        <source>Searching the images shown for the board…</source>
+        <source>Looking for the board in the images shown…</source>
         <translation>表示中の画像でボードを検出しています…</translation>
     </message>
     <message>
-        <source>No camera sees the described board well enough: %1. Show images in which the board lies on the floor, or correct its description on the page Board.</source>
-        <translation>説明どおりのボードが十分に見えるカメラがありません: %1。ボードが床に置かれている画像を表示するか、「ボード」ページで説明を直してください。</translation>
+        <source>No camera sees the board well enough: %1. Show images in which the board lies on the floor, or correct the description of the board on the page Board.</source>
+        <translation>ボードが十分に見えるカメラがありません: %1。ボードが床に置かれている画像を表示するか、「ボード」ページでボードの説明を直してください。</translation>
     </message>
     <message>
         <source>The floor was not set, because the cameras have changed in the meantime. Try again.</source>
@@ -5102,19 +5102,19 @@ Effective sample size %8 of %9</source>
 <context>
     <name>dewpoint::ui::CalibrationFit</name>
     <message>
-        <source>Images compared with the calibration:</source>
-        <translation>キャリブレーション時と比べた画像:</translation>
+        <source>Change since the calibration:</source>
+        <translation>キャリブレーション後の変更:</translation>
     </message>
     <message>
         <source>How the images differ from those of the calibration, if they have another size</source>
         <translation>画像の大きさが異なる場合、キャリブレーションの画像とどう違うか</translation>
     </message>
     <message>
-        <source>Change of the images</source>
-        <translation>画像の変更</translation>
+        <source>Change of the images since the calibration</source>
+        <translation>キャリブレーション後の画像の変更</translation>
     </message>
     <message>
-        <source>Choose the camera of the file for each camera of the project:</source>
+        <source>For each camera of the project, choose a camera of the file:</source>
         <translation>プロジェクトの各カメラに対応するファイルのカメラを選んでください:</translation>
     </message>
     <message>
@@ -5360,7 +5360,7 @@ Effective sample size %8 of %9</source>
         <translation>画像形式を変更</translation>
     </message>
     <message>
-        <source>Change camera control</source>
+        <source>Change camera setting</source>
         <translation>カメラの設定を変更</translation>
     </message>
     <message>
@@ -5487,8 +5487,8 @@ Effective sample size %8 of %9</source>
         <translation>回転</translation>
     </message>
     <message>
-        <source>Effect of the keys</source>
-        <translation>キーの働き</translation>
+        <source>What the keys do to the camera</source>
+        <translation>キーによるカメラの動き</translation>
     </message>
     <message>
         <source>camera axes</source>
@@ -5499,8 +5499,8 @@ Effective sample size %8 of %9</source>
         <translation>世界の軸</translation>
     </message>
     <message>
-        <source>Axes of the keys</source>
-        <translation>キーの軸</translation>
+        <source>Axes along which the keys move the camera</source>
+        <translation>キーでカメラを動かす方向の軸</translation>
     </message>
     <message>
         <source>Move along the camera&apos;s right, forward and up directions, or along the world axes</source>
@@ -5523,8 +5523,8 @@ Effective sample size %8 of %9</source>
         <translation>カメラの位置の %1 座標</translation>
     </message>
     <message>
-        <source>Looks at %1</source>
-        <translation>注視点 %1</translation>
+        <source>Looks at (%1 coordinate)</source>
+        <translation>注視点（%1 座標）</translation>
     </message>
     <message>
         <source>%1 coordinate of the point that the camera looks at</source>
@@ -5617,7 +5617,7 @@ Effective sample size %8 of %9</source>
         <translation>カメラの名前を変更</translation>
     </message>
     <message>
-        <source>Change source of images</source>
+        <source>Change image source</source>
         <translation>画像の元を変更</translation>
     </message>
     <message>
@@ -5807,8 +5807,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>カメラ – Dewpoint</translation>
     </message>
     <message>
-        <source>Use formats that fit the bus</source>
-        <translation>バスに収まる形式を使用</translation>
+        <source>Fit formats to the USB bus</source>
+        <translation>形式を USB バスに合わせる</translation>
     </message>
     <message>
         <source>These formats fit the USB bus: %1.</source>
@@ -5907,8 +5907,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>このカメラには画像が表示されていないため、色を学習できません。</translation>
     </message>
     <message>
-        <source>Click the target first. Then exclude colors that are not the target.</source>
-        <translation>まずターゲットをクリックし、その後でターゲットではない色を除外してください。</translation>
+        <source>Click the target first. Then exclude colors of other objects.</source>
+        <translation>まずターゲットをクリックし、その後でほかの物体の色を除外してください。</translation>
     </message>
     <message>
         <source>Exclude color</source>
@@ -6287,8 +6287,8 @@ Position x, y, z: %4, %5, %6</source>
 <context>
     <name>dewpoint::ui::DropZone</name>
     <message>
-        <source>Drop videos here, or add them</source>
-        <translation>動画をここにドロップするか、追加してください</translation>
+        <source>Drop or click to add videos</source>
+        <translation>動画をドロップまたはクリックして追加</translation>
     </message>
     <message>
         <source>One video or image folder per camera; you can also drop a calibration file</source>
@@ -6445,8 +6445,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>録画</translation>
     </message>
     <message>
-        <source>none: only a rendered clip</source>
-        <translation>なし：計算で作った映像のみ</translation>
+        <source>no folder: only a rendered clip</source>
+        <translation>フォルダーなし：計算で作った映像のみ</translation>
     </message>
     <message>
         <source>Folder with the recordings juggle1 and otb; without a folder, only a rendered clip is used</source>
@@ -6729,8 +6729,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>ターゲットのピクセルの明るさ</translation>
     </message>
     <message>
-        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. The bars at the two ends, drawn in the color of text, count pixels that are too dark or overexposed: these pixels have lost their color.</source>
-        <translation>ターゲットのピクセルの明るさ。左が黒、右が白です。文字と同じ色で描かれた両端の棒は、暗すぎるピクセルと露出オーバーのピクセルの数です。これらのピクセルは色を失っています。</translation>
+        <source>Brightness of the target&apos;s pixels, from black on the left to white on the right. The highlighted bars at the two ends count pixels that are too dark or overexposed: these pixels have lost their color.</source>
+        <translation>ターゲットのピクセルの明るさ。左が黒、右が白です。両端の強調された棒は、暗すぎるピクセルと露出オーバーのピクセルの数です。これらのピクセルは色を失っています。</translation>
     </message>
 </context>
 <context>
@@ -6963,12 +6963,12 @@ Position x, y, z: %4, %5, %6</source>
         <translation>格子の軸が始まる角の位置（メートル）</translation>
     </message>
     <message>
-        <source>Show the grid as the cameras saw it before</source>
-        <translation>以前のカメラから見た格子を表示</translation>
+        <source>Show the grid with the earlier camera poses</source>
+        <translation>以前のカメラの姿勢で格子を表示</translation>
     </message>
     <message>
-        <source>Hold down this button to draw the grid as the cameras saw it before. Choose below which earlier state is used. The key B does the same after you have clicked an image</source>
-        <translation>このボタンを押している間、以前のカメラから見た格子を描きます。どの時点の状態を使うかは下で選びます。画像をクリックした後は B キーでも同じです</translation>
+        <source>Hold down this button to draw the grid with earlier camera poses. Choose below which earlier poses are used. The key B does the same after you have clicked an image</source>
+        <translation>このボタンを押している間、以前のカメラの姿勢で格子を描きます。どの時点の姿勢を使うかは下で選びます。画像をクリックした後は B キーでも同じです</translation>
     </message>
     <message>
         <source>Before shows</source>
@@ -6983,8 +6983,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>最後の変更前のカメラ</translation>
     </message>
     <message>
-        <source>Earlier state that the button Before shows</source>
-        <translation>ボタン「前の状態」で表示する状態</translation>
+        <source>Earlier camera poses that the button Before shows</source>
+        <translation>ボタン「前の状態」で表示するカメラの姿勢</translation>
     </message>
     <message>
         <source>The cameras as they were when you opened this panel, or as they were before the last step that changed a camera</source>
@@ -7006,8 +7006,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>前</translation>
     </message>
     <message>
-        <source>before: the earlier grid is outside the visible part of the image</source>
-        <translation>前: 以前の格子は画像の見えている部分の外にあります</translation>
+        <source>The earlier grid is outside the visible part of the image</source>
+        <translation>以前の格子は画像の見えている部分の外にあります</translation>
     </message>
 </context>
 <context>
@@ -7021,8 +7021,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>ガイド</translation>
     </message>
     <message>
-        <source>What is known</source>
-        <translation>わかっていること</translation>
+        <source>Calibration so far</source>
+        <translation>これまでのキャリブレーション</translation>
     </message>
     <message>
         <source>Camera</source>
@@ -7041,8 +7041,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>遅延</translation>
     </message>
     <message>
-        <source>What is known about each camera</source>
-        <translation>各カメラについてわかっていること</translation>
+        <source>Calibration of each camera so far</source>
+        <translation>各カメラのこれまでのキャリブレーション</translation>
     </message>
     <message>
         <source>Back</source>
@@ -7334,8 +7334,8 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>%1 %2 %3</translation>
     </message>
     <message>
-        <source>%1 focal length %2 %</source>
-        <translation>%1 焦点距離 %2 %</translation>
+        <source>%1: change focal length by %2 %</source>
+        <translation>%1: 焦点距離を %2 % 変更</translation>
     </message>
     <message>
         <source>At most three grid points can be held in place. To release one, click it</source>
@@ -7380,7 +7380,7 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>マニュアルのページ</translation>
     </message>
     <message>
-        <source>Back to the previous page</source>
+        <source>Go back to the previous page</source>
         <translation>前のページに戻ります</translation>
     </message>
     <message>
@@ -7633,7 +7633,7 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>%1。画像がキャリブレーションの画像とどう違うかを下で選んでください。</translation>
     </message>
     <message>
-        <source>%1. Choose the camera of the file for each camera of the project below.</source>
+        <source>%1. For each camera of the project, choose a camera of the file below.</source>
         <translation>%1。プロジェクトの各カメラに対応するファイルのカメラを下で選んでください。</translation>
     </message>
 </context>
@@ -8083,16 +8083,16 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>画角、画像の幅と高さ</translation>
     </message>
     <message>
-        <source>Planned position %1</source>
-        <translation>計画位置 %1</translation>
+        <source>Planned position (%1 coordinate)</source>
+        <translation>計画位置（%1 座標）</translation>
     </message>
     <message>
         <source>Position of the camera, in meters</source>
         <translation>カメラの位置（メートル）</translation>
     </message>
     <message>
-        <source>Planned camera looks at %1</source>
-        <translation>計画中のカメラの注視点 %1</translation>
+        <source>Planned camera looks at (%1 coordinate)</source>
+        <translation>計画中のカメラの注視点（%1 座標）</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -8217,7 +8217,7 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>%1 を書き込めませんでした。</translation>
     </message>
     <message>
-        <source>Plots appear when tracking runs.</source>
+        <source>Plots appear during tracking.</source>
         <translation>追跡を実行すると、グラフが表示されます。</translation>
     </message>
     <message>
@@ -8225,7 +8225,7 @@ When this button is off, Ctrl+Shift-click does the same; so does Alt-click, wher
         <translation>値をグラフにするターゲット：「ターゲット」パネルで選択したもの、選択していなければ最初のもの。</translation>
     </message>
     <message>
-        <source>The frame that all views show. The numbers beside the plots belong to it.
+        <source>The frame that all views show. The numbers beside the plots are the values in this frame.
 In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Shift+wheel moves along the time axis.</source>
         <translation>すべてのビューが表示しているフレームです。グラフの横の数値はこのフレームのものです。
 グラフでは、ホイールでスクロール、Ctrl+ホイールでポインターの位置を中心に時間軸を拡大縮小、Shift+ホイールで時間軸に沿って移動します。</translation>
@@ -8453,7 +8453,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
 <context>
     <name>dewpoint::ui::PreviewPane</name>
     <message>
-        <source>Working on the preview: %1 %</source>
+        <source>Preparing the preview: %1 %</source>
         <translation>プレビューを作成中:%1 %</translation>
     </message>
     <message>
@@ -8469,7 +8469,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>大きさ</translation>
     </message>
     <message>
-        <source>Some of these results are from earlier settings.</source>
+        <source>Some of these results were tracked with earlier settings.</source>
         <translation>この結果の一部は以前の設定によるものです。</translation>
     </message>
     <message>
@@ -8750,8 +8750,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>見えるもの</translation>
     </message>
     <message>
-        <source>Each camera view shows its image with the estimates drawn over it. The bird&apos;s-eye view shows the same in the room.</source>
-        <translation>各カメラビューは画像と、その上に推定結果を表示します。鳥瞰図は同じものを部屋の中で表示します。</translation>
+        <source>Each camera view shows its image with the estimates drawn over it. The bird&apos;s-eye view shows the estimates in the room.</source>
+        <translation>各カメラビューは画像と、その上に推定結果を表示します。鳥瞰図は推定結果を部屋の中に表示します。</translation>
     </message>
     <message>
         <source>State of a target</source>
@@ -8850,7 +8850,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
 <context>
     <name>dewpoint::ui::RigPlanner</name>
     <message>
-        <source>With %1 at x %2, y %3, z %4, the error is at most %6 in %5 of the volume, instead of %7 without this camera.</source>
+        <source>With %1 at x %2, y %3, z %4, the error is at most %6 in %5 of the volume (in %7 without this camera).</source>
         <translation>%1 を x %2、y %3、z %4 に置くと、誤差が %6 以内の空間は %5 です。このカメラがなければ %7 だけです。</translation>
     </message>
 </context>
@@ -9081,7 +9081,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>すべてのショートカットを既定に戻します</translation>
     </message>
     <message>
-        <source>Choose an action, click into the field below and press the new keys.</source>
+        <source>Choose an action, click the field below and press the new keys.</source>
         <translation>操作を選び、下の欄をクリックして新しいキーを押してください。</translation>
     </message>
     <message>
@@ -9093,12 +9093,12 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>すべてのショートカットを既定に戻しました。</translation>
     </message>
     <message>
-        <source>“%1” is now %2.</source>
-        <translation>「%1」は %2 になりました。</translation>
+        <source>“%1” now has the shortcut %2.</source>
+        <translation>「%1」のショートカットは %2 になりました。</translation>
     </message>
     <message>
-        <source>“%1” is now %2; it was removed from “%3”.</source>
-        <translation>「%1」は %2 になり、「%3」からは外れました。</translation>
+        <source>“%1” now has the shortcut %2, which was removed from “%3”.</source>
+        <translation>「%1」のショートカットは %2 になり、「%3」からは外れました。</translation>
     </message>
     <message>
         <source>Close</source>
@@ -9531,7 +9531,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>開始前のこの時間も録画されます。そのために全カメラの最新の画像を、合計 512 MB までメモリに保持します。</translation>
     </message>
     <message>
-        <source>Text that is kept with the take</source>
+        <source>Text that is saved with the take</source>
         <translation>テイクと一緒に保存されるテキスト</translation>
     </message>
 </context>
@@ -9692,7 +9692,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>フィルターを計算するスレッドの数。結果は変わりません</translation>
     </message>
     <message>
-        <source>The new number is used from the next frame.</source>
+        <source>The new number is used from the next frame on.</source>
         <translation>新しい数は次のフレームから使われます。</translation>
     </message>
     <message>
@@ -9727,12 +9727,12 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>変更は新しいフレームに適用されます。「%1」で現在のフレームから追跡し直せます。</translation>
     </message>
     <message>
-        <source>There is no new trouble after this frame.</source>
-        <translation>このフレームより後に新しいトラブルはありません。</translation>
+        <source>After this frame, there are no new problems with targets or cameras.</source>
+        <translation>このフレームより後に、ターゲットやカメラの新しいトラブルはありません。</translation>
     </message>
     <message>
-        <source>There is no other trouble before this frame.</source>
-        <translation>このフレームより前にほかのトラブルはありません。</translation>
+        <source>Before this frame, there are no other problems with targets or cameras.</source>
+        <translation>このフレームより前に、ターゲットやカメラのほかのトラブルはありません。</translation>
     </message>
 </context>
 <context>
@@ -10184,8 +10184,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>速度</translation>
     </message>
     <message>
-        <source>1 is real time, 0.1 is ten times slower, 8 is eight times faster; up to 100. With 0, every frame is shown once</source>
-        <translation>1 は実時間、0.1 は 10 分の 1、8 は 8 倍の速さです(最大 100)。0 では各フレームを 1 回ずつ示します</translation>
+        <source>Speed of the video, up to 100: 1 is real time, 0.1 is ten times slower, and 8 is eight times faster. With 0, every frame is shown once</source>
+        <translation>動画の速さ（最大 100）: 1 は実時間、0.1 は 10 分の 1、8 は 8 倍の速さです。0 では各フレームを 1 回ずつ示します</translation>
     </message>
     <message>
         <source>Size</source>
@@ -10461,8 +10461,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>ボールの直径 %1</translation>
     </message>
     <message>
-        <source>the current cameras</source>
-        <translation>現在のカメラ</translation>
+        <source>the current camera positions</source>
+        <translation>現在のカメラ位置</translation>
     </message>
     <message>
         <source>a known distance</source>
@@ -10485,7 +10485,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>ワンドの種類</translation>
     </message>
     <message>
-        <source>A wand with two balls also gives the scale. It is more accurate than the scale from a diameter or a distance</source>
+        <source>A wand with two balls also gives the scale. This scale is more accurate than one from a diameter or a distance</source>
         <translation>2 つのボールの付いたワンドからは縮尺も求まります。直径や距離から求めるより正確です</translation>
     </message>
     <message>
@@ -10720,8 +10720,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>録画の各部分から求めたキャリブレーションのばらつきは、画像の雑音から予想される大きさの %1 倍です。示された精度にはそれが含まれています。</translation>
     </message>
     <message>
-        <source>%1 was far off: the refinement rotates it by %2 and moves it by %3, much more than the others. Was it moved after its calibration?</source>
-        <translation>%1は大きくずれていました。補正で%2回転し、%3移動します。ほかのカメラよりはるかに大きな値です。キャリブレーションの後に動かしませんでしたか?</translation>
+        <source>%1 was far off: the refinement rotates this camera by %2 and moves it by %3, much more than the other cameras. Was it moved after its calibration?</source>
+        <translation>%1は大きくずれていました。補正でこのカメラを%2回転し、%3移動します。ほかのカメラよりはるかに大きな値です。キャリブレーションの後に動かしませんでしたか?</translation>
     </message>
     <message>
         <source>The previous calibration fits the images as well as the new one. Keep the previous one, or wave longer and through more of the volume.</source>
@@ -10751,8 +10751,8 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         <translation>振り始める</translation>
     </message>
     <message>
-        <source>Nothing collected yet.</source>
-        <translation>まだ何も集めていません。</translation>
+        <source>No ball positions collected yet.</source>
+        <translation>ボールの位置はまだ集められていません。</translation>
     </message>
     <message>
         <source>Every camera has seen the ball often enough: stop waving, or press Refine cameras.</source>

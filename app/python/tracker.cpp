@@ -128,8 +128,9 @@ template <class Part> auto ofSample(Part part) {
 }
 
 py::object bestOf(const Estimate& estimate) {
-  return estimate.sample && estimate.sample->bestParticle ? py::object(toArray(*estimate.sample->bestParticle))
-                                                  : py::object(py::none());
+  return estimate.sample && estimate.sample->bestParticle
+             ? py::object(toArray(*estimate.sample->bestParticle))
+             : py::object(py::none());
 }
 
 py::object boxOfEstimate(const Estimate& estimate) {

@@ -46,7 +46,7 @@ struct PersonMotion {
 struct WalkingMotion {
   double interval = 0.0;          ///< seconds since the last step
   double accelerationSigma = 3.0; ///< standard deviation along each axis, m/s²
-  double meanHeight = 1.72;      ///< m
+  double meanHeight = 1.72;       ///< m
   double heightSigma = 0.01;      ///< standard deviation, m per step
 
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {

@@ -77,7 +77,7 @@ std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const WorldB
 }
 
 std::vector<ImageLine> projectLine(const Projector& projector, const Eigen::Vector3d& from,
-                                     const Eigen::Vector3d& to) {
+                                   const Eigen::Vector3d& to) {
   const auto pointAt = [&](double share) { return Eigen::Vector3d(from + share * (to - from)); };
   return projectedCurve(projector, pointAt, kPiecesOfLine);
 }

@@ -25,7 +25,7 @@ std::array<std::pair<Eigen::Vector3d, Eigen::Vector3d>, 12> edgesOf(const WorldB
 /// (Projector::project()), and parts more than 10,000 pixels away from the image. If such parts lie
 /// between visible parts, the result has several pieces.
 std::vector<ImageLine> projectLine(const Projector& projector, const Eigen::Vector3d& from,
-                                     const Eigen::Vector3d& to);
+                                   const Eigen::Vector3d& to);
 /// Projects the twelve edges of a box like projectLine(), and returns the pieces of all edges.
 std::vector<ImageLine> projectEdges(const Projector& projector, const WorldBox& box);
 /// Projects a ray like projectLine(), up to 1000 m from the origin of the ray. If the ray belongs

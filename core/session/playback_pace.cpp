@@ -19,7 +19,8 @@ PlaybackPace::Step PlaybackPace::next(const Situation& situation) const {
   const bool isSlow = pace_.slowUntilTracking && !situation.isReplaying && !situation.isHeld &&
                       situation.iterations < kMaxSlowIterations;
   if (isSlow) {
-    return {situation.iterations == 0 ? kFirstIterationDelay : Seconds(1.0 / kSlowIterationsPerSecond),
+    return {situation.iterations == 0 ? kFirstIterationDelay
+                                      : Seconds(1.0 / kSlowIterationsPerSecond),
             true};
   }
   return {Seconds(1.0 / (pace_.speed * std::max(1.0, situation.framesPerSecond))), false};

@@ -203,7 +203,8 @@ void SnapshotBuilder::show(const TrackedFrame& trackedFrame, const TrackingRun& 
   snapshot.peopleCameras = trackedFrame.peopleCameras;
   snapshot.targets.clear();
   for (std::size_t k = 0; k < trackedFrame.targets.size(); ++k) {
-    snapshot.targets.push_back(snapshotOf(trackedFrame.targets[k], (*trackedFrame.targetDefinitions)[k]));
+    snapshot.targets.push_back(
+        snapshotOf(trackedFrame.targets[k], (*trackedFrame.targetDefinitions)[k]));
     if (history != nullptr) {
       snapshot.targets.back().tail = history->tail(k, snapshot.frame, tailEnd);
     }

@@ -23,7 +23,7 @@ std::vector<ActionDeclaration> editActions() {
        Qt::SHIFT | Qt::Key_Delete},
       {"actionHideTarget", group, QT_TRANSLATE_NOOP("Actions", "Hide or show the target"),
        QT_TRANSLATE_NOOP("Actions", "Hide the selected target in the images and in the bird's-eye "
-                                    "view, or show it again; it is tracked all the same"),
+                                    "view, or show it again. A hidden target is still tracked"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_H},
       {"actionPlacePerson", group, QT_TRANSLATE_NOOP("Actions", "Add person…"),
        QT_TRANSLATE_NOOP("Actions",

@@ -84,8 +84,7 @@ ShortcutEditor::ShortcutEditor(ActionRegistry& registry, QWidget* parent)
       note_->setText(noteText_());
     }
   });
-  showHint(
-      [] { return tr("Choose an action, click into the field below and press the new keys."); });
+  showHint([] { return tr("Choose an action, click the field below and press the new keys."); });
   connect(search_, &QLineEdit::textChanged, this, &ShortcutEditor::filter);
   connect(tree_, &QTreeWidget::currentItemChanged, this, &ShortcutEditor::showCurrent);
   connect(keys_, &QKeySequenceEdit::editingFinished, this, &ShortcutEditor::assign);
@@ -169,8 +168,8 @@ void ShortcutEditor::assign() {
   registry_.setShortcut(action, keys);
   showHint([this, action, holder, shown] {
     const QString name = registry_.labelOf(action);
-    return holder == nullptr ? tr("“%1” is now %2.").arg(name, shown)
-                             : tr("“%1” is now %2; it was removed from “%3”.")
+    return holder == nullptr ? tr("“%1” now has the shortcut %2.").arg(name, shown)
+                             : tr("“%1” now has the shortcut %2, which was removed from “%3”.")
                                    .arg(name, shown, registry_.labelOf(holder));
   });
 }

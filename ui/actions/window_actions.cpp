@@ -24,7 +24,8 @@ std::vector<ActionDeclaration> projectActions() {
       {"actionOpenDemo", group, QT_TRANSLATE_NOOP("Actions", "Open the demo"),
        QT_TRANSLATE_NOOP("Actions", "Open the simulated demo scene")},
       {"actionSave", group, QT_TRANSLATE_NOOP("Actions", "Save"),
-       QT_TRANSLATE_NOOP("Actions", "Write the project to its file"), "save", QKeySequence::Save},
+       QT_TRANSLATE_NOOP("Actions", "Save the changes to the project file"), "save",
+       QKeySequence::Save},
       {"actionSaveAs", group, QT_TRANSLATE_NOOP("Actions", "Save as…"),
        QT_TRANSLATE_NOOP("Actions", "Save the project under another name"), nullptr,
        Qt::CTRL | Qt::SHIFT | Qt::Key_S},
@@ -43,7 +44,7 @@ std::vector<ActionDeclaration> projectActions() {
        QT_TRANSLATE_NOOP("Actions", "Save a camera image, the bird's-eye view or a plot as PNG"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_P},
       {"actionCloseProject", group, QT_TRANSLATE_NOOP("Actions", "Close project"),
-       QT_TRANSLATE_NOOP("Actions", "Back to the start page"), nullptr, QKeySequence::Close},
+       QT_TRANSLATE_NOOP("Actions", "Go back to the start page"), nullptr, QKeySequence::Close},
       {"actionQuit", group, QT_TRANSLATE_NOOP("Actions", "Quit"),
        QT_TRANSLATE_NOOP("Actions", "Quit Dewpoint"), nullptr, QKeySequence::Quit},
   };
@@ -183,13 +184,13 @@ std::vector<ActionDeclaration> runActions() {
                          "Record the live cameras into a folder that opens as a project, "
                          "or stop recording"),
        "record", Qt::Key_F9, true},
-      {"actionTakeNotes", group, QT_TRANSLATE_NOOP("Actions", "Take number and notes…"),
+      {"actionTakeNotes", group, QT_TRANSLATE_NOOP("Actions", "Set take number and notes…"),
        QT_TRANSLATE_NOOP(
            "Actions",
            "Set the number and notes of the next take, or the notes of the current take")},
       {"actionSendResults", group, QT_TRANSLATE_NOOP("Actions", "Send results"),
        QT_TRANSLATE_NOOP("Actions", "Start or stop sending positions to other programs during the "
-                                    "run. Nothing is sent before you choose this"),
+                                    "run. Until you start sending, nothing is sent"),
        nullptr, Qt::SHIFT | Qt::Key_F9, true},
       {"actionOutputs", group, QT_TRANSLATE_NOOP("Actions", "Outputs…"),
        QT_TRANSLATE_NOOP("Actions",
@@ -200,7 +201,7 @@ std::vector<ActionDeclaration> runActions() {
       {"actionExperiments", group, QT_TRANSLATE_NOOP("Actions", "Experiments…"),
        QT_TRANSLATE_NOOP(
            "Actions",
-           "Reproduce figures of the papers that describe the methods, and write a report"),
+           "Reproduce figures from the papers that describe the methods, and write a report"),
        nullptr, Qt::CTRL | Qt::SHIFT | Qt::Key_X},
   };
 }

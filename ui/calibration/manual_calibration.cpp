@@ -250,8 +250,8 @@ void ManualCalibration::dragTo(const Eigen::Vector2d& pixel) {
   if (!drag_) {
     return;
   }
-  const DragResult result =
-      dragPoint(drag_->cameraAtStart, drag_->fixedAnchors, {drag_->point, pixel + drag_->mouseOffset}, settings_);
+  const DragResult result = dragPoint(drag_->cameraAtStart, drag_->fixedAnchors,
+                                      {drag_->point, pixel + drag_->mouseOffset}, settings_);
   reportLimit(result);
   changeCamera(drag_->camera, tr("Drag the grid in %1").arg(nameOf(drag_->camera)), result.camera,
                "drag grid");
@@ -350,10 +350,10 @@ void ManualCalibration::nudge(int axis, double factor, bool repeated) {
 void ManualCalibration::nudgeFocalLength(double percent, bool repeated) {
   const std::string key = fmt::format("nudge {} focal {}", camera(), percent > 0.0);
   const double sum = runningSum(key, percent, repeated);
-  changeCamera(
-      camera(),
-      tr("%1 focal length %2 %").arg(nameOf(camera()), numberText(sum, 1, NumberForm::Signed)),
-      zoomed(projectCamera(camera()), 1.0 + percent / 100.0), key);
+  changeCamera(camera(),
+               tr("%1: change focal length by %2 %")
+                   .arg(nameOf(camera()), numberText(sum, 1, NumberForm::Signed)),
+               zoomed(projectCamera(camera()), 1.0 + percent / 100.0), key);
 }
 
 void ManualCalibration::changeCamera(int camera, const QString& step, const Camera& changed,

@@ -166,7 +166,7 @@ void AddressForm::retranslateUi() {
   kind_->setToolTip(tr("Shows what an address of this kind looks like"));
   address_->setAccessibleName(tr("Address of the camera"));
   address_->setToolTip(tr("Address of a network camera, a GStreamer pipeline or a test pattern"));
-  try_->setToolTip(tr("Open the address, and show its first image, its size and its rate"));
+  try_->setToolTip(tr("Open the address, and show the first image, its size and the frame rate"));
   add_->setText(tr("Add"));
   replace_->setText(tr("Assign to selected camera"));
   refresh();

@@ -154,7 +154,7 @@ void CameraEdits::setFormats(const std::map<int, capture::DeviceFormat>& formats
 
 void CameraEdits::setControl(int camera, const std::string& name, std::int64_t value) {
   const auto edited = document_.edit(
-      tr("Change camera control"),
+      tr("Change camera setting"),
       [&](Project& project) {
         project.cameras[static_cast<std::size_t>(camera)].device.controls[name] = value;
       },

@@ -104,7 +104,7 @@ void CamerasDialog::arrange() {
 
 void CamerasDialog::retranslateUi() {
   setWindowTitle(tr("Cameras – Dewpoint"));
-  fit_->setText(tr("Use formats that fit the bus"));
+  fit_->setText(tr("Fit formats to the USB bus"));
   updateBandwidth();
 }
 

@@ -24,8 +24,8 @@ ExposureBars::ExposureBars(QWidget* parent) : QWidget(parent) {
   onRetranslate(this, [this] {
     setAccessibleName(tr("Brightness of the target's pixels"));
     setToolTip(tr("Brightness of the target's pixels, from black on the left to white on the "
-                  "right. The bars at the two ends, drawn in the color of text, count pixels that "
-                  "are too dark or overexposed: these pixels have lost their color."));
+                  "right. The highlighted bars at the two ends count pixels that are too dark or "
+                  "overexposed: these pixels have lost their color."));
   });
 }
 

@@ -68,7 +68,7 @@ void ColorLearner::learnFrom(int camera, const QRectF& region, SampleAction acti
     samples = project.targets[static_cast<std::size_t>(target_)].samples;
   }
   if (action == SampleAction::Exclude && samples.empty()) {
-    Q_EMIT failed(tr("Click the target first. Then exclude colors that are not the target."));
+    Q_EMIT failed(tr("Click the target first. Then exclude colors of other objects."));
     return;
   }
   const int target = isNew ? -1 : target_;

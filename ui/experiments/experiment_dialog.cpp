@@ -174,7 +174,7 @@ void ExperimentDialog::retranslateUi() {
   clothes_->setItemText(1, tr("different"));
   clothes_->setItemText(2, tr("similar"));
   recordingsLabel_->setText(tr("Recordings"));
-  recordings_->setPlaceholderText(tr("none: only a rendered clip"));
+  recordings_->setPlaceholderText(tr("no folder: only a rendered clip"));
   recordings_->setToolTip(tr("Folder with the recordings juggle1 and otb; without a folder, only a "
                              "rendered clip is used"));
   browseRecordings_->setText(tr("Choose…"));

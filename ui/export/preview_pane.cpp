@@ -60,7 +60,7 @@ PreviewPane::PreviewPane(ExportJobs& jobs, std::function<void()> order, QWidget*
 void PreviewPane::connectJobs() {
   connect(&jobs_, &ExportJobs::previewProgressChanged, this, [this](int percent) {
     if (isUnderWay_) {
-      size_->setText(tr("Working on the preview: %1 %").arg(percent));
+      size_->setText(tr("Preparing the preview: %1 %").arg(percent));
     }
   });
   connect(&jobs_, &ExportJobs::previewReady, this, &PreviewPane::showPreview);
@@ -77,7 +77,7 @@ void PreviewPane::retranslateUi() {
   lines_->setToolTip(tr("First lines of the file"));
   units_->setAccessibleName(tr("Units and axes"));
   size_->setAccessibleName(tr("Size"));
-  old_->setText(tr("Some of these results are from earlier settings."));
+  old_->setText(tr("Some of these results were tracked with earlier settings."));
 }
 
 void PreviewPane::setHasOldResults(bool has) {

@@ -101,10 +101,9 @@ void VideoForm::retranslateUi() {
   setTexts(to_, tr("To"),
            tr("Time in the recording at which the video ends, 0 to 1,000,000 s. The end is the "
               "last tracked frame; later frames have no results"));
-  setTexts(
-      speed_, tr("Speed"),
-      tr("1 is real time, 0.1 is ten times slower, 8 is eight times faster; up to 100. With 0, "
-         "every frame is shown once"));
+  setTexts(speed_, tr("Speed"),
+           tr("Speed of the video, up to 100: 1 is real time, 0.1 is ten times slower, and 8 is "
+              "eight times faster. With 0, every frame is shown once"));
   setTexts(size_, tr("Size"), tr("Width and height of the video in pixels"));
   setTexts(rate_, tr("Frame rate"), tr("Images of the video per second, 1 to 240"));
   setTexts(encoding_, tr("Format"), tr("Formats that this computer can write"));

@@ -121,7 +121,8 @@ VideoDialog* makeVideoDialog(const Workbench& bench, const TimelineModel& time) 
     dialog->resetChoices(videoFile(*destination));
   };
   QObject::connect(&bench.document, &Document::replaced, dialog, resetChoices);
-  QObject::connect(dialog, &VideoDialog::fileWritten, destination, &ExportDestination::rememberFolder);
+  QObject::connect(dialog, &VideoDialog::fileWritten, destination,
+                   &ExportDestination::rememberFolder);
   resetChoices();
   QObject::connect(&bench.session, &SessionController::runEnded, dialog, [dialog] {
     dialog->stop(VideoDialog::tr("The export was stopped because the run has ended."));

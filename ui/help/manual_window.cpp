@@ -100,7 +100,7 @@ ManualWindow::ManualWindow(const QString& folder, const QString& expected, QWidg
 void ManualWindow::retranslateUi() {
   setWindowTitle(tr("Manual – Dewpoint"));
   list_->setAccessibleName(tr("Pages of the manual"));
-  back_->setToolTip(tr("Back to the previous page"));
+  back_->setToolTip(tr("Go back to the previous page"));
   forward_->setToolTip(tr("Go forward one page"));
   missing_->setText(
       tr("The manual was not found. It is expected in the folder %1.").arg(expected_));

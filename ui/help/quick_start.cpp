@@ -143,7 +143,7 @@ void QuickStart::retranslateUi() {
   setWindowTitle(tr("Quick start – Dewpoint"));
   seenHeading_->setText(tr("What you see"));
   seenText_->setText(tr("Each camera view shows its image with the estimates drawn over it. The "
-                        "bird's-eye view shows the same in the room."));
+                        "bird's-eye view shows the estimates in the room."));
   stateHeading_->setText(tr("State of a target"));
   beginHeading_->setText(tr("How to start"));
   const std::array<QString, kQuickStartSteps> steps{

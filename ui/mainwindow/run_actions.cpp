@@ -33,7 +33,8 @@ bool askToRestart(const Workbench& bench, bool newSeed) {
 /// False: the recording has not ended, or there is nothing to lose.
 bool askToPlayAgain(const Workbench& bench) {
   const TrackSnapshotPtr& shown = bench.session.shownSnapshot();
-  if (shown == nullptr || shown->state != PlayState::Ended || shown->history.newestTrackedFrame <= 0) {
+  if (shown == nullptr || shown->state != PlayState::Ended ||
+      shown->history.newestTrackedFrame <= 0) {
     return false;
   }
   SessionController* run = &bench.session;

@@ -118,7 +118,7 @@ void CameraPanel::connectFields() {
     });
   });
   connect(source_, &QLineEdit::editingFinished, this, [this] {
-    edit(tr("Change source of images"), [this](ProjectCamera& camera) {
+    edit(tr("Change image source"), [this](ProjectCamera& camera) {
       camera.location = source_->text().trimmed().toStdString();
     });
   });
@@ -275,7 +275,7 @@ void CameraPanel::relocate() {
           ? QFileDialog::getExistingDirectory(this, tr("Choose a folder of images"), old)
           : QFileDialog::getOpenFileName(this, tr("Choose the video for this camera"), old);
   if (!file.isEmpty()) {
-    edit(tr("Change source of images"),
+    edit(tr("Change image source"),
          [&](ProjectCamera& changed) { changed.location = file.toStdString(); });
   }
 }

@@ -310,7 +310,8 @@ void TargetPanel::changeEvent(QEvent* event) {
 
 void TargetPanel::showBox() {
   const auto index = static_cast<std::size_t>(std::max(0, chosenTarget()));
-  if (!snapshot_ || !presentationOf(*snapshot_).resultsAreBoxes || index >= snapshot_->targets.size()) {
+  if (!snapshot_ || !presentationOf(*snapshot_).resultsAreBoxes ||
+      index >= snapshot_->targets.size()) {
     box_->clear();
     histograms_->setHistograms(nullptr);
     return;

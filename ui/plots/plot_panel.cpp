@@ -60,7 +60,7 @@ PlotPanel::PlotPanel(ActionRegistry& actions, Selection& selection, QWidget* par
   layout->addWidget(convergence_);
   onRetranslate(this, [this] {
     updateCameras();
-    stack_->setEmptyText(tr("Plots appear when tracking runs."));
+    stack_->setEmptyText(tr("Plots appear during tracking."));
     stack_->setAccessibleName(tr("Plots of the run"));
     stack_->focusProxy()->setAccessibleName(tr("Plots of the run"));
   });
@@ -147,9 +147,9 @@ QWidget* PlotPanel::makeTools(QWidget* parent) {
     stack_->focusProxy()->setAccessibleDescription(stack_->valuesText());
   });
   onRetranslate(place, [place] {
-    place->setToolTip(tr("The frame that all views show. The numbers beside the plots belong to "
-                         "it.\nIn the plots, the wheel scrolls, Ctrl+wheel zooms in time at the "
-                         "pointer, and Shift+wheel moves along the time axis."));
+    place->setToolTip(tr("The frame that all views show. The numbers beside the plots are the "
+                         "values in this frame.\nIn the plots, the wheel scrolls, Ctrl+wheel zooms "
+                         "in time at the pointer, and Shift+wheel moves along the time axis."));
   });
   const auto button = [&](const char* name) {
     auto* made = new QToolButton(tools);

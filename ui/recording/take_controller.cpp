@@ -141,8 +141,7 @@ std::shared_ptr<const LiveRun> TakeController::liveRun() const {
 void TakeController::finish(const std::shared_ptr<TakeRecorder>& recorder, const QString& reason) {
   const TakeStatus take = recorder->status();
   const QString folder = QString::fromStdString(take.folder.string());
-  QString text =
-      tr("Take %1 (%2) was saved in %3.")
+  QString text = tr("Take %1 (%2) was saved in %3.")
                      .arg(take.number)
                      .arg(minutesAndSecondsText(take.durationSeconds), folder);
   if (!reason.isEmpty()) {

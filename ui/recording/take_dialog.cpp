@@ -72,7 +72,7 @@ void TakeDialog::retranslateUi() {
   preRoll_->setToolTip(
       tr("How many seconds before the start are recorded as well. For this, the last "
          "images of all cameras are kept in memory, up to 512 MB in total."));
-  notes_->setPlaceholderText(tr("Text that is kept with the take"));
+  notes_->setPlaceholderText(tr("Text that is saved with the take"));
 }
 
 } // namespace dewpoint::ui

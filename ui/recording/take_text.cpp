@@ -46,8 +46,9 @@ QString timeLeft(const TakeStatus& take) {
     return {};
   }
   const double left = static_cast<double>(take.freeBytes) * take.durationSeconds / bytes;
-  return left > kLongest ? QString()
-                         : QCoreApplication::translate("TakeText", "%1 left").arg(minutesAndSecondsText(left));
+  return left > kLongest
+             ? QString()
+             : QCoreApplication::translate("TakeText", "%1 left").arg(minutesAndSecondsText(left));
 }
 
 } // namespace

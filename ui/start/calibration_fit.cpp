@@ -44,14 +44,14 @@ CalibrationFit::CalibrationFit(QWidget* parent)
 }
 
 void CalibrationFit::retranslateUi() {
-  fitLabel_->setText(tr("Images compared with the calibration:"));
+  fitLabel_->setText(tr("Change since the calibration:"));
   const QString hint =
       tr("How the images differ from those of the calibration, if they have another "
          "size");
   setChoicesWithData(*fit_, sizeFitChoices());
-  fit_->setAccessibleName(tr("Change of the images"));
+  fit_->setAccessibleName(tr("Change of the images since the calibration"));
   fit_->setToolTip(hint);
-  namesLabel_->setText(tr("Choose the camera of the file for each camera of the project:"));
+  namesLabel_->setText(tr("For each camera of the project, choose a camera of the file:"));
   fillNames();
 }
 

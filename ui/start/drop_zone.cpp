@@ -34,7 +34,7 @@ QSize DropZone::sizeHint() const {
 }
 
 void DropZone::retranslateUi() {
-  setText(tr("Drop videos here, or add them"));
+  setText(tr("Drop or click to add videos"));
   line_ = tr("One video or image folder per camera; you can also drop a calibration file");
   setAccessibleName(text());
   setAccessibleDescription(line_);

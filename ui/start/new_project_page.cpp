@@ -366,7 +366,7 @@ void NewProjectPage::finish(const Result<CreatedProject>& result) {
       return;
     }
     if (asked.question == ImportQuestion::Names && calibration_->isNameQuestionShown()) {
-      Q_EMIT failed(tr("%1. Choose the camera of the file for each camera of the project below.")
+      Q_EMIT failed(tr("%1. For each camera of the project, choose a camera of the file below.")
                         .arg(errorText(asked.error)));
       return;
     }

@@ -79,7 +79,7 @@ QString accuracyText(const CalibrationAccuracy& accuracy) {
                          : CalibrationText::tr("not measured yet (use the page Floor)");
   const QString inside =
       CalibrationText::tr("In the calibrated volume: position %1, scale %2, upward direction %3 "
-                          "(each with a probability of 95 %).")
+                          "(95 % of the errors are smaller).")
           .arg(position, scale, up);
   if (!isKnown(accuracy.outsidePosition95)) {
     return inside;
@@ -99,8 +99,9 @@ QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {
   switch (fault.fault) {
   case CalibrationFault::MirroredBoard:
     return CalibrationText::tr(
-        "All cameras seem to see the back of the board or of the floor: the measured points are "
-        "probably mirrored. Check the direction of the axes, and that the print is not reversed.");
+        "All cameras seem to see the board from behind, or the floor from below: the measured "
+        "points are probably mirrored. Check the direction of the axes, and make sure that the "
+        "printed board is not mirrored.");
   case CalibrationFault::WrongUnitMillimeters:
     return CalibrationText::tr("The length that you entered is %1 times the length that the "
                                "cameras see: millimeters and meters are probably mixed up.")
@@ -120,9 +121,10 @@ QString faultText(const DetectedFault& fault, const QStringList& cameraNames) {
                "see. Measure a row with a ruler: prints are often rescaled.")
         .arg(ratioText(fault.value));
   case CalibrationFault::HalfPixel:
-    return CalibrationText::tr("The images fit only if they are shifted by %1 along both axes: the "
-                               "calibration probably measures from the corner of the first pixel, "
-                               "not from its center. Convert the principal points.")
+    return CalibrationText::tr(
+               "The images fit only if they are shifted by %1 along both axes: the calibration "
+               "probably counts pixel coordinates from the corner of the first pixel, not from its "
+               "center. Convert the principal points.")
         .arg(pixelText(fault.value));
   default:
     return cameraFault(fault, name(0), name(1));

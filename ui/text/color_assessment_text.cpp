@@ -127,12 +127,10 @@ QString colorAssessmentText(const ColorAssessment& assessment,
   if (!assessment.distractors.empty()) {
     const DistractorRegion& region = assessment.distractors.front();
     const auto camera = static_cast<std::size_t>(region.camera);
-    sentences
-        << ColorText::tr(
-               "The largest region of this color outside the target is in the image of %3, %2 "
-               "(it looks %1).")
-               .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
-                    camera < cameras.size() ? cameras[camera] : QString());
+    sentences << ColorText::tr("Outside the target, the largest region of this color (%1) is in "
+                               "the image of %3, %2.")
+                     .arg(colorName(region.color), placeName(region.horizontal, region.vertical),
+                          camera < cameras.size() ? cameras[camera] : QString());
   }
   if (const QString suggestion = suggestionSentence(assessment); !suggestion.isEmpty()) {
     sentences << suggestion;

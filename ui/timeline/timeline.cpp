@@ -72,7 +72,8 @@ void Timeline::setSnapshot(const TrackSnapshotPtr& shown) {
   const qint64 oldest =
       model_.records.empty() ? model_.history.firstFrame : model_.records.front().frame;
   const qint64 first = model_.isLive ? std::min<qint64>(oldest, model_.history.firstFrame) : 0;
-  const qint64 last = model_.isLive ? model_.history.lastFrame : snapshot.frameCount.value_or(1) - 1;
+  const qint64 last =
+      model_.isLive ? model_.history.lastFrame : snapshot.frameCount.value_or(1) - 1;
   scale_.setExtent(first, std::max(first, last));
   requested_.onShown(snapshot.frame);
   const int least = TimelineRows::minimumHeightFor(

@@ -48,9 +48,11 @@ void openFrameField(const Workbench& bench, ViewDock* dock, Timeline* timeline, 
 
 void stepToTrouble(const Workbench& bench, Timeline* timeline, int direction) {
   if (!timeline->stepToTrouble(direction)) {
-    bench.messages.showNotice(direction > 0
-                                  ? Timeline::tr("There is no new trouble after this frame.")
-                                  : Timeline::tr("There is no other trouble before this frame."));
+    bench.messages.showNotice(
+        direction > 0
+            ? Timeline::tr("After this frame, there are no new problems with targets or cameras.")
+            : Timeline::tr(
+                  "Before this frame, there are no other problems with targets or cameras."));
   }
 }
 
@@ -82,7 +84,8 @@ void connectActions(const Workbench& bench, ViewDock* dock, Timeline* timeline) 
 void explainChange(const Workbench& bench, const ProjectChanges& changes) {
   const bool again = changes.boxes && bench.document.methodFamily().retracksAfterEdit;
   const bool isLive = bench.session.shownSnapshot() && !bench.session.shownSnapshot()->frameCount;
-  if (isLive && bench.selection.showsOtherFrame() && (changes.parameters || changes.targets) && !again) {
+  if (isLive && bench.selection.showsOtherFrame() && (changes.parameters || changes.targets) &&
+      !again) {
     bench.messages.showNotice(
         Timeline::tr(
             "The change applies to new frames. Use “%1” to track again from the current frame.")

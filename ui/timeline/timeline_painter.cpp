@@ -127,7 +127,8 @@ void paintMarkers(QPainter& painter, const TimelineModel& model, const TimelineS
 void paintHead(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                const TimelineRows& rows, const Selection& selection, const QPalette& palette) {
   const QRectF body = rows.ribbons.united(rows.cameras);
-  if (selection.showsOtherFrame() && model.history.newestTrackedFrame >= 0) { // where the run stands meanwhile
+  if (selection.showsOtherFrame() &&
+      model.history.newestTrackedFrame >= 0) { // where the run stands meanwhile
     const double x = scale.x(static_cast<double>(model.history.newestTrackedFrame) + 0.5);
     painter.setPen(QPen(palette.color(QPalette::Text), 1.2, Qt::DashLine));
     painter.drawLine(QPointF(x, rows.axis.bottom()), QPointF(x, body.bottom()));

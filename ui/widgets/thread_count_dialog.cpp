@@ -49,7 +49,7 @@ void ThreadCountDialog::retranslateUi() {
   threads_->setSpecialValueText(tr("automatic"));
   threads_->setToolTip(
       tr("Number of threads that compute the filter. The results do not depend on it"));
-  note_->setText(tr("The new number is used from the next frame."));
+  note_->setText(tr("The new number is used from the next frame on."));
   accept_->setText(tr("OK"));
   accept_->setToolTip(tr("Use this number"));
   cancel_->setText(tr("Cancel"));

@@ -346,7 +346,7 @@ void addRecordCommand(CLI::App& app, int& exitCode) {
       ->add_option("--take", options->number,
                    "Number of the take (default: the next one after all takes in the folder)")
       ->check(CLI::Range(1, kHighestTakeNumber));
-  command->add_option("--take-notes", options->notes, "Text that is kept with the take");
+  command->add_option("--take-notes", options->notes, "Text that is saved with the take");
   auto* wait = command->add_flag("--wait", options->wait,
                                  "Start at a line on standard input, and stop at the next one");
   command

@@ -11,7 +11,7 @@ namespace dewpoint::calibration {
 /// Instruction for the user who shows the board.
 enum class GuidanceAdvice {
   ShowCalibrationBoard, ///< no board is detected
-  MoveTo,    ///< move the board to the image region GuidanceState::region
+  MoveTo,               ///< move the board to the image region GuidanceState::region
   /// Tilt the board so that the side GuidanceState::tilt is nearer, preferably with the board in
   /// GuidanceState::region.
   TiltTo,

@@ -23,9 +23,9 @@ std::string faultDescription(const DetectedFault& fault,
   };
   switch (fault.fault) {
   case CalibrationFault::MirroredBoard:
-    return "All cameras seem to see the back of the board or of the floor: the measured points are "
-           "probably mirrored. Check the direction of the axes, and that the print is not "
-           "reversed.";
+    return "All cameras seem to see the board from behind, or the floor from below: the measured "
+           "points are probably mirrored. Check the direction of the axes, and make sure that the "
+           "printed board is not mirrored.";
   case CalibrationFault::WrongUnitMillimeters:
     return fmt::format("The given length is {:.3g} times the length that the cameras see: "
                        "millimeters and meters are probably mixed up. Give all lengths in meters.",
@@ -48,8 +48,8 @@ std::string faultDescription(const DetectedFault& fault,
                        fault.value);
   case CalibrationFault::HalfPixel:
     return fmt::format("The images fit only if they are shifted by {:+.1f} px along both axes: the "
-                       "calibration probably measures from the corner of the first pixel, not from "
-                       "its center. Convert the principal points.",
+                       "calibration probably counts pixel coordinates from the corner of the first "
+                       "pixel, not from its center. Convert the principal points.",
                        fault.value);
   case CalibrationFault::CameraDelayed:
     return fmt::format("{} agrees with the other cameras only if its video is shifted in time: the "

@@ -55,8 +55,8 @@ std::span<const FigureExperiment> figureExperiments() {
                        50, &intoFolder<&writeBarreraDrift>},
       FigureExperiment{
           "starts", "From which starting positions the particles still find the target",
-          "Barrera et al. 2005, section III-B: the share of runs that converge, depending on the "
-          "size of the start volume, and on how far behind the ball a start point lies.",
+          "Barrera et al. 2005, section III-B: the share of runs that converge, for start volumes "
+          "of different sizes, and for start points at different distances behind the ball.",
           100, &intoFolder<&writeBarreraStarts>},
       FigureExperiment{"dynamics-fig6", "Error after a jump of the object",
                        "Barrera et al. 2005, figure 6: the object jumps 2 m at iteration 30.", 100,

@@ -130,7 +130,8 @@ RequirementValue depthBias(const MeasuredRuns& ours, const MeasuredRuns&) {
 }
 
 RequirementValue rmseRatioToTriangulation(const MeasuredRuns& ours, const MeasuredRuns& others) {
-  return columnQuantile(ours, &SuiteRow::rmseMm, 0.5) / columnQuantile(others, &SuiteRow::rmseMm, 0.5);
+  return columnQuantile(ours, &SuiteRow::rmseMm, 0.5) /
+         columnQuantile(others, &SuiteRow::rmseMm, 0.5);
 }
 
 RequirementValue rmseRatioOnSharedFrames(const MeasuredRuns& ours, const MeasuredRuns& others) {

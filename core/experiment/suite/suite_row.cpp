@@ -96,7 +96,8 @@ std::span<const SuiteColumn> suiteColumns() {
   static constexpr std::array kColumns{
       SuiteColumn{"rmse_mm", &SuiteRow::rmseMm, "root mean square error after convergence"},
       SuiteColumn{"median_mm", &SuiteRow::medianErrorMm, "median error after convergence"},
-      SuiteColumn{"p95_mm", &SuiteRow::p95ErrorMm, "95th percentile of the error after convergence"},
+      SuiteColumn{"p95_mm", &SuiteRow::p95ErrorMm,
+                  "95th percentile of the error after convergence"},
       SuiteColumn{"max_mm", &SuiteRow::maxErrorMm, "largest error after convergence"},
       SuiteColumn{"depth_mm", &SuiteRow::depthErrorMm,
                   "RMS error along the mean viewing direction of the cameras"},

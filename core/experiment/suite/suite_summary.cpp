@@ -86,7 +86,7 @@ std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
 }
 
 double columnQuantile(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column,
-                  double fraction) {
+                      double fraction) {
   const auto values = columnValues(runs, column);
   if (values.empty()) {
     return kNoValue;

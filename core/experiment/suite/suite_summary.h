@@ -42,7 +42,7 @@ std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
 /// Return a quantile (`fraction` in [0, 1]) and the mean of columnValues(); NaN if there are no
 /// values. A quantile that lies between a finite and an infinite value is infinite.
 double columnQuantile(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column,
-                  double fraction);
+                      double fraction);
 double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column);
 
 /// Returns the errors of each target in each run from convergence on, in millimeters. If a target

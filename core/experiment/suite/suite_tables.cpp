@@ -65,8 +65,8 @@ std::string beliefCell(const ScenarioSummary& figure) {
 }
 
 std::string methodName(const std::string& method) {
-  return fmt::format("<span class='{}'><span class='dot'></span>{}</span>", plotStyleOfMethod(method),
-                     htmlEscaped(method));
+  return fmt::format("<span class='{}'><span class='dot'></span>{}</span>",
+                     plotStyleOfMethod(method), htmlEscaped(method));
 }
 
 struct TableColumn {

@@ -82,7 +82,8 @@ struct LabelKernel {
     constexpr auto kTarget = static_cast<std::uint8_t>(PixelLabel::Target);
     for (std::int64_t i = 0; i < count; ++i) {
       const std::uint8_t known = select(mask(label[i] != 0), kBackground, kUnknown);
-      const std::uint8_t rest = select(mask(confidence[i] >= kObservationsUntilKnown), known, kUnlearned);
+      const std::uint8_t rest =
+          select(mask(confidence[i] >= kObservationsUntilKnown), known, kUnlearned);
       const std::uint8_t relit = mask((matched[i] != 0) & (rest != kBackground));
       label[i] = select(mask(matched[i] == 0xFF) | relit, kTarget, rest);
     }

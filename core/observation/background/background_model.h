@@ -85,8 +85,8 @@ public:
   /// them to `labels`. `matched` says for each pixel whether it has the target color. If `matched`
   /// is 255, the label is Target, or Explained if the background image is known to show the same
   /// color there. If `matched` is 0, the label is Unlearned, Background or Unknown. If `matched` is
-  /// kMatchesInReferenceLight (target color only after conversion to the reference light), the label is
-  /// as for 255, except that a pixel that agrees with the background stays Background.
+  /// kMatchesInReferenceLight (target color only after conversion to the reference light), the
+  /// label is as for 255, except that a pixel that agrees with the background stays Background.
   void labelRow(const cv::Mat& image, int column, int row, int count, const std::uint8_t* matched,
                 std::uint8_t* labels) const;
 

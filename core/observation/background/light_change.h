@@ -15,8 +15,8 @@ namespace dewpoint::observation {
 /// ratio over a grid of pixels.
 ///
 /// `image` and `mean` are CV_8UC3 of one size. The mean is known where `confidence` (CV_8UC1) is at
-/// least BackgroundModel::kObservationsUntilKnown. `light` is the light to which the mean corresponds, relative to
-/// a reference light.
+/// least BackgroundModel::kObservationsUntilKnown. `light` is the light to which the mean
+/// corresponds, relative to a reference light.
 ///
 /// Returns nothing in these cases:
 /// - The light is about the same.

@@ -17,10 +17,10 @@ void motionLikelihood(const cv::Mat& mask, double sigma, double floor, cv::Mat& 
 /// Color likelihood of a pixel for a person with a given hue and saturation (Mohedano et al. 2009,
 /// equations 10 to 13).
 struct ColorCue {
-  double hueSigma = 0.04;        ///< sigma_h, for a hue in [0, 1]
-  double saturationSigma = 0.08; ///< sigma_s
-  double minHueLikelihood = 0.3;         ///< h_B
-  double minSaturationLikelihood = 0.3;  ///< s_B
+  double hueSigma = 0.04;               ///< sigma_h, for a hue in [0, 1]
+  double saturationSigma = 0.08;        ///< sigma_s
+  double minHueLikelihood = 0.3;        ///< h_B
+  double minSaturationLikelihood = 0.3; ///< s_B
 
   /// Returns the log likelihood log(p(H | h) p(S | s)) of a pixel (BGR) with hue H and saturation
   /// S, where h is `hue` and s is `saturation`. A gray pixel has no hue. For such a pixel, p(H) is

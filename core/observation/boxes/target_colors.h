@@ -9,9 +9,9 @@
 
 namespace dewpoint::observation {
 
-/// One value per color bin: max(0, 2 P - 1) in units of 1 / TargetColors::kFixedPointOne, where P is the
-/// probability that a pixel of this color belongs to the target. The value is 0 if the color is at
-/// least as frequent in the surroundings as on the target.
+/// One value per color bin: max(0, 2 P - 1) in units of 1 / TargetColors::kFixedPointOne, where P
+/// is the probability that a pixel of this color belongs to the target. The value is 0 if the color
+/// is at least as frequent in the surroundings as on the target.
 using BinShares = std::vector<std::uint16_t>;
 
 /// Color histograms of a target and of its surroundings. The target's box is divided into parts,

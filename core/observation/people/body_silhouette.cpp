@@ -42,7 +42,8 @@ BodySilhouette SilhouetteProjector::project(const Eigen::Vector2d& position, dou
     y[k] = position.y();
     z[k] = floor + height * static_cast<double>(k) / kBodyPartCount;
   }
-  projector_.projectBatch(kBodyPartCount + 1, x.data(), y.data(), z.data(), column.data(), row.data());
+  projector_.projectBatch(kBodyPartCount + 1, x.data(), y.data(), z.data(), column.data(),
+                          row.data());
   BodySilhouette result;
   for (std::size_t k = 0; k < kBodyPartCount; ++k) {
     const double distance = depth({x[k], y[k], 0.5 * (z[k] + z[k + 1])});

@@ -95,8 +95,9 @@ ClothesRatio ClothesModel::logRatioAgainst(const ClothesModel& other) const {
   return ratio;
 }
 
-double ClothesModel::meanLogRatioInSilhouette(const ClothesRatio& ratio, const cv::Mat& image, const cv::Mat& mask,
-                               const BodySilhouette& silhouette, const cv::Mat& covered) {
+double ClothesModel::meanLogRatioInSilhouette(const ClothesRatio& ratio, const cv::Mat& image,
+                                              const cv::Mat& mask, const BodySilhouette& silhouette,
+                                              const cv::Mat& covered) {
   double sum = 0.0;
   double count = 0.0;
   forEachOwnPixel(image, mask, silhouette, covered, [&](std::size_t part, const auto* bgr) {

@@ -41,8 +41,9 @@ public:
   /// Returns the mean of `ratio` over those pixels of a silhouette that move (nonzero in `mask`)
   /// and are not covered by other people (zero in `covered`). Returns 0 if there are no such
   /// pixels.
-  static double meanLogRatioInSilhouette(const ClothesRatio& ratio, const cv::Mat& image, const cv::Mat& mask,
-                          const BodySilhouette& silhouette, const cv::Mat& covered);
+  static double meanLogRatioInSilhouette(const ClothesRatio& ratio, const cv::Mat& image,
+                                         const cv::Mat& mask, const BodySilhouette& silhouette,
+                                         const cv::Mat& covered);
 
 private:
   /// Number of updates until the clothes are known. The origin of this value is not recorded.

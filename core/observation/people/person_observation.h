@@ -28,9 +28,9 @@ struct PersonCamera {
 /// image. In the MS+C variant, the product also contains the color likelihood at this pixel. The
 /// columns of a state are x y z vx vy vz (meters, m/s). With MS+C, hue and saturation follow, both
 /// in [0, 1]. If the projection of a particle is outside a camera's image, each factor has its
-/// lowest value: `floor` for D, and exp(ColorCue::minLogLikelihoodPerPixel()) for the color. The paper does not
-/// specify this case. Without the color factor, a particle outside the image would get a higher
-/// likelihood than a particle inside the image at pixels of the wrong color.
+/// lowest value: `floor` for D, and exp(ColorCue::minLogLikelihoodPerPixel()) for the color. The
+/// paper does not specify this case. Without the color factor, a particle outside the image would
+/// get a higher likelihood than a particle inside the image at pixels of the wrong color.
 class PersonObservation {
 public:
   PersonObservation(std::vector<PersonCamera> cameras, double floor, std::optional<ColorCue> color)

@@ -16,7 +16,7 @@ struct ColorRegion {
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< covariance of the pixels, px²
   cv::Rect box;                                         ///< bounding box
-  int rim = 0;       ///< number of rim pixels: at least one of the four neighbors has another color
+  int rim = 0; ///< number of rim pixels: at least one of the four neighbors has another color
   int cutRimPixelCount = 0;    ///< number of rim pixels at the image border
   int hiddenRimPixelCount = 0; ///< number of rim pixels next to an object that may hide the target
 

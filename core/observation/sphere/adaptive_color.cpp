@@ -280,7 +280,9 @@ std::optional<double> AdaptiveColor::step(PerCamera& camera, const TargetImage& 
   const Counts before = target.count(camera.classifier);
   const Counts after = target.count(classifier);
   if (after.ringShare() > std::max(kMostOfRing, before.ringShare()) ||
-      after.initialMatchShareElsewhere() > std::max(2.0 * camera.initialMatchShareElsewhere + kMostOfRest, before.initialMatchShareElsewhere())) {
+      after.initialMatchShareElsewhere() >
+          std::max(2.0 * camera.initialMatchShareElsewhere + kMostOfRest,
+                   before.initialMatchShareElsewhere())) {
     return std::nullopt;
   }
   for (std::size_t k = 0; k < camera.ranges.size(); ++k) {
@@ -329,7 +331,9 @@ bool AdaptiveColor::adapt(std::size_t index, const cv::Mat& image, const SphereI
   ++camera.updateCount;
   if (camera.updateCount <= kReferenceUpdateCount) {
     const double ofThis = 1.0 / camera.updateCount;
-    camera.initialMatchShareElsewhere += ofThis * (target.count(camera.classifier).initialMatchShareElsewhere() - camera.initialMatchShareElsewhere);
+    camera.initialMatchShareElsewhere +=
+        ofThis * (target.count(camera.classifier).initialMatchShareElsewhere() -
+                  camera.initialMatchShareElsewhere);
   }
   bool moves = false;
   for (std::size_t k = 0; k < measured.size(); ++k) {

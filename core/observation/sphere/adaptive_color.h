@@ -51,8 +51,8 @@ public:
   /// Updates the color in one camera from an image (CV_8UC3) in which the target is completely
   /// visible and not covered. The ranges move toward the colors on the target by the fraction
   /// `share` (0 to 1) of the difference. A range with too few visible pixels stays unchanged. The
-  /// first kReferenceUpdateCount updates of a range do not change the range; they measure the colors in
-  /// the initial light. `others` are outlines of other objects with the same color.
+  /// first kReferenceUpdateCount updates of a range do not change the range; they measure the
+  /// colors in the initial light. `others` are outlines of other objects with the same color.
   ///
   /// Returns whether the ranges were moved. The ranges are not moved if too few pixels inside the
   /// outline have approximately the color in use, or if the new ranges would match too much of the
@@ -70,7 +70,8 @@ private:
     std::vector<FollowedRange> ranges;
     ColorClassifier classifier;
     int updateCount = 0;
-    double initialMatchShareElsewhere = 0.0; ///< fraction of the rest of the image that matched in the initial light
+    double initialMatchShareElsewhere =
+        0.0; ///< fraction of the rest of the image that matched in the initial light
   };
   struct TargetImage;
   using Quantiles = FollowedRange::Quantiles;

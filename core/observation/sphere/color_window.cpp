@@ -23,7 +23,8 @@ const LogTable& logTable() {
   static const auto table = [] {
     LogTable values{};
     for (std::size_t m = 0; m < values.size(); ++m) {
-      values[m] = std::log(double(std::max<std::size_t>(m, 1)) / double(WindowCounts::kWindowPixelCount));
+      values[m] =
+          std::log(double(std::max<std::size_t>(m, 1)) / double(WindowCounts::kWindowPixelCount));
     }
     return values;
   }();

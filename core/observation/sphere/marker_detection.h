@@ -18,11 +18,12 @@ public:
 
   /// Returns the ball in an image (CV_8UC3): the largest patch with the ball's color, with an
   /// outline fitted by fitBallEdge(). Returns nothing if the patch is not as round as a complete
-  /// ball, touches the image border, has a radius below kMinRadiusPixels, or has less than twice the
-  /// total area of all other patches.
+  /// ball, touches the image border, has a radius below kMinRadiusPixels, or has less than twice
+  /// the total area of all other patches.
   std::optional<MarkerImage> find(const cv::Mat& bgr);
 
-  static constexpr double kMinRadiusPixels = 2.0; ///< pixels; the reason for this value is not recorded
+  static constexpr double kMinRadiusPixels =
+      2.0; ///< pixels; the reason for this value is not recorded
 
 private:
   ColorClassifier classifier_;

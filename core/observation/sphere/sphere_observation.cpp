@@ -144,7 +144,8 @@ double SphereObservation::fullyVisibleLogLikelihoodRatio(const Eigen::Vector3d& 
   return sum;
 }
 
-bool SphereObservation::isRimVisible(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) {
+bool SphereObservation::isRimVisible(const Eigen::Vector3d& center,
+                                     const Eigen::Vector3d& velocity) {
   return std::any_of(views_.begin(), views_.end(), [&](View& view) {
     const auto outline = view.projector.project(center + view.timeOffset * velocity, radius_);
     if (view.labels.empty() || !outline || outline->radius >= kLargestRadiusPx ||

@@ -47,8 +47,10 @@ struct TrackedFrame {
   double time = 0.0;                ///< seconds
   int iterations = 0;               ///< number of iterations on this frame
   std::int64_t totalIterations = 0; ///< number of iterations since the start or restart
-  std::shared_ptr<const std::vector<Target>> targetDefinitions; ///< the targets as defined by the user
-  std::vector<TrackedTarget> targets; ///< targets in this frame, in the order of `targetDefinitions`
+  std::shared_ptr<const std::vector<Target>>
+      targetDefinitions; ///< the targets as defined by the user
+  std::vector<TrackedTarget>
+      targets; ///< targets in this frame, in the order of `targetDefinitions`
   /// State of each camera, only for methods that track people; empty for other methods.
   std::vector<PeopleCameraState> peopleCameras;
 
@@ -63,8 +65,9 @@ struct FrameRecord {
     std::vector<CameraReport> cameraReports; ///< empty while held
   };
   std::int64_t frame = 0;
-  double time = 0.0;                ///< seconds
-  std::uint64_t missingCameraBits = 0; ///< bit k: camera k delivered no image (the first 64 cameras)
+  double time = 0.0; ///< seconds
+  std::uint64_t missingCameraBits =
+      0; ///< bit k: camera k delivered no image (the first 64 cameras)
   /// Problems of live cameras at the time of the frame; null if there were none. Consecutive frames
   /// with the same problems share one list.
   std::shared_ptr<const std::vector<Error>> cameraProblems = nullptr;

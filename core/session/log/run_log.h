@@ -47,8 +47,8 @@ public:
   /// Adds the latency of the images of a live frame; see LatencyStages::addFrames().
   void countLiveFrame(const FrameSet& frames, LatencyStages::Clock::time_point taken,
                       LatencyStages::Clock::time_point estimated);
-  /// Stores which live images a tracked frame has. Only the first kMaxLiveFrameRecords frames of the run
-  /// are stored. A frame that is tracked again is not stored again.
+  /// Stores which live images a tracked frame has. Only the first kMaxLiveFrameRecords frames of
+  /// the run are stored. A frame that is tracked again is not stored again.
   void addLiveFrameRecord(const FrameSet& frames);
   static constexpr std::size_t kMaxLiveFrameRecords = 500000;
   /// Returns which images each live frame has, in ascending frame order.

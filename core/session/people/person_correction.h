@@ -16,7 +16,7 @@ namespace dewpoint::session {
 /// that does not exist.
 struct PeopleChange {
   std::optional<Eigen::Vector3d> newPersonPosition; ///< PersonPlacing::addPerson
-  std::optional<int> removedPersonId;         ///< PersonPlacing::removePerson
+  std::optional<int> removedPersonId;               ///< PersonPlacing::removePerson
 };
 
 /// Returns the effect of a user's correction in its frame: a person to add, or one to remove. A

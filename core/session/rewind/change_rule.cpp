@@ -20,7 +20,8 @@ ChangeRule::Decision ChangeRule::decideOn(const SessionState& state) {
     return {Action::Mark, from};
   }
   if (state.settingsChanged) {
-    return {expectedSeconds(old) < state.quickRerunLimitSeconds ? Action::TrackAgain : Action::Offer,
+    return {expectedSeconds(old) < state.quickRerunLimitSeconds ? Action::TrackAgain
+                                                                : Action::Offer,
             from};
   }
   // A rerun under way may be what makes them new.

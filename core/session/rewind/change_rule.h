@@ -27,7 +27,8 @@ public:
     bool isRerunning = false;     ///< past frames are being tracked again
     bool settingsChanged = false; ///< settings have changed since the rule was last applied
     OldResults old;
-    double quickRerunLimitSeconds = kQuickRerunSeconds; ///< longest duration that counts as quick, seconds
+    double quickRerunLimitSeconds =
+        kQuickRerunSeconds; ///< longest duration that counts as quick, seconds
   };
   enum class Action {
     Nothing,    ///< leave the results as they are

@@ -309,7 +309,8 @@ TrackedFrame TrackingRun::commonTrackedFrame(const TrackedFrame* before,
   trackedFrame.iterations = frameIterationCount_;
   trackedFrame.totalIterations = iterations_;
   const std::vector<Target>& tracked = targets();
-  const bool same = before != nullptr && before->targetDefinitions && tracked == *before->targetDefinitions;
+  const bool same =
+      before != nullptr && before->targetDefinitions && tracked == *before->targetDefinitions;
   trackedFrame.targetDefinitions =
       same ? before->targetDefinitions : std::make_shared<const std::vector<Target>>(tracked);
   if (const auto* const finding = capability<PeopleFinding>()) {

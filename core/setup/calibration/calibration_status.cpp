@@ -95,7 +95,8 @@ CalibrationStatus calibrationStatus(const Project& project) {
                                             KnowledgeLevel::Measured) == status.cameras.size();
   status.accuracy = isAllMeasured ? record.accuracy : std::nullopt;
   status.errorOutsideVolume = isAllMeasured ? record.errorOutsideVolume : std::nullopt;
-  status.lengthCheck = status.scale.knowledge == KnowledgeLevel::Missing ? std::nullopt : record.check;
+  status.lengthCheck =
+      status.scale.knowledge == KnowledgeLevel::Missing ? std::nullopt : record.check;
   return status;
 }
 

@@ -68,7 +68,8 @@ std::vector<CameraEvidence> BarreraTracker::evidence(const Eigen::Vector3d& poin
       const int counted = std::max(*count, 1);
       cameras[k].inView = true;
       cameras[k].visible = static_cast<double>(*count) / WindowCounts::kWindowPixelCount;
-      cameras[k].logLikelihood = std::log(static_cast<double>(counted) / WindowCounts::kWindowPixelCount);
+      cameras[k].logLikelihood =
+          std::log(static_cast<double>(counted) / WindowCounts::kWindowPixelCount);
       cameras[k].existenceProbability =
           probabilityFromLogOdds(std::log(static_cast<double>(counted)));
     }

@@ -243,7 +243,8 @@ double PeopleParticleTracker::clothesEvidence(std::size_t one, std::size_t other
     for (std::size_t k = 0; k < cameras().cameraCount(); ++k) {
       if (cameras().isUsable(k)) {
         sum += ClothesModel::meanLogRatioInSilhouette(ratio, cameras().image(k), cameras().mask(k),
-                                       silhouette(people_[own], k), coveredByOthers(own, k));
+                                                      silhouette(people_[own], k),
+                                                      coveredByOthers(own, k));
       }
     }
   }

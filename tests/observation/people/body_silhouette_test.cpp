@@ -97,9 +97,12 @@ TEST(ClothesModel, TellsColorsApart) {
   ASSERT_TRUE(one.known());
   const ClothesRatio ratio = one.logRatioAgainst(other);
   // log(1.01 / 0.01) is cut at 1.
-  EXPECT_NEAR(ClothesModel::meanLogRatioInSilhouette(ratio, blue, mask, silhouette, cv::Mat()), 1.0, 1e-6);
-  EXPECT_NEAR(ClothesModel::meanLogRatioInSilhouette(ratio, red, mask, silhouette, cv::Mat()), -1.0, 1e-6);
-  EXPECT_EQ(ClothesModel::meanLogRatioInSilhouette(ratio, red, mask, silhouette, mask), 0.0); // covered
+  EXPECT_NEAR(ClothesModel::meanLogRatioInSilhouette(ratio, blue, mask, silhouette, cv::Mat()), 1.0,
+              1e-6);
+  EXPECT_NEAR(ClothesModel::meanLogRatioInSilhouette(ratio, red, mask, silhouette, cv::Mat()), -1.0,
+              1e-6);
+  EXPECT_EQ(ClothesModel::meanLogRatioInSilhouette(ratio, red, mask, silhouette, mask),
+            0.0); // covered
 }
 
 } // namespace

@@ -11,11 +11,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-LiveFrameRecord liveSet(std::int64_t index, const std::vector<std::optional<std::int64_t>>& stamps) {
+LiveFrameRecord liveSet(std::int64_t index,
+                        const std::vector<std::optional<std::int64_t>>& stamps) {
   LiveFrameRecord set{index, TimeStamp(index * 1000), {}};
   for (const auto& stamp : stamps) {
-    set.images.push_back(stamp ? std::optional(LiveFrameRecord::Image{*stamp, TimeStamp(index * 1000 + 7)})
-                               : std::nullopt);
+    set.images.push_back(
+        stamp ? std::optional(LiveFrameRecord::Image{*stamp, TimeStamp(index * 1000 + 7)})
+              : std::nullopt);
   }
   return set;
 }

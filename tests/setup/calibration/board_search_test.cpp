@@ -132,7 +132,8 @@ TEST(BoardSearch, AMirroredCameraIsNamed) {
   const auto lenses = intrinsicsFromBoards(*seen, request);
   ASSERT_TRUE(lenses) << errorSentence(lenses.error());
   ASSERT_EQ(lenses->keptIntrinsics.size(), 1U);
-  EXPECT_NE(lenses->keptIntrinsics[0].detail.find("mirror"), std::string::npos) << lenses->keptIntrinsics[0].detail;
+  EXPECT_NE(lenses->keptIntrinsics[0].detail.find("mirror"), std::string::npos)
+      << lenses->keptIntrinsics[0].detail;
   const auto poses = extrinsicsFromBoards(recording.project, *seen, request);
   ASSERT_FALSE(poses);
   EXPECT_NE(poses.error().detail.find("mirror"), std::string::npos) << poses.error().detail;

@@ -153,7 +153,7 @@ void PlotsOfABeginningTest::withoutDataThereIsASentence() {
   QVERIFY(waitFor([&] { return sentence->isHidden(); }));
   action("actionRestart")->trigger();
   QVERIFY(waitFor([&] { return shown().iterations == 0 && sentence->isVisible(); }));
-  QCOMPARE(sentence->text(), QStringLiteral("Plots appear when tracking runs."));
+  QCOMPARE(sentence->text(), QStringLiteral("Plots appear during tracking."));
   QVERIFY(runsTo(1));
   QVERIFY(waitFor([&] { return sentence->isHidden(); }));
 }

@@ -267,8 +267,8 @@ void TranslationTest::anAssessmentSaysWhatItsScoreIsMadeOf() {
   const QString good = colorAssessmentText(assessment, {QStringLiteral("left")});
   QVERIFY2(good.contains(QStringLiteral("Only 0.07 % of the background has this color too, which "
                                         "is little compared with the target.")) &&
-               good.endsWith(QStringLiteral("outside the target is in the image of left, in the "
-                                            "center (it looks green).")),
+               good.endsWith(QStringLiteral("Outside the target, the largest region of this color "
+                                            "(green) is in the image of left, in the center.")),
            qPrintable(good));
 }
 

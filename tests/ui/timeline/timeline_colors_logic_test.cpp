@@ -40,7 +40,11 @@ TEST(TimelineColors, BesideEachNameIsTheColorOfTheTarget) {
 TEST(TimelineFooter, SaysOnlyWhatIsTrackedAgain) {
   TimelineModel model;
   model.targetNames = {QStringLiteral("ball")};
-  model.history = {.firstFrame = 0, .lastFrame = 49, .newestTrackedFrame = 33, .memoryBytes = 62U << 20U, .maxMemoryBytes = 512U << 20U};
+  model.history = {.firstFrame = 0,
+                   .lastFrame = 49,
+                   .newestTrackedFrame = 33,
+                   .memoryBytes = 62U << 20U,
+                   .maxMemoryBytes = 512U << 20U};
   TimelineScale scale;
   scale.setExtent(0, 49);
   scale.setPixelRange(100.0, 300.0);

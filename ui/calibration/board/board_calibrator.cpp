@@ -286,9 +286,9 @@ void BoardCalibrator::stopGuidance() {
 
 bool BoardCalibrator::hasCapturedViews() const {
   const auto state = guideState();
-  return state->detections && std::ranges::any_of(state->detections->cameras, [](const auto& camera) {
-           return !camera.views.empty();
-         });
+  return state->detections &&
+         std::ranges::any_of(state->detections->cameras,
+                             [](const auto& camera) { return !camera.views.empty(); });
 }
 
 void BoardCalibrator::finish() {

@@ -112,7 +112,9 @@ void BoardGoalForm::connectFields() {
     });
   });
   connect(lensAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double pixels) {
-    edit([pixels](BoardGuideRequest& request) { request.lensGuidance.requiredProjectionSigmaPx = pixels; });
+    edit([pixels](BoardGuideRequest& request) {
+      request.lensGuidance.requiredProjectionSigmaPx = pixels;
+    });
   });
   connect(positionAccuracy_, &QDoubleSpinBox::valueChanged, this, [this](double millimeters) {
     edit([=](BoardGuideRequest& request) {

@@ -278,8 +278,8 @@ QString outcomeText(const BoardCalibrator& calibrator, const BoardOutcome& outco
   if (outcome.extrinsics) {
     addPlaces(calibrator, *outcome.extrinsics, lines);
     lines << (outcome.accuracy ? accuracyText(*outcome.accuracy)
-                               : BoardText::tr("The accuracy cannot be estimated: the board was "
-                                               "too rarely seen by two cameras at once."));
+                               : BoardText::tr("The accuracy cannot be estimated, because two "
+                                               "cameras rarely saw the board at the same time."));
     QStringList names;
     for (std::size_t k = 0; k < outcome.extrinsics->cameras.size(); ++k) {
       names << calibrator.nameOf(k);

@@ -132,9 +132,9 @@ void GuidePage::connectFields() {
 }
 
 void GuidePage::retranslateUi() {
-  knownTitle_->setText(tr("What is known"));
+  knownTitle_->setText(tr("Calibration so far"));
   table_->setHorizontalHeaderLabels({tr("Camera"), tr("Lens"), tr("Position"), tr("Delay")});
-  table_->setAccessibleName(tr("What is known about each camera"));
+  table_->setAccessibleName(tr("Calibration of each camera so far"));
   table_->setToolTip(
       tr("✓ measured with this program; ± is the standard deviation. ○ entered, set by hand or "
          "read from a file, and not checked. ⚠ only a guess, or too inaccurate."));

@@ -151,12 +151,12 @@ void CameraForm::retranslateUi() {
          "the pose is adapted so that the three points stay in place"));
   keysLabel_->setText(tr("Keys"));
   setChoices(*keyMode_, {tr("move"), tr("turn")});
-  name(keyMode_, tr("Effect of the keys"),
+  name(keyMode_, tr("What the keys do to the camera"),
        tr("The arrow keys, the page keys and W, A, S, D, Q and E move or turn the camera by 1 cm "
           "or 0.2° a step. With Shift, the steps are ten times as large. With Ctrl, the steps of "
           "the arrow and page keys are a tenth as large."));
   setChoices(*keyFrame_, {tr("camera axes"), tr("world axes")});
-  name(keyFrame_, tr("Axes of the keys"),
+  name(keyFrame_, tr("Axes along which the keys move the camera"),
        tr("Move along the camera's right, forward and up directions, or along the world axes"));
   showUnits();
   refresh();
@@ -191,7 +191,7 @@ void CameraForm::showUnits() {
     if (looksAtPoint()) {
       setRange(*aim_[k], length, unit);
       aim_[k]->setPrefix(axis.toLower() + QLatin1Char(' '));
-      aim_[k]->setAccessibleName(tr("Looks at %1").arg(axis));
+      aim_[k]->setAccessibleName(tr("Looks at (%1 coordinate)").arg(axis));
       aim_[k]->setToolTip(tr("%1 coordinate of the point that the camera looks at").arg(axis));
     } else {
       setRange(*aim_[k], {-180.0, 180.0, 0.1, 2}, degrees);

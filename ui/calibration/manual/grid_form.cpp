@@ -162,13 +162,13 @@ void GridForm::retranslateUi() {
   edges_->setText(tr("Show image edges"));
   edges_->setToolTip(tr("Dim the images except for their edges"));
   flip_->setText(tr("Before"));
-  name(flip_, tr("Show the grid as the cameras saw it before"),
-       tr("Hold down this button to draw the grid as the cameras saw it before. Choose below which "
-          "earlier state is used. The key B does the same after you have clicked an image"));
+  name(flip_, tr("Show the grid with the earlier camera poses"),
+       tr("Hold down this button to draw the grid with earlier camera poses. Choose below which "
+          "earlier poses are used. The key B does the same after you have clicked an image"));
   compareLabel_->setText(tr("Before shows"));
   setChoices(*compare_,
              {tr("cameras when the panel was opened"), tr("cameras before the last change")});
-  name(compare_, tr("Earlier state that the button Before shows"),
+  name(compare_, tr("Earlier camera poses that the button Before shows"),
        tr("The cameras as they were when you opened this panel, or as they were before the last "
           "step that changed a camera"));
   refresh();

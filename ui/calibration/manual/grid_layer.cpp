@@ -344,9 +344,8 @@ bool GridLayer::isGridInSight() const {
 
 QString GridLayer::shownLabel() const {
   return !manual_.areEarlierCamerasShown() ? QString()
-         : isGridInSight()
-             ? tr("before")
-             : tr("before: the earlier grid is outside the visible part of the image");
+         : isGridInSight()                 ? tr("before")
+                           : tr("The earlier grid is outside the visible part of the image");
 }
 
 void GridLayer::drawLabel(QPainter& painter) {

@@ -5,13 +5,13 @@
 #include "ui/calibration/manual/label_places.h"
 #include "ui/style/halo.h"
 
+#include <QImage>
 #include <QPainter>
-#include <QPainterPath>
 #include <QPolygonF>
 #include <opencv2/core/mat.hpp>
 
 #include <algorithm>
-#include <map>
+#include <functional>
 #include <utility>
 
 namespace dewpoint::ui {
@@ -62,6 +62,51 @@ void paintText(QPainter& painter, const QRectF& label, const QString& text, cons
   painter.drawRoundedRect(label, 3.0, 3.0);
   painter.setPen(color);
   painter.drawText(label, Qt::AlignCenter, text);
+}
+
+/// Draws each segment of the lines alone. Qt divides the filling of longer lines among threads,
+/// which takes ten times as long as filling them. Neighbors overlap, so the color must be opaque.
+void drawSegments(QPainter& painter, const std::vector<QPolygonF>& lines,
+                  const std::vector<GridStroke>& strokes,
+                  const std::function<QPen(Stroke)>& penOf) {
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    painter.setPen(penOf(strokeOf(strokes[k].role)));
+    for (qsizetype end = 1; end < lines[k].size(); ++end) {
+      painter.drawLine(lines[k][end - 1], lines[k][end]);
+    }
+  }
+}
+
+/// Draws the lines in opaque colors into a layer, and the layer with this opacity.
+void paintLayer(QPainter& painter, double opacity, const std::function<void(QPainter&)>& draw) {
+  const QRect area = areaToPaint(painter).toAlignedRect();
+  const double ratio = painter.device()->devicePixelRatioF();
+  QImage layer(area.size() * ratio, QImage::Format_ARGB32_Premultiplied);
+  layer.setDevicePixelRatio(ratio);
+  layer.fill(Qt::transparent);
+  {
+    QPainter inLayer(&layer);
+    inLayer.setRenderHint(QPainter::Antialiasing);
+    inLayer.translate(-area.topLeft());
+    draw(inLayer);
+  }
+  const double before = painter.opacity();
+  painter.setOpacity(before * opacity);
+  painter.drawImage(area.topLeft(), layer);
+  painter.setOpacity(before);
+}
+
+/// All halos first: a bright line is never crossed by the dark of another.
+void paintLines(QPainter& painter, const ProjectedGrid& grid, const std::vector<QPolygonF>& lines) {
+  paintLayer(painter, kGridHalo.alpha / 255.0, [&](QPainter& layer) {
+    drawSegments(layer, lines, grid.strokes, [](const Stroke& stroke) {
+      return QPen(Qt::black, stroke.width + kGridHalo.extraWidthPx);
+    });
+  });
+  paintLayer(painter, 1.0, [&](QPainter& layer) {
+    drawSegments(layer, lines, grid.strokes,
+                 [](const Stroke& stroke) { return QPen(stroke.color, stroke.width); });
+  });
 }
 
 /// As many as have room; the names of the axes, which stand last, before all others. They point
@@ -159,20 +204,7 @@ void paintGrid(QPainter& painter, const ProjectedGrid& grid, const ImagePlacemen
     }
     lines.push_back(std::move(line));
   }
-  // One path for all lines of a role: much faster than a call for each line, and where lines of one
-  // role cross, they are not drawn over each other.
-  std::map<GridRole, QPainterPath> paths;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    paths[grid.strokes[k].role].addPolygon(lines[k]);
-  }
-  // All halos first: a bright line is never crossed by the dark of another.
-  for (const bool halo : {true, false}) {
-    for (const auto& [role, path] : paths) {
-      const Stroke stroke = strokeOf(role);
-      painter.strokePath(path,halo ? QPen(haloPen(stroke.width, kGridHalo).color(), stroke.width + kGridHalo.extraWidthPx)
-               : QPen(stroke.color, stroke.width));
-          }
-  }
+  paintLines(painter, grid, lines);
   paintLabels(painter, grid, placement, lines);
   painter.restore();
 }

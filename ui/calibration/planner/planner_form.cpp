@@ -156,9 +156,9 @@ void PlannerForm::retranslateUi() {
   lensLabel_->setText(tr("Field of view, image width and height"));
   for (std::size_t k = 0; k < 3; ++k) {
     const QString axis = QLatin1String(kAxisLetters[k]);
-    name(position_[k], tr("Planned position %1").arg(axis),
+    name(position_[k], tr("Planned position (%1 coordinate)").arg(axis),
          tr("Position of the camera, in meters"));
-    name(target_[k], tr("Planned camera looks at %1").arg(axis),
+    name(target_[k], tr("Planned camera looks at (%1 coordinate)").arg(axis),
          tr("A point that the planned camera looks at, in meters"));
     position_[k]->setSuffix(QStringLiteral(" m"));
     target_[k]->setSuffix(QStringLiteral(" m"));

@@ -232,8 +232,8 @@ void RigPlanner::applyPlacement(const Result<PlacedCamera>& found) {
   Q_EMIT changed();
   const Eigen::Vector3d place = found->camera.center();
   Q_EMIT messageRequested(
-      tr("With %1 at x %2, y %3, z %4, the error is at most %6 in %5 of the volume, instead of %7 "
-         "without this camera.")
+      tr("With %1 at x %2, y %3, z %4, the error is at most %6 in %5 of the volume (in %7 without "
+         "this camera).")
           .arg(QString::fromStdString(found->camera.name),
                lengthNumber(place.x(), LengthScale::Meters, 2),
                lengthNumber(place.y(), LengthScale::Meters, 2),

@@ -165,7 +165,7 @@ void WandForm::fillSizes() {
       ball == targets.end() ? tr("the ball's diameter")
                             : tr("the ball's diameter, %1")
                                   .arg(lengthText(2.0 * ball->radius, LengthScale::Centimeters, 1));
-  setChoices(*size_, {tr("the current cameras"), diameter, tr("a known distance")});
+  setChoices(*size_, {tr("the current camera positions"), diameter, tr("a known distance")});
 }
 
 void WandForm::refresh() {
@@ -209,7 +209,7 @@ void WandForm::retranslateUi() {
   kindLabel_->setText(tr("Wand"));
   setChoices(*kind_, {tr("one ball"), tr("wand with two balls")});
   name(kind_, tr("Kind of wand"),
-       tr("A wand with two balls also gives the scale. It is more accurate than the scale from a "
+       tr("A wand with two balls also gives the scale. This scale is more accurate than one from a "
           "diameter or a distance"));
   ballLabel_->setText(tr("Ball"));
   name(ball_, tr("Ball"), tr("The target that you wave; it is detected by its color"));

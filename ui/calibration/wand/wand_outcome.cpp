@@ -179,8 +179,8 @@ void WandOutcome::showOutcome() {
     }
     for (const FarOffCamera& camera : farOffCameras(*found)) {
       notes << QStringLiteral("⚠ ") +
-                   tr("%1 was far off: the refinement rotates it by %2 and moves it by %3, much "
-                      "more than the others. Was it moved after its calibration?")
+                   tr("%1 was far off: the refinement rotates this camera by %2 and moves it by "
+                      "%3, much more than the other cameras. Was it moved after its calibration?")
                        .arg(cameraName(found->camerasBefore, camera.camera),
                             angleText(camera.poseChange.radians, 1),
                             lengthText(camera.poseChange.meters, LengthScale::Centimeters, 1));

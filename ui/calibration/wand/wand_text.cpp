@@ -69,8 +69,7 @@ QString validationMessage(const WandSettings& settings, const std::vector<Marked
     return WandText::tr("The scale comes from a known distance: add the times at which the ball is "
                         "at each end of this distance.");
   case WandObstacle::IncompleteFall:
-    return WandText::tr("A fall needs two times: one at which the ball starts to fall, and one at "
-                        "which it is still falling.");
+    return WandText::tr("To use a fall, add two times: the first and the last frame of the fall.");
   }
   return {};
 }
@@ -105,10 +104,9 @@ QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames) {
                .arg(name(0), shareText(gap.value)) +
            QLatin1Char(' ') + moveItThereText(name(0), gap.side);
   default:
-    return WandText::tr(
-               "%1 and %2 saw the ball at the same time in only %n frame(s). Move it where "
-               "both see it.",
-               nullptr, static_cast<int>(std::lround(gap.value)))
+    return WandText::tr("%1 and %2 saw the ball at the same time in only %n frame(s). Move the "
+                        "ball where both cameras see it.",
+                        nullptr, static_cast<int>(std::lround(gap.value)))
         .arg(name(0), name(1));
   }
 }
@@ -119,7 +117,7 @@ QString knownBetterMessage(const WandRefinement& refinement) {
                         "not enough to improve that calibration. Keep the previous calibration.");
   }
   return WandText::tr("The old camera positions are known more accurately (±%1) than the new ones "
-                      "(±%2). Keep the old ones.")
+                      "(±%2). Keep the old positions.")
       .arg(lengthText(*refinement.beforeError, LengthForm::TwoDigits),
            lengthText(newPositionError(refinement), LengthForm::TwoDigits));
 }

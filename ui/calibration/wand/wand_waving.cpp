@@ -81,7 +81,7 @@ void WandWaving::showCameras() {
   const auto collected = calibrator_.collectorState();
   makeCameraRows(collected ? collected->cameras.size() : 0);
   if (!collected) {
-    state_->setText(tr("Nothing collected yet."));
+    state_->setText(tr("No ball positions collected yet."));
     return;
   }
   CameraRig rig;

@@ -51,7 +51,7 @@ void BoardFloor::apply() {
         std::make_shared<Result<FloorFromBoard>>(withFloorFromBoard(project, description, *frames));
     return [this, project, found] { finish(project, *found); };
   });
-  resultText_ = tr("Searching the images shown for the board…");
+  resultText_ = tr("Looking for the board in the images shown…");
   Q_EMIT changed();
 }
 
@@ -59,8 +59,8 @@ void BoardFloor::finish(const Project& searched, const Result<FloorFromBoard>& f
   if (!found) {
     resultText_ =
         found.error().code == ErrorCode::NotFound
-            ? tr("No camera sees the described board well enough: %1. Show images in which the "
-                 "board lies on the floor, or correct its description on the page Board.")
+            ? tr("No camera sees the board well enough: %1. Show images in which the board lies on "
+                 "the floor, or correct the description of the board on the page Board.")
                   .arg(boardDescriptionText())
             : errorText(found.error());
     return;

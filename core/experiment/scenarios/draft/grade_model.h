@@ -41,9 +41,11 @@ struct GradeModel {
   Range initialErrorStops; ///< error of the exposure at frame 0, stops
   Range whiteBalanceStops; ///< constant error of blue and red, stops
   Range huntingStops;      ///< amplitude of a periodic error in the measured brightness, stops
-  Range huntingPeriodSeconds;     ///< period of this error, seconds
-  Range exposureLoopSpeed; ///< ControlLoop::speed: fraction of the error that is corrected per frame
-  Range exposureLoopLagFrames;   ///< ControlLoop::lagFrames: number of frames from a measurement to ///< its effect
+  Range huntingPeriodSeconds; ///< period of this error, seconds
+  Range
+      exposureLoopSpeed; ///< ControlLoop::speed: fraction of the error that is corrected per frame
+  Range exposureLoopLagFrames; ///< ControlLoop::lagFrames: number of frames from a measurement to
+                               ///< ///< its effect
 
   // Light; drawn once per run.
   /// Light of a low, white lamp at the side of the target, as a fraction of full light at the

@@ -38,8 +38,7 @@ void addUnevenLight(const SensingFaults& faults, simulation::Stage& stage) {
     const simulation::RoomView& view = *stage.views[camera];
     const UnevenLight& light = faults.cameras[camera].unevenLight;
     stage.illuminationGains.push_back(simulation::unevenLight(
-        {view.width, view.height}, light.vignette,
-                                                       light.gainToRight, light.gainToBottom));
+        {view.width, view.height}, light.vignette, light.gainToRight, light.gainToBottom));
   }
 }
 

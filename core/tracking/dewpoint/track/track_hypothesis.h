@@ -44,7 +44,7 @@ struct TrackHypothesis {
   double fullyVisibleLogLikelihoodRatio = 0.0;
   /// OutlineFit::sizeDeviation at the birth if the radius is known; otherwise 0.
   double sizeDeviation = 0.0;
-  int updateCount = 0;       ///< frames with a measurement update since the birth
+  int updateCount = 0;          ///< frames with a measurement update since the birth
   bool wasOutlineFound = false; ///< at the last measurement update
   /// Position (m, m²) from the last measurement update alone, without the prediction. Valid if
   /// `wasOutlineFound` is true.

@@ -257,7 +257,9 @@ void BoardPageTest::liveViewsCanBeTakenByHand() {
   auto* capture = find<QPushButton>(QStringLiteral("boardCapture"));
   for (int k = 0; k < 9; ++k) {
     *place_ = k;
-    const auto views = [&] { return calibrator().guideState()->detections->cameras[0].views.size(); };
+    const auto views = [&] {
+      return calibrator().guideState()->detections->cameras[0].views.size();
+    };
     const std::size_t before = views();
     QVERIFY(waitFor([&] { return calibrator().guideState()->cameras[0].detection.has_value(); }));
     QTest::mouseClick(capture, Qt::LeftButton);

@@ -177,7 +177,7 @@ void WorldPageTest::withoutABoardTheFloorStays() {
   press("worldBoard");
   QVERIFY(!find<QPushButton>("worldBoard")->isEnabled()); // until the search has ended
   QVERIFY(waitFor([&] { return find<QPushButton>("worldBoard")->isEnabled(); }));
-  QVERIFY2(text->text().contains(QStringLiteral("No camera sees the described board")),
+  QVERIFY2(text->text().contains(QStringLiteral("No camera sees the board well enough")),
            qPrintable(text->text()));
   QVERIFY(window_->workbench().document.project().cameras == before);
 }
