@@ -52,7 +52,7 @@ void addMethods(Marked& marked) {
     for (const auto& declaration : method.parameters()) {
       marked.emplace("ParameterGroup", dewpoint::tracking::parameterGroupTitle(declaration.group));
       marked.emplace("Parameter", declaration.label);
-      marked.emplace("Parameter", declaration.sentence);
+      marked.emplace("Parameter", declaration.description);
       if (!declaration.unit.empty()) {
         marked.emplace("Unit", declaration.unit);
       }
@@ -63,14 +63,14 @@ void addMethods(Marked& marked) {
 void addExperiments(Marked& marked) {
   for (const auto* experiment : dewpoint::experiment::listedExperiments()) {
     marked.emplace("Experiment", experiment->title);
-    marked.emplace("Experiment", experiment->sentence);
+    marked.emplace("Experiment", experiment->description);
     marked.emplace("Experiment", dewpoint::experiment::experimentGroupTitle(experiment->group));
   }
 }
 
 void addFindings(Marked& marked) {
   for (const auto& texts : dewpoint::setup::findingTexts()) {
-    for (const std::string_view text : {texts.what, texts.advice}) {
+    for (const std::string_view text : {texts.sentence, texts.advice}) {
       if (!text.empty()) {
         marked.emplace("Finding", text);
       }

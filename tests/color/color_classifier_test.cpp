@@ -80,7 +80,7 @@ TEST(ColorClassifier, IsTheReferenceForRangesAtRandom) {
         360.0 * hue[0], 360.0 * hue[1], saturation[0] * saturation[1], saturation[0], 0.0, 1.0};
     const ColorClassifier classifier(range);
     for (std::uint32_t j = 0; j < 1000; ++j) {
-      const auto word = stream.words(j, 3);
+      const auto word = stream.randomWords(j, 3);
       const auto b = static_cast<std::uint8_t>(word[0]);
       const auto g = static_cast<std::uint8_t>(word[1]);
       const auto r = static_cast<std::uint8_t>(word[2]);

@@ -125,7 +125,7 @@ TEST(Assignment, FiftyRows) {
 TEST(Assignment, AgreesWithBruteForce) {
   const RandomStream random(7, 0, 0, RandomPurpose::Noise);
   for (std::uint32_t trial = 0; trial < 2000; ++trial) {
-    const auto word = random.words(trial);
+    const auto word = random.randomWords(trial);
     Eigen::MatrixXd cost(word[0] % 6, word[1] % 6);
     const double share = (word[2] % 4) * 0.25;
     for (Eigen::Index k = 0; k < cost.size(); ++k) {

@@ -182,7 +182,7 @@ TEST(RandomKey, PartsNeverShareAStream) {
   for (std::uint32_t iteration = 0; iteration < 500; ++iteration) {
     for (const std::uint32_t part : {0U, 1U, 2U, 3U, 4094U, 4095U}) {
       const RandomKey key{7, 3, iteration};
-      const auto words = key.streamOfPart(RandomPurpose::Resampling, part).words(0);
+      const auto words = key.streamOfPart(RandomPurpose::Resampling, part).randomWords(0);
       EXPECT_TRUE(seen.insert(words).second) << "part " << part << ", iteration " << iteration;
     }
   }
@@ -190,8 +190,8 @@ TEST(RandomKey, PartsNeverShareAStream) {
 
 TEST(RandomKey, TheFirstPartIsTheIterationItself) {
   const RandomKey key{7, 3, 255};
-  EXPECT_EQ(key.streamOfPart(RandomPurpose::Resampling, 0).words(5),
-            key.stream(RandomPurpose::Resampling).words(5));
+  EXPECT_EQ(key.streamOfPart(RandomPurpose::Resampling, 0).randomWords(5),
+            key.stream(RandomPurpose::Resampling).randomWords(5));
 }
 
 } // namespace

@@ -30,7 +30,7 @@ struct MovingPatch {
     const RandomStream stream(7, 0, 0, RandomPurpose::Simulation);
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
-        const auto word = stream.words(std::uint32_t(500 * (y / 12) + x / 12));
+        const auto word = stream.randomWords(std::uint32_t(500 * (y / 12) + x / 12));
         const int gray = 60 + int(word[0] % 120);
         picture.at<cv::Vec3b>(y, x) = cv::Vec3b(cv::saturate_cast<std::uint8_t>(gray - 25),
                                                 std::uint8_t(gray), std::uint8_t(gray));

@@ -36,7 +36,7 @@ std::string lensesText(const LensSupport& lenses) {
   const std::string pinhole = count >= 8   ? "k1 k2 p1 p2 k3 k4 k5 k6"
                               : count >= 5 ? "k1 k2 p1 p2 k3"
                                            : "k1 k2 p1 p2";
-  return lenses.fisheye ? pinhole + ", or fisheye" : pinhole;
+  return lenses.supportsFisheye ? pinhole + ", or fisheye" : pinhole;
 }
 
 std::string calibrationTable() {

@@ -190,7 +190,7 @@ FaultReport findBoardFaults(const ExtrinsicsRequest& request, double framesPerSe
                             const ExtrinsicsResult* result) {
   const auto seeing = std::ranges::count_if(
       request.cameras, [](const BoardCamera& camera) { return !camera.views.empty(); });
-  const bool alike = request.board.symmetry() > 1; // only the solution tells how to count
+  const bool alike = request.board.symmetryOrder() > 1; // only the solution tells how to count
   if (seeing < 2 || (alike && result == nullptr)) {
     return {};
   }

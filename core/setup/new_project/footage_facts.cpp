@@ -65,7 +65,7 @@ Result<std::optional<FootageFacts>> readFootageFacts(const std::string& location
   FootageFacts facts;
   facts.width = image->cols;
   facts.height = image->rows;
-  facts.frameCountPerSecond = (*reader)->framesPerSecond();
+  facts.framesPerSecond = (*reader)->framesPerSecond();
   facts.frameCount = (*reader)->frameCount();
   facts.preview = scaledDown(*image);
   return facts;

@@ -162,7 +162,8 @@ Vector3f partColor(const SurfacePoint& seen, const LightField* light) {
   const float gloss =
       seen.gloss.highlightAt(seen.normal, (lamp - seen.point).normalized(), seen.direction);
   if (light != nullptr) { // it is the sensor that cuts
-    return light->at(seen.point, seen.normal).cwiseProduct(seen.color) + Vector3f::Constant(gloss);
+    return light->lightAt(seen.point, seen.normal).cwiseProduct(seen.color) +
+           Vector3f::Constant(gloss);
   }
   const float shaded = shade(seen.point, seen.normal, 1.0F);
   return (shaded * seen.color + Vector3f::Constant(gloss)).cwiseMin(255.0F);

@@ -84,7 +84,7 @@ TEST(BoardGuess, AFewOfManyImagesAreEnough) {
   std::vector<cv::Mat> images(6, cv::Mat(480, 640, CV_8UC1, cv::Scalar(90)));
   const auto views = viewsOfBoard("charuco:7x5:0.054:0.0405:DICT_4X4_50", 1);
   images.insert(images.end(), views.begin(), views.end());
-  EXPECT_EQ(bestGuess(images).images, 1);
+  EXPECT_EQ(bestGuess(images).imageCount, 1);
   EXPECT_EQ(bestGuess(images).searchedImageCount, 7);
 }
 

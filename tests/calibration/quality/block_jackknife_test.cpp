@@ -79,7 +79,7 @@ IntrinsicsRequest lensRequest(int first, int end) {
   }
   request.width = camera.intrinsics.width;
   request.height = camera.intrinsics.height;
-  request.pixels = PixelShape::Square;
+  request.pixelShape = PixelShape::Square;
   return request;
 }
 

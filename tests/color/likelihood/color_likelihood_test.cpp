@@ -41,7 +41,7 @@ std::vector<std::uint8_t> anyPixels(std::uint32_t count) {
   const RandomStream stream(4, 0, 0, RandomPurpose::Noise);
   std::vector<std::uint8_t> pixels;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const auto word = stream.words(i, 1);
+    const auto word = stream.randomWords(i, 1);
     for (std::size_t k = 0; k < 3; ++k) {
       pixels.push_back(static_cast<std::uint8_t>(word[k]));
     }

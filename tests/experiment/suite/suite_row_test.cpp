@@ -75,7 +75,7 @@ TEST(SuiteTrace, IsReadBackAsItWasWritten) {
   EXPECT_EQ(read->errorsMm[1], trace.errorsMm[1]);
   EXPECT_EQ(read->reliability[9].count, 6);
   EXPECT_EQ(read->reliability[9].probabilitySum, 5.5);
-  EXPECT_EQ(read->reliability[9].happened, 4);
+  EXPECT_EQ(read->reliability[9].hitCount, 4);
   EXPECT_EQ(traceText(*read), text);
   EXPECT_FALSE(parseTrace(text.substr(0, text.size() - 8)).has_value());
 }

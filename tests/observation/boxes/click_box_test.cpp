@@ -29,7 +29,7 @@ cv::Mat ball(double radius) {
       const double facing =
           inside < 0.0 ? 0.0 : std::max(0.0, -0.5 * u - 0.6 * v + 0.62 * std::sqrt(inside));
       const double seam = std::abs(u - 0.2) < 0.08 ? 0.5 : 1.0;
-      const auto words = stream.words(std::uint32_t(320 * y + x));
+      const auto words = stream.randomWords(std::uint32_t(320 * y + x));
       for (int c = 0; c < 3; ++c) {
         const double clean = inside < 0.0 ? 150.0 + 8.0 * c - x / 5.0
                                           : seam * kPinkPaint[c] * (0.35 + 0.75 * facing) +

@@ -18,8 +18,8 @@ cv::Mat blotches(int columns, int rows, std::uint64_t seed) {
   cv::Mat image(rows, columns, CV_8UC3);
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {
-      const auto blotch = stream.words(std::uint32_t(1000 * (y / 7) + x / 9));
-      const auto noise = stream.words(std::uint32_t(1000000 + y * columns + x));
+      const auto blotch = stream.randomWords(std::uint32_t(1000 * (y / 7) + x / 9));
+      const auto noise = stream.randomWords(std::uint32_t(1000000 + y * columns + x));
       for (int c = 0; c < 3; ++c) {
         image.at<cv::Vec3b>(y, x)[c] =
             std::uint8_t((blotch[std::size_t(c)] % 200) + noise[std::size_t(c)] % 50);

@@ -151,7 +151,7 @@ TEST(ColorWindow, LazyAndIntegralAgreeToTheBit) {
   const RandomStream stream(5, 0, 0, RandomPurpose::Noise);
   cv::Mat image = blankImage();
   for (int pixel = 0; pixel < kWindowWidth * kWindowHeight; ++pixel) {
-    const auto word = stream.words(static_cast<std::uint32_t>(pixel));
+    const auto word = stream.randomWords(static_cast<std::uint32_t>(pixel));
     image.at<cv::Vec3b>(pixel / kWindowWidth, pixel % kWindowWidth) = cv::Vec3b(
         static_cast<std::uint8_t>(word[0] % 128), static_cast<std::uint8_t>(word[1] % 128),
         static_cast<std::uint8_t>(word[2] % 256));

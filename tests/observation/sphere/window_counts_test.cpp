@@ -19,7 +19,7 @@ cv::Mat noise(int rows, int columns) {
   const RandomStream stream(6, 0, 0, RandomPurpose::Noise);
   cv::Mat image(rows, columns, CV_8UC3);
   for (int pixel = 0; pixel < rows * columns; ++pixel) {
-    const auto word = stream.words(static_cast<std::uint32_t>(pixel));
+    const auto word = stream.randomWords(static_cast<std::uint32_t>(pixel));
     image.at<cv::Vec3b>(pixel / columns, pixel % columns) =
         cv::Vec3b(word[0] & 0xffU, word[1] & 0xffU, word[2] & 0xffU);
   }

@@ -93,7 +93,7 @@ TEST_F(NewProjectTest, OneCameraWithoutACalibrationFollowsBoxes) {
   one.cameras.resize(1);
   const auto made = createNewProject(one);
   ASSERT_TRUE(made);
-  EXPECT_EQ(methodFamily(made->project.method).targets, TargetSource::Box);
+  EXPECT_EQ(methodFamily(made->project.method).targetSource, TargetSource::Box);
   EXPECT_FALSE(made->lacksCalibration);
   EXPECT_EQ(made->project.name, "left"); // one recording says nothing of its folder
   EXPECT_TRUE(checkParameters(made->project.method, made->project.parameters));

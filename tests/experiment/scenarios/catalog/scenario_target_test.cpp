@@ -34,7 +34,7 @@ TEST(TargetTruth, OfAConeItIsItsCentroid) {
   body.parts = [](double) {
     simulation::MovingPart cone = simulation::frustumBetween({0.0, 0.0, 0.0}, 0.1, {0.0, 0.0, 0.4},
                                                              0.0, Eigen::Vector3f::Zero());
-    cone.target = true;
+    cone.belongsToTarget = true;
     return std::vector{cone};
   };
   const auto truth = experiment::scenarios::targetTruth(body, 0.0);

@@ -208,7 +208,7 @@ TEST(PeopleScenario, ClothesLikeTheRoomAndPatterned) {
     const auto& second = scenario.scene.people[1].clothes.shirtCloth;
     EXPECT_NE(first.pattern, simulation::ClothPattern::Plain);
     EXPECT_EQ(first.pattern, second.pattern);
-    EXPECT_EQ(first.second, second.second);
+    EXPECT_EQ(first.secondColor, second.secondColor);
   }
 }
 
