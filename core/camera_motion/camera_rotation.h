@@ -11,7 +11,7 @@ namespace dewpoint::camera_motion {
 /// Displacement of a background patch in the image, and the derivative of the displacement with
 /// respect to a camera rotation.
 struct BackgroundShift {
-  Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< pixels
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< displacement of the patch, pixels
   /// Derivative of `shift` with respect to CameraRotation::turn, pixels per radian.
   Eigen::Matrix<double, 2, 3> byTurn = Eigen::Matrix<double, 2, 3>::Zero();
   Eigen::Matrix2d covariance =
@@ -22,7 +22,7 @@ struct BackgroundShift {
 /// [turn]x) times the old cameraFromWorld, where I is the identity and [turn]x is the cross-product
 /// matrix of `turn`.
 struct CameraRotation {
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< radians, camera axes
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< rotation vector, radians, camera axes
   double sigma = 0.0;        ///< standard error of the least certain component of `turn`, radians
   double significance = 0.0; ///< angle of the rotation divided by its standard error
   int usedShiftCount = 0;    ///< number of shifts that agree with the rotation

@@ -60,8 +60,9 @@ public:
   }
   /// Medians over the sightings of a camera.
   struct Summary {
-    Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< median of each component, pixels
-    double otherCamerasDisagreementPx = 0.0;            ///< pixels
+    Eigen::Vector2d residual =
+        Eigen::Vector2d::Zero();             ///< median residual, component by component, pixels
+    double otherCamerasDisagreementPx = 0.0; ///< median disagreement of the other cameras, pixels
   };
   /// Returns the medians over the sightings of a camera at or after the time `since` (seconds).
   /// Returns nothing if there are fewer than `fewest` such sightings.

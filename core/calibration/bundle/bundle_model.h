@@ -17,7 +17,7 @@ namespace dewpoint::calibration {
 /// from them. An object must not be moved, because the solver keeps pointers into it.
 class BundleModel {
 public:
-  /// Parameters of a camera; see PixelCost.
+  /// Parameter blocks of a camera, as required by PixelCost.
   struct CameraBlocks {
     Eigen::Matrix3d rotation; ///< fixed rotation to which the rotation vector in `pose` is relative
     std::array<double, kPoseSize> pose{};
@@ -48,9 +48,9 @@ public:
   std::vector<CameraBlocks> cameras;
   std::vector<StateBlock> states;
   std::vector<ceres::CostFunction*>
-      costFunctions; ///< one per observation; null if the observation is not used
+      costFunctions; ///< cost function of each observation; null if the observation is not used
   std::size_t usedObservationCount = 0; ///< number of observations used
-  /// Loss functions, by BundleObservation::sigma.
+  /// Loss functions, one for each value of BundleObservation::sigma.
   std::map<double, std::unique_ptr<ceres::LossFunction>> losses;
   ceres::Problem solver;
 

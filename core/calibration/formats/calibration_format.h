@@ -43,7 +43,7 @@ struct ParsedCalibration {
 
 /// Lens models that a format can represent.
 struct LensSupport {
-  int pinholeCoefficients = 8; ///< 4 (k1 k2 p1 p2), 5 (also k3) or 8 (also k4 k5 k6)
+  int pinholeCoefficients = 8; ///< how many: 4 (k1 k2 p1 p2), 5 (also k3) or 8 (also k4 k5 k6)
   bool supportsFisheye =
       false; ///< true if the format also has the four coefficients of LensModel::Fisheye
 };

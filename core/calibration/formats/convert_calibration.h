@@ -34,7 +34,7 @@ struct CameraDifference {
 struct CalibrationConversion {
   std::string fromFormat;             ///< name of the input format
   std::string toFormat;               ///< name of the output format
-  std::vector<std::string> decisions; ///< complete sentences about reading and writing
+  std::vector<std::string> decisions; ///< sentences about decisions made in reading and writing
   std::vector<std::string> notices;   ///< sentences about likely mistakes in the input
   std::vector<CameraDifference> cameras;
   double maxDifferencePx =
@@ -54,15 +54,16 @@ CameraDifference compareCameras(const Camera& camera, const Camera& other,
 Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
                                                const CalibrationOutput& target);
 
-/// Changes made to the cameras between reading and writing.
+/// Changes that convertCalibration() makes to the cameras between reading and writing.
 struct CalibrationChanges {
   CalibrationAdaptation adaptation;
-  /// Image width and height for `adaptation.fit`, pixels; not needed for a rotation.
+  /// Image width and height to which `adaptation.fit` adapts the cameras, pixels; not needed for a
+  /// rotation.
   std::optional<std::array<int, 2>> size;
 };
 
-/// Calls readCalibration(). If requested, renames the cameras and fits them to another image size.
-/// Then calls writeCalibration().
+/// Converts a calibration file to another format. Reads it (readCalibration()), renames the cameras
+/// and fits them to another image size if requested, and writes it (writeCalibration()).
 Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in,
                                                  const CalibrationHints& hints,
                                                  const CalibrationOutput& target,

@@ -66,7 +66,7 @@ inline constexpr int kFewestPointsOfFocal = 6;
 /// Reason why a camera has no reliable pose from its points.
 enum class PoseStatus {
   None,
-  TooFew,    ///< fewer than kFewestPointsOfPose points
+  TooFew,    ///< fewer than four points were clicked (kFewestPointsOfPose)
   Collinear, ///< the points lie on one line
   Ambiguous, ///< the points lie in one plane, and two poses explain them about equally well
   NoPose     ///< no pose has all points in front of the camera
@@ -81,7 +81,7 @@ struct SymmetryProposal {
   bool isBasedOnUprightness = false;
 };
 
-/// Result of solveFromPoints() for one camera.
+/// Pose status and fit of one camera whose pose solveFromPoints() estimated from clicks on points.
 struct CameraFromPoints {
   int camera = 0;
   int clickCount = 0;
@@ -90,7 +90,7 @@ struct CameraFromPoints {
   std::optional<SymmetryProposal> proposal;
 };
 
-/// Result of solveFromPoints().
+/// Result of solveFromPoints(): camera poses estimated from clicks on measured points.
 struct PointSolution {
   CameraRig rig;                         ///< solved cameras have a new pose; the others keep theirs
   std::vector<CameraFromPoints> cameras; ///< cameras with at least one click
@@ -107,7 +107,7 @@ struct PointSolution {
   bool hasSolvedCamera() const;
 };
 
-/// Settings of solveFromPoints().
+/// Settings of solveFromPoints(), which estimates camera poses from clicks on measured points.
 struct PointSettings {
   bool estimateFocal =
       false; ///< true to estimate the focal lengths of cameras with kFewestPointsOfFocal points

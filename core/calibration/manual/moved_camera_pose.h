@@ -22,7 +22,8 @@ struct PointSighting {
 
 /// Knowledge about a camera motion before the sightings are used.
 struct CameraMotionPrior {
-  /// Rotation measured from the background, as in CameraRotation; radians.
+  /// Rotation of the camera measured from the background, as a rotation vector
+  /// (CameraRotation::turn); radians.
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
   /// Standard deviation of `turn`, radians.
   double rotationSigma = 2e-4;
@@ -37,7 +38,8 @@ struct MovedCameraPose {
   /// Median distance between the pixels of all sightings and their projections with the old pose,
   /// in pixels; 0 if there are no sightings.
   double medianPxBefore = 0.0;
-  /// Median distance between these pixels and their projections with the new pose, pixels.
+  /// Median distance between the pixels of all sightings and their projections with the new pose,
+  /// pixels.
   double medianPxAfter = 0.0;
   Eigen::Vector3d angleSigma =
       Eigen::Vector3d::Zero(); ///< standard deviation of the rotation, radians, camera axes

@@ -20,7 +20,8 @@ struct AccuracyPriors {
   /// Standard deviation of the upward direction about each of two horizontal axes, radians; empty
   /// if the upward direction is arbitrary.
   std::optional<double> upSigma;
-  /// Set if the intrinsics were estimated from the same images; see InitialCamerasWithoutStates.
+  /// Function that returns the initial cameras without some of the images. Set if the intrinsics
+  /// were estimated from the same images.
   InitialCamerasWithoutStates initialCamerasWithoutStates = nullptr;
 };
 
@@ -54,14 +55,15 @@ struct CalibrationAccuracy {
   /// Accuracy of each camera of the problem.
   std::vector<CameraAccuracy> cameras;
   /// Factor by which position errors in the cross-validation are larger than the covariance
-  /// predicts; 1 if they are not clearly larger. The values above already include this factor.
+  /// predicts; 1 if they are not clearly larger. The accuracies of positions, scale, upward
+  /// direction and cameras already include the factor.
   double modelFactor = 1.0;
   /// Root mean square reprojection error of the image points left out in the cross-validation,
   /// pixels.
   double leftOutRmsPx = 0.0;
   std::size_t leftOutPointCount = 0; ///< number of image points left out in the cross-validation
   /// Ratio of the errors in the cross-validation to the predicted errors; 0 if it is unknown. If
-  /// the ratio is clearly above 1, modelFactor is set to it.
+  /// the ratio is clearly above 1, modelFactor is set to it and enlarges the reported errors.
   double changeRatio = 0.0;
 };
 
@@ -85,7 +87,8 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const BundleResult& result,
                                               const AccuracyPriors& known = {});
 
-/// Assesses the accuracy of a calibration by wand. `floorTimes`: see WandProblem::floorTimes.
+/// Assesses the accuracy of a calibration by wand. `floorTimes`: times when ball 0 lay on the floor
+/// or touched it, seconds.
 Result<CalibrationAccuracy> assessWand(const WandResult& result,
                                        const std::vector<double>& floorTimes);
 

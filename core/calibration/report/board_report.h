@@ -18,11 +18,13 @@ struct BoardReport {
     double rmsPx = 0.0;
     BoardCoverage coverage;
     std::vector<ViewFit> views;
-    std::vector<EstimatedParameter> parameters; ///< empty if the intrinsics were given
-    std::optional<double> projectionSigmaPx;    ///< IntrinsicsResult::maxProjectionSigmaPx, pixels
-    /// Standard deviation of the position, meters; empty unless poses were estimated.
+    std::vector<EstimatedParameter>
+        parameters; ///< estimated intrinsics; empty if the intrinsics were given
+    std::optional<double>
+        projectionSigmaPx; ///< largest standard deviation of the projection of a ray, pixels
+    /// Standard deviation of the camera's position, meters; empty unless poses were estimated.
     std::optional<double> centerSigma;
-    /// Standard deviation of the orientation, radians; empty unless poses were estimated.
+    /// Standard deviation of the camera's orientation, radians; empty unless poses were estimated.
     std::optional<double> rotationSigma;
   };
 
@@ -32,7 +34,7 @@ struct BoardReport {
   std::vector<BoardPose>
       boardPoses; ///< board poses for the 3D plot; there is no plot without poses
   std::vector<std::string> notices;
-  std::string accuracy; ///< one sentence; may be empty
+  std::string accuracy; ///< one sentence about the accuracy of the calibration; may be empty
 };
 
 /// Returns the report section about one camera's intrinsics.

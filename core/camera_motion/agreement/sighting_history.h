@@ -60,7 +60,7 @@ private:
   ColorRegionSearch search_;
   Unprojector unprojector_; ///< converts pixels to directions in camera axes
   std::deque<SightingImage> images_;
-  std::vector<CountedPosition> counted_; ///< one per track in the last image
+  std::vector<CountedPosition> counted_; ///< last counted position of each track in the last image
   int tracks_ = 0;
 };
 
