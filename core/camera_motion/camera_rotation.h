@@ -14,8 +14,8 @@ struct BackgroundShift {
   Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< displacement of the patch, pixels
   /// Derivative of `shift` with respect to CameraRotation::turn, pixels per radian.
   Eigen::Matrix<double, 2, 3> byTurn = Eigen::Matrix<double, 2, 3>::Zero();
-  Eigen::Matrix2d covariance =
-      Eigen::Matrix2d::Zero(); ///< covariance of `shift` due to image noise, px²
+  /// Covariance of `shift` due to image noise, px².
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
 };
 
 /// Small rotation of a camera about its center. To first order, the new cameraFromWorld is (I +

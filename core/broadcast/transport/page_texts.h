@@ -15,8 +15,8 @@ struct PageTexts {
   /// BCP 47 tag of the language, for example "de-DE". It also determines how numbers are written.
   std::string language = "en";
   std::string title = "Dewpoint live";
-  std::string viewDescription =
-      "Cameras, targets and their tracks in 3D"; ///< description of the 3D view, for screen readers
+  /// Description of the 3D view, for screen readers.
+  std::string viewDescription = "Cameras, targets and their tracks in 3D";
   std::string help = "Drag: rotate · Wheel or two fingers: zoom · Double click: reset";
   std::string connecting = "Connecting…";
   std::string waiting = "Connected. Waiting for images…";

@@ -28,8 +28,8 @@ struct BoardChain {
   /// which the board had the pose.
   std::map<std::int64_t, Eigen::Isometry3d> firstFromBoard;
   std::vector<PosedView> views;
-  std::vector<std::vector<ViewFit>>
-      leftOutViews; ///< views from which no board pose could be computed, per camera
+  /// Views from which no board pose could be computed, per camera.
+  std::vector<std::vector<ViewFit>> leftOutViews;
   std::vector<std::string> notices;
 };
 

@@ -15,8 +15,8 @@ namespace dewpoint::calibration {
 /// Corners of a board detected in one image.
 struct BoardDetection {
   std::vector<int> ids; ///< corner numbers, ascending
-  std::vector<Eigen::Vector2d>
-      pixels; ///< corner positions (column, row) in pixels; pixel centers are at integers
+  /// Corner positions (column, row) in pixels; pixel centers are at integers.
+  std::vector<Eigen::Vector2d> pixels;
   /// Median width of the edges between black and white, in pixels: about 1.5 in a sharp image,
   /// larger with defocus or motion blur.
   double edgeWidthPx = 0.0;

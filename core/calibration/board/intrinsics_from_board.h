@@ -48,7 +48,7 @@ struct EstimatedParameter {
 /// the board eliminated. Rows and columns are in the order of IntrinsicsResult::parameters. Corners
 /// are assumed to have a standard deviation of one pixel.
 struct ViewNormalEquations {
-  std::int64_t instant = 0;    ///< number of the time at which the view was taken (BoardView::instant)
+  std::int64_t instant = 0; ///< number of the time at which the view was taken (BoardView::instant)
   Eigen::MatrixXd information; ///< normal matrix of the intrinsics
   /// Right-hand side of the normal equations: `information` times the parameter step that fits this
   /// view best.
@@ -57,9 +57,10 @@ struct ViewNormalEquations {
 
 /// Intrinsics of one camera, with their accuracy.
 struct IntrinsicsResult {
-  Camera camera;      ///< intrinsics, distortion and lens model; its pose is not determined
-  double rmsPx = 0.0; ///< root mean square distance between all corners used and their projections,
-                      ///< pixels (as defined by OpenCV)
+  Camera camera; ///< intrinsics, distortion and lens model; its pose is not determined
+  /// Root mean square distance between all corners used and their projections, pixels (as defined
+  /// by OpenCV).
+  double rmsPx = 0.0;
   std::vector<ViewFit> views;
   std::vector<EstimatedParameter> parameters;
   Eigen::MatrixXd covariance; ///< covariance of `parameters`, in the same order

@@ -28,15 +28,15 @@ struct ViewFit {
   /// True if the view is used although its error is more than three times the median error.
   bool doubtful = false;
   std::string reason; ///< why the view was left out or is doubtful
-  double rmsPx =
-      0.0; ///< root mean square distance between the view's corners and their projections, pixels
-  double tilt = 0.0; ///< angle between the board's normal and the direction to the camera
-                     ///< (tiltAngle()), radians
+  /// Root mean square distance between the view's corners and their projections, pixels.
+  double rmsPx = 0.0;
+  /// Angle between the board's normal and the direction to the camera (tiltAngle()), radians.
+  double tilt = 0.0;
   Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
   std::vector<int> ids;
   std::vector<Eigen::Vector2d> pixels; ///< measured positions of the corners
-  std::vector<Eigen::Vector2d>
-      residuals; ///< measured minus projected positions of the corners, pixels
+  /// Measured minus projected positions of the corners, pixels.
+  std::vector<Eigen::Vector2d> residuals;
 };
 
 /// Computes the fit of a view to a camera and to a pose of the board relative to this camera. The

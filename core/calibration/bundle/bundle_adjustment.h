@@ -37,14 +37,15 @@ struct BundleCamera {
   bool isPrincipalPointFree = false; ///< true to adjust the principal point
   /// True for each distortion coefficient to adjust, in the order of the camera's lens model.
   std::array<bool, 8> isDistortionFree = {};
-  double timeOffset =
-      0.0; ///< seconds, added to the times of the camera's observations to get true times
+  /// Time offset of the camera, seconds. It is added to the times of the camera's observations to
+  /// get true times.
+  double timeOffset = 0.0;
   /// True to adjust the camera's time offset. Must be false for at least one camera, because only
   /// differences between offsets can be determined.
   bool isTimeOffsetFree = false;
   std::optional<PosePrior> posePrior = std::nullopt;
-  double focalPriorSigma =
-      0.0; ///< relative standard deviation of the focal length around its start value; 0: no prior
+  /// Relative standard deviation of the focal length around its start value; 0: no prior.
+  double focalPriorSigma = 0.0;
 };
 
 /// Body with points that cameras observe.
@@ -67,16 +68,15 @@ struct BundleBody {
 /// with the cameras.
 struct BundleState {
   std::size_t body = 0;
-  double time = 0.0; ///< seconds
+  double time = 0.0; ///< time at which the body has this position, seconds
   /// True if this state contains a start value for the position of the body. If false, the points
   /// of the body are triangulated, which is not possible for boards.
   bool isKnown = false;
   /// True if the position of the body in this state is exact and stays fixed, so that it defines
   /// the world.
   bool isFixed = false;
-  std::array<Eigen::Vector3d, 2> ends = {
-      Eigen::Vector3d::Zero(),
-      Eigen::Vector3d::Zero()}; ///< the point (first only) or both ends of a stick; meters
+  /// Position of the point (first element only), or of both ends of a stick; meters.
+  std::array<Eigen::Vector3d, 2> ends = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   Eigen::Isometry3d worldFromBoard = Eigen::Isometry3d::Identity();
 };
 
@@ -103,12 +103,12 @@ struct BundleObservation {
 struct BundleProblem {
   std::vector<BundleCamera> cameras;
   std::vector<BundleBody> bodies;
-  std::vector<BundleState> states; ///< positions of the bodies at each time; states of the same
-                                   ///< body have different times
+  /// Positions of the bodies at each time; states of the same body have different times.
+  std::vector<BundleState> states;
   std::vector<BundleObservation> observations;
   RobustLoss loss = RobustLoss::None;
-  double lossWidth =
-      2.0; ///< residual at which the loss starts to deviate from least squares, pixels
+  /// Residual at which the loss starts to deviate from least squares, pixels.
+  double lossWidth = 2.0;
   /// Maximum time between two neighboring states, in seconds. Across a longer gap, the positions of
   /// points and sticks are not interpolated.
   double longestGap = 0.2;
@@ -121,16 +121,16 @@ struct BundleProblem {
 /// Output of adjustBundle(): the adjusted cameras and bodies, and how well they fit.
 struct BundleResult {
   CameraRig cameras;
-  std::vector<double>
-      timeOffsets; ///< offset to add to the times of each camera's observations, seconds
+  /// Offset to add to the times of each camera's observations, seconds.
+  std::vector<double> timeOffsets;
   /// The given states with adjusted values; `isKnown` is true where the solution determines them.
   std::vector<BundleState> states;
   /// Predicted minus observed image point for each observation, pixels; NaN for observations that
   /// could not be used.
   std::vector<Eigen::Vector2d> residuals;
-  std::vector<double>
-      cameraRms;    ///< RMS residual length per camera over all used image points, pixels
-  double rms = 0.0; ///< RMS residual length over all cameras, pixels
+  /// RMS residual length per camera over all used image points, pixels.
+  std::vector<double> cameraRms;
+  double rms = 0.0;                     ///< RMS residual length over all cameras, pixels
   std::size_t usedObservationCount = 0; ///< number of observations used
   /// Ratio of the residuals to the given sigmas, robustly weighted and corrected for the degrees of
   /// freedom. Multiply `covariance` by the square of this ratio to scale it to the actual size of

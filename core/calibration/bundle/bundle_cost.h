@@ -40,9 +40,9 @@ Eigen::Matrix3d rotationExponentialDerivative(const Eigen::Vector3d& turn,
 /// Data of one observation that stays constant during the optimization.
 struct PixelCostSetup {
   LensModel lens = LensModel::Pinhole;
-  Eigen::Matrix3d cameraRotation =
-      Eigen::Matrix3d::Identity(); ///< fixed rotation from world to camera axes, to which the
-                                   ///< rotation vector in the pose block is relative
+  /// Fixed rotation from world to camera axes, to which the rotation vector in the pose block is
+  /// relative.
+  Eigen::Matrix3d cameraRotation = Eigen::Matrix3d::Identity();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double sigma = 1.0;
   double outlineShift = 0.0;
@@ -54,8 +54,8 @@ struct PixelCostSetup {
   /// Index in the state block at which the coordinates of the free point start.
   int pointOffset = 0;
   double time = 0.0; ///< time of the image without the camera's offset, seconds
-  std::vector<double>
-      knots; ///< times of the states between which a free point is interpolated, seconds
+  /// Times of the states between which a free point is interpolated, seconds.
+  std::vector<double> knots;
 };
 
 /// Residual of an observation, (predicted - observed) / sigma. Parameter blocks: pose, lens, time

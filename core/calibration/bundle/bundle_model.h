@@ -47,8 +47,8 @@ public:
   BundleStart start;
   std::vector<CameraBlocks> cameras;
   std::vector<StateBlock> states;
-  std::vector<ceres::CostFunction*>
-      costFunctions; ///< cost function of each observation; null if the observation is not used
+  /// Cost function of each observation; null if the observation is not used.
+  std::vector<ceres::CostFunction*> costFunctions;
   std::size_t usedObservationCount = 0; ///< number of observations used
   /// Loss functions, one for each value of BundleObservation::sigma.
   std::map<double, std::unique_ptr<ceres::LossFunction>> losses;

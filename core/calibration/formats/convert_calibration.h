@@ -15,16 +15,16 @@ namespace dewpoint::calibration {
 struct CalibrationOutput {
   std::filesystem::path path; ///< a file, or a folder for formats with one file per camera
   std::string format;         ///< format name; derived from the extension if only one format has it
-  std::optional<double>
-      metersPerUnit;             ///< meters per unit, for formats that do not define their unit
+  /// Meters per unit, for formats that do not define their unit.
+  std::optional<double> metersPerUnit;
   bool replacesExisting = false; ///< true to overwrite existing files
 };
 
 /// Effect of a conversion on one camera.
 struct CameraDifference {
   std::string camera;
-  bool isRefitted =
-      false; ///< true if the lens was fitted again because the format lacks some coefficients
+  /// True if the lens was fitted again because the format lacks some coefficients.
+  bool isRefitted = false;
   double maxDifferencePx = 0.0; ///< largest distance between projections of the same point, pixels
   /// Number of the 9 x 9 compared directions that the written camera cannot see.
   int lostDirectionCount = 0;
@@ -37,8 +37,8 @@ struct CalibrationConversion {
   std::vector<std::string> decisions; ///< sentences about decisions made in reading and writing
   std::vector<std::string> notices;   ///< sentences about likely mistakes in the input
   std::vector<CameraDifference> cameras;
-  double maxDifferencePx =
-      0.0; ///< largest CameraDifference::maxDifferencePx of all cameras, pixels
+  /// Largest CameraDifference::maxDifferencePx of all cameras, pixels.
+  double maxDifferencePx = 0.0;
   std::vector<std::filesystem::path> writtenFiles;
 };
 

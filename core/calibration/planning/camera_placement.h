@@ -39,7 +39,7 @@ struct PlacementSettings {
 
 /// Result of placeCamera(): an additional camera in its best pose, and how much it improves a rig.
 struct PlacedCamera {
-  Camera camera;                   ///< the given camera in its new pose
+  Camera camera; ///< the given camera in its new pose
   /// Fraction of the volume (0 to 1) in which positions are measured with a standard deviation of
   /// at most goodSigma, without the new camera.
   double goodFractionBefore = 0.0;

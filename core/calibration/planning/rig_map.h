@@ -29,8 +29,8 @@ struct RigMapSummary {
   /// Fraction of the volume, 0 to 1, in which the standard deviation of a measured position is at
   /// most the limit passed to summaryOf().
   double fractionWithinLimit = 0.0;
-  double fractionSeenByTooFew =
-      0.0; ///< fraction of the volume seen by fewer than two cameras, 0 to 1
+  /// Fraction of the volume seen by fewer than two cameras, 0 to 1.
+  double fractionSeenByTooFew = 0.0;
   /// Median over the volume of the standard deviation of a measured position, meters. NaN if less
   /// than half of the volume has a standard deviation.
   double medianSigma = 0.0;

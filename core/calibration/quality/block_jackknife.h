@@ -21,8 +21,8 @@ using InitialCamerasWithoutStates = std::function<CameraRig(std::size_t first, s
 struct BlockJackknife {
   /// Cameras of each solution, in the world frame of the solution with all states.
   std::vector<CameraRig> rigs;
-  double squaredErrorSum =
-      0.0; ///< sum of the squared reprojection errors of the states left out, pixels²
+  /// Sum of the squared reprojection errors of the states left out, pixels².
+  double squaredErrorSum = 0.0;
   std::size_t leftOutPointCount = 0; ///< number of image points in `squaredErrorSum`
 
   /// Returns the factor by which to multiply the deviations of the G solutions from their mean. The

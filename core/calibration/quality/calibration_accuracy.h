@@ -15,8 +15,8 @@ namespace dewpoint::calibration {
 /// Knowledge about the accuracy of a calibration that is not part of its adjustment.
 struct AccuracyPriors {
   double scaleSigma = 0.0; ///< relative standard deviation of the scale; 0: exact, or unknown
-  bool scaleKnown =
-      true; ///< false if the scale is arbitrary; the accuracy of the scale is then not reported
+  /// False if the scale is arbitrary; the accuracy of the scale is then not reported.
+  bool scaleKnown = true;
   /// Standard deviation of the upward direction about each of two horizontal axes, radians; empty
   /// if the upward direction is arbitrary.
   std::optional<double> upSigma;

@@ -37,8 +37,9 @@ struct InitialRigSigma {
 /// Poses of cameras, fitted to the images of points whose positions are unknown.
 struct PointFit {
   CameraRig rig;
-  double sigmaPx = 0.0; ///< robust standard deviation of an image point per axis, corrected for the
-                        ///< degrees of freedom; pixels
+  /// Robust standard deviation of an image point per axis, corrected for the degrees of freedom;
+  /// pixels.
+  double sigmaPx = 0.0;
   std::vector<double> squaredResiduals; ///< squared residuals per axis, pixels²
   std::size_t points = 0;
 };

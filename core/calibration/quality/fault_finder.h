@@ -12,8 +12,8 @@ namespace dewpoint::calibration {
 /// Result of a search for faults: mistakes in a calibration, such as swapped cameras.
 struct FaultReport {
   std::vector<DetectedFault> faults;
-  double sigmaPx =
-      0.0; ///< standard deviation of an image point per axis, from the cameras that agree; pixels
+  /// Standard deviation of an image point per axis, from the cameras that agree; pixels.
+  double sigmaPx = 0.0;
 };
 
 /// Searches for the faults listed in CalibrationFault. For each possible fault (hypothesis), the

@@ -13,10 +13,10 @@ struct SeenRegion {
   Eigen::Vector3d direction; ///< direction to the center: unit vector, camera axes
   Eigen::Vector3d rate;      ///< change of `direction` per second
   double radius;
-  double sigma;          ///< standard deviation of the center, per axis
-  double bias;           ///< part of `sigma` that is constant while the object moves
-  bool countsAsEvidence; ///< true if the region moved enough to count
-                         ///< (RegionSighting::countsAsEvidence)
+  double sigma; ///< standard deviation of the center, per axis
+  double bias;  ///< part of `sigma` that is constant while the object moves
+  /// True if the region moved enough to count (RegionSighting::countsAsEvidence).
+  bool countsAsEvidence;
 };
 
 /// Result of matchRegions(): how well two regions, each in the image of another camera, match as
@@ -28,8 +28,8 @@ struct RegionMatch {
   Eigen::Vector3d residualByU = Eigen::Vector3d::Zero();
   /// Derivative of `residual` with respect to the direction `v` to the region in the second camera.
   Eigen::Vector3d residualByV = Eigen::Vector3d::Zero();
-  double size = 0.0; ///< radius of the object seen by both cameras, in the unit of the camera
-                     ///< positions; 0: unknown
+  /// Radius of the object seen by both cameras, in the unit of the camera positions; 0: unknown.
+  double size = 0.0;
 };
 
 /// Returns how well region `a` in a first camera matches region `b` in a second camera. `a` is seen
