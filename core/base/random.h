@@ -16,7 +16,7 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
 /// different purposes are independent.
 enum class RandomPurpose : std::uint32_t {
   Start,  ///< initial states of particles
-  Motion, ///< motion model
+  Motion, ///< noise of the motion model
   Resampling,
   Simulation, ///< simulated images and observations
   Noise,      ///< tables of random numbers for simulated image noise

@@ -25,7 +25,7 @@ struct CameraRotation {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< rotation vector, radians, camera axes
   double sigma = 0.0;        ///< standard error of the least certain component of `turn`, radians
   double significance = 0.0; ///< angle of the rotation divided by its standard error
-  int usedShiftCount = 0;    ///< number of shifts that agree with the rotation
+  int usedShiftCount = 0;    ///< number of patch displacements that agree with the rotation
 };
 
 /// Returns the derivative (pixels per radian) of the image position of a world point with respect

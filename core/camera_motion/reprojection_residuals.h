@@ -17,7 +17,7 @@ namespace dewpoint::camera_motion {
 /// Sighting of a target by one camera, compared with the position of the target according to the
 /// other cameras.
 struct ReprojectionResidual {
-  double time = 0.0; ///< seconds
+  double time = 0.0; ///< capture time of the image, seconds
   /// Position of the target according to the other cameras alone (in a rig of two cameras: the
   /// estimate of the tracker), meters.
   Eigen::Vector3d world = Eigen::Vector3d::Zero();

@@ -50,8 +50,10 @@ struct CalibrationAccuracy {
   /// Distance from the calibrated volume within which 95 % of the positions of `outsidePosition95`
   /// lie, meters; 0 if `outsidePosition95` is empty.
   double outsideDistance = 0.0;
-  std::optional<double> scale95;   ///< relative error of the scale, 95 %
-  std::optional<double> upAngle95; ///< error of the upward direction, radians, 95 %
+  /// Relative error of the scale, not exceeded with 95 % probability.
+  std::optional<double> scale95;
+  /// Error of the upward direction, radians; not exceeded with 95 % probability.
+  std::optional<double> upAngle95;
   /// Accuracy of each camera of the problem.
   std::vector<CameraAccuracy> cameras;
   /// Factor by which position errors in the cross-validation are larger than the covariance

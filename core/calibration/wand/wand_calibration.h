@@ -83,7 +83,7 @@ struct FreeFall {
   /// Measured acceleration, meters per second squared; 9.81 if the scale is correct.
   double gravity = 0.0;
   double sigma = 0.0;       ///< standard deviation of `gravity`
-  std::size_t instants = 0; ///< number of positions used
+  std::size_t instants = 0; ///< number of ball positions used
 };
 
 /// Output of calibrateFromWand(): the calibrated cameras, and how well the views of the wand fit.

@@ -107,7 +107,8 @@ private:
     double time;
     std::vector<SeenRegion> seen;
   };
-  using Views = std::vector<std::vector<std::vector<RegionImage>>>; ///< [color][camera]
+  /// Images and their regions, by color and camera.
+  using Views = std::vector<std::vector<std::vector<RegionImage>>>;
   struct Pose {
     Eigen::Vector3d center;
     Eigen::Matrix3d worldFromCamera;
@@ -150,9 +151,9 @@ private:
 
   const std::vector<std::vector<SightingHistory>>& histories_;
   std::vector<double> radii_;
-  /// Per camera; convert pixels to directions in camera axes.
+  /// Converters from pixels to directions in camera axes, one per camera.
   std::vector<Unprojector> unprojectors_;
-  std::vector<double> focals_; ///< focal lengths, pixels
+  std::vector<double> focals_; ///< focal length of each camera, pixels
   std::vector<Pose> cameras_;
   double interval_ = 0.0;
   Views views_; ///< images and regions of all cameras, each with its own calibration
