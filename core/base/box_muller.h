@@ -31,7 +31,8 @@ struct NormalPairSingle {
   float second;
 };
 
-/// Computes two independent standard normal numbers like boxMuller(), but in single precision.
+/// Computes two independent standard normal numbers from two uniform random words, like
+/// boxMuller(), but in single precision.
 [[gnu::always_inline]] inline NormalPairSingle boxMullerSingle(std::uint32_t radiusWord,
                                                                std::uint32_t angleWord) {
   const float radius = std::sqrt(-2.0F * logarithm(toUnitInterval(radiusWord)));
@@ -39,7 +40,7 @@ struct NormalPairSingle {
   return {radius * cosine, radius * sine};
 }
 
-/// Returns an exponentially distributed number with mean 1, computed from a random word by
+/// Returns an exponentially distributed number with mean 1, computed from a uniform random word by
 /// inverting the distribution function.
 [[gnu::always_inline]] inline float exponentialVariate(std::uint32_t word) {
   return 0.0F - logarithm(toUnitInterval(word)); // never minus zero

@@ -51,9 +51,9 @@ struct CosineSine {
   double sine;
 };
 
-/// Returns the cosine and sine of the angle turn / 2^32, measured in full turns. Method: the
-/// nearest multiple of a quarter turn is subtracted exactly, using integers. A Taylor series is
-/// then evaluated for the remainder, which is at most an eighth of a turn. The omitted terms of the
+/// Returns the cosine and sine of an angle of `turn` / 2^32 full turns. Method: the nearest
+/// multiple of a quarter turn is subtracted exactly, using integers. A Taylor series is then
+/// evaluated for the remainder, which is at most an eighth of a turn. The omitted terms of the
 /// series are below 1e-16.
 [[gnu::always_inline]] inline CosineSine cosineSine(std::uint32_t turn) {
   constexpr std::array<double, 9> kSine{1.0,

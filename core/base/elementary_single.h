@@ -44,7 +44,7 @@ struct CosineSineSingle {
   float sine;
 };
 
-/// Returns the cosine and sine of the angle turn / 2^32, measured in full turns. This is the
+/// Returns the cosine and sine of an angle of `turn` / 2^32 full turns. This is the
 /// single-precision version of cosineSine() in elementary.h.
 [[gnu::always_inline]] inline CosineSineSingle cosineSineSingle(std::uint32_t turn) {
   constexpr std::array<float, 5> kSine{1.0F, -1.0F / 6.0F, 1.0F / 120.0F, -1.0F / 5040.0F,

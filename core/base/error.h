@@ -21,7 +21,7 @@ enum class ErrorCode {
   MissingKey,
   WrongType,
   BadValue,
-  Mismatch,   ///< data does not match other data
+  Mismatch,   ///< two pieces of data do not fit each other
   EndedEarly, ///< a file or recording ended before its expected end
   DeviceUnavailable,
   ConnectionLost, ///< the camera stopped delivering images

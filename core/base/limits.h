@@ -23,14 +23,15 @@ inline constexpr std::uintmax_t kMaxTableBytes = std::uintmax_t{4} << 30U;
 /// computed. This data does not count towards the limit: a file with such data may have up to
 /// kMaxTextBytes.
 inline constexpr std::uintmax_t kMaxCalibrationBytes = std::uintmax_t{4} << 20U;
-/// Maximum size of a JSON file about one run or take, in bytes. Such files have some kilobytes. The
-/// objects that the parser builds from a file take up to 30 times the size of the file.
+/// Maximum size of a JSON file about one run or take (a recording of live cameras), in bytes. Such
+/// files have some kilobytes. The objects that the parser builds from a file take up to 30 times
+/// the size of the file.
 inline constexpr std::uintmax_t kMaxRecordBytes = std::uintmax_t{4} << 20U;
 
-/// Maximum number of cameras in a project, calibration or scene. The largest motion capture stages
-/// have a few hundred.
+/// Maximum number of cameras in a project, calibration or simulated scene. The largest motion
+/// capture stages have a few hundred.
 inline constexpr std::size_t kMaxCameras = 1000;
-/// Maximum number of targets in a project, or of balls and lights in a scene.
+/// Maximum number of targets in a project, or of balls and lights in a simulated scene.
 inline constexpr std::size_t kMaxTargets = 1000;
 /// Maximum total number of particles of all targets in a project. The filters for this number of
 /// particles take some gigabytes of memory.

@@ -15,11 +15,11 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
 /// Purpose for which random numbers are drawn. Each purpose has its own stream, so numbers for
 /// different purposes are independent.
 enum class RandomPurpose : std::uint32_t {
-  Start,  ///< initial states
-  Motion, ///< motion model
+  Start,  ///< initial states of particles
+  Motion, ///< noise of the motion model
   Resampling,
   Simulation, ///< simulated images and observations
-  Noise,      ///< noise tables
+  Noise,      ///< tables of random numbers for simulated image noise
   Resize,     ///< changes of the number of particles
   Proposal,   ///< proposal distribution of a particle filter
   Search      ///< search for a target whose position is unknown
@@ -45,22 +45,23 @@ public:
   /// the Box-Muller method (box_muller.h).
   std::array<double, 4> normal4(std::uint32_t index, std::uint32_t block = 0) const;
 
-  /// Returns the first three numbers of normal4(), computed in single precision.
+  /// Returns three independent standard normal numbers, computed in single precision: the first
+  /// three of normal4().
   std::array<float, 3> normal3(std::uint32_t index) const;
 
   /// Returns four independent exponentially distributed numbers with mean 1, in single precision.
   std::array<float, 4> exponential4(std::uint32_t index) const;
 
-  /// Writes normal3(i) for `count` elements i, starting with `firstIndex`, into three columns. The
-  /// columns must not overlap.
+  /// Writes three standard normal numbers, normal3(i), for each of `count` elements i into three
+  /// columns. The first element is `firstIndex`. The columns must not overlap.
   void fillNormal3(std::uint32_t firstIndex, std::int64_t count,
                    const std::array<double*, 3>& columns) const;
-  /// Writes normal4(i, block) for `count` elements i, starting with `firstIndex`, into four
-  /// columns. The columns must not overlap.
+  /// Writes four standard normal numbers, normal4(i, block), for each of `count` elements i into
+  /// four columns. The first element is `firstIndex`. The columns must not overlap.
   void fillNormal4(std::uint32_t firstIndex, std::uint32_t block, std::int64_t count,
                    const std::array<double*, 4>& columns) const;
-  /// Writes exponential4(i) for `count` elements i, starting with `firstIndex`, into four columns.
-  /// The columns must not overlap.
+  /// Writes four exponentially distributed numbers, exponential4(i), for each of `count` elements i
+  /// into four columns. The first element is `firstIndex`. The columns must not overlap.
   void fillExponential4(std::uint32_t firstIndex, std::int64_t count,
                         const std::array<float*, 4>& columns) const;
 

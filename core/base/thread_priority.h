@@ -8,14 +8,14 @@ namespace dewpoint::base {
 /// Priority of a thread relative to other threads on the same processor.
 enum class ThreadPriority {
   Prompt, ///< the normal behavior: a thread runs as soon as it wakes up
-  /// A thread that wakes up waits until the running thread pauses or the time slice of the running
-  /// thread ends. Threads started by a patient thread are patient, too.
+  /// A thread that wakes up waits until the thread now running on the processor pauses or its time
+  /// slice ends. Threads started by a patient thread are patient, too.
   Patient
 };
 
 /// Sets the priority of the calling thread. Has no effect without permission, or on systems other
-/// than Linux. UI threads are `Patient`, so that drawing one iteration does not delay the next
-/// filter iteration by milliseconds.
+/// than Linux. UI threads are `Patient`, so that drawing the results of one filter iteration does
+/// not delay the next iteration by milliseconds.
 void setThreadPriority(ThreadPriority priority);
 
 } // namespace dewpoint::base

@@ -3,8 +3,8 @@
 
 #include "core/base/instruction_set.h"
 
-/// Declares the function `run` of a kernel: the loop that runKernel() runs. The function must be
-/// inlined, because it is compiled once for each instruction set.
+/// Declares the function `run` of a kernel, which contains the loop that runKernel() executes. The
+/// function must be inlined, because it is compiled once for each instruction set.
 #define DEWPOINT_KERNEL [[gnu::always_inline]] static inline
 
 #if defined(__x86_64__)

@@ -27,11 +27,12 @@ namespace dewpoint::broadcast {
 
 class WebServer;
 
-/// Input of Broadcaster::open().
+/// Input of Broadcaster::open(), which opens the outputs that send results to other programs.
 struct BroadcastInputs {
   OutputSettings settings;
   std::filesystem::path folder = {}; ///< folder to which relative paths in the settings refer
-  /// Volume of interest of the project, meters, world frame; see RigMessage::volume.
+  /// Volume of interest of the project, meters, world frame; it is sent to receivers as
+  /// RigMessage::volume.
   std::optional<WorldBox> volume = {};
   /// Function that executes remote commands; empty: remote commands are off.
   RemoteReceiver receiver = {};
@@ -39,22 +40,23 @@ struct BroadcastInputs {
 };
 
 /// Sends the results of a run to other programs while the run lasts. A separate thread sends them,
-/// so tracking never waits. At most kQueueLength snapshots wait to be sent; if there are more, the
-/// oldest is dropped.
+/// so tracking never waits. At most kQueueLength snapshots (results of one frame each) wait to be
+/// sent; if there are more, the oldest is dropped.
 class Broadcaster {
 public:
   static constexpr std::size_t kQueueLength = 8;
 
-  /// Opens all outputs of the settings. Errors name the key in the project file, for example
-  /// "output.tcp".
+  /// Opens all outputs that the settings in `inputs` describe. Errors name the key in the project
+  /// file, for example "output.tcp".
   static Result<std::unique_ptr<Broadcaster>> open(const BroadcastInputs& inputs);
-  /// Sends the snapshots that still wait, and closes all outputs.
+  /// Sends the snapshots (results of one frame each) that still wait to be sent, and closes all
+  /// outputs.
   ~Broadcaster();
   Broadcaster(const Broadcaster&) = delete;
   Broadcaster& operator=(const Broadcaster&) = delete;
 
-  /// Adds a snapshot to those that wait to be sent. Ignores a snapshot without newly tracked
-  /// images. Returns immediately. Thread-safe.
+  /// Adds a snapshot (the results of one frame) to those that wait to be sent. Ignores a snapshot
+  /// without results of newly tracked images. Returns immediately. Thread-safe.
   void offer(TrackSnapshotPtr snapshot);
 
   /// Sets the texts of the page for browsers. They are used when a browser loads the page the next
@@ -63,7 +65,8 @@ public:
 
   /// Returns the status of each open output, in the order JSON, WebSocket, OSC, TUIO, CSV.
   std::vector<OutletReport> reports() const;
-  /// Returns the number of snapshots that were dropped because sending took too long.
+  /// Returns the number of snapshots (results of one frame each) that were dropped because sending
+  /// took too long.
   std::int64_t droppedFrames() const { return dropped_; }
   /// Returns the number of frames that were sent.
   std::int64_t sentFrames() const { return sent_; }
@@ -82,16 +85,16 @@ private:
   OutputCoordinates coordinates_;
   std::optional<WorldBox> volume_;
   std::vector<Line> lines_;
-  WebServer* web_ = nullptr; ///< one of `lines_`, if there is a page
+  WebServer* web_ = nullptr; ///< server of the page for browsers; null if there is none
   RateLimit limit_;
   // Of the thread:
   RecentPositions recent_;
-  std::shared_ptr<const CameraRig> seenRig_; ///< the one that `rig_` was made of
+  std::shared_ptr<const CameraRig> seenRig_; ///< rig from which the message `rig_` was made
   RigMessagePtr rig_;
   std::int64_t frame_ = -1;
   std::int64_t iterations_ = -1;
 
-  std::mutex mutex_; ///< of the queue
+  std::mutex mutex_; ///< protects the queue of snapshots
   std::condition_variable_any arrived_;
   std::deque<TrackSnapshotPtr> queue_;
   std::atomic<std::int64_t> dropped_ = 0;

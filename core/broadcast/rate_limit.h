@@ -19,9 +19,10 @@ public:
                                  std::chrono::duration<double>(1.0 / rate))
                            : Clock::duration::zero()) {}
 
-  /// Returns whether to send a frame that arrives at `now`. A frame may be up to a third of a
-  /// period early. Cameras with exactly this rate therefore lose no frames, although their frames
-  /// do not arrive at regular intervals. On average, the rate is still not exceeded.
+  /// Returns whether to send a frame that arrives at `now`. A frame may arrive early by up to a
+  /// third of the interval between frames. Cameras with exactly the maximum rate therefore lose no
+  /// frames, although their frames do not arrive at regular intervals. On average, the maximum rate
+  /// is still not exceeded.
   bool isDue(Clock::time_point now) {
     if (now + period_ / 3 < due_) {
       return false;

@@ -16,7 +16,7 @@ namespace dewpoint::camera_motion {
 /// that changes in lighting have no effect.
 class BackgroundPatch {
 public:
-  static constexpr int kSidePx = 19; ///< pixels
+  static constexpr int kSidePx = 19; ///< side of the square patch, pixels
 
   /// Creates a patch centered on a pixel of an image (CV_8UC3). Returns nothing if the pixel is too
   /// close to the border, or if the image has too little structure in some direction to locate the

@@ -20,7 +20,7 @@ struct CameraMotionEvent {
   CameraRotation turn; ///< rotation relative to the reference images, as measured up to this frame
 };
 
-/// Current state of one camera.
+/// Whether one camera has moved, according to the latest checks.
 struct CameraMotionState {
   /// Rotation relative to the reference images: the median over the last five checks (about one
   /// second).
@@ -53,7 +53,7 @@ public:
 
   /// Returns all motions reported since the start or the last restart().
   const std::vector<CameraMotionEvent>& events() const { return events_; }
-  /// Returns the current state of a camera.
+  /// Returns whether a camera has moved, according to the latest checks.
   const CameraMotionState& camera(std::size_t camera) const { return watched_[camera].state; }
   std::size_t cameraCount() const { return watched_.size(); }
 
@@ -73,11 +73,11 @@ private:
   struct WatchedCamera {
     Camera camera;
     std::vector<TrackedPatch> patches;
-    std::deque<Eigen::Vector3d> turns; ///< results of the last checks
+    std::deque<Eigen::Vector3d> turns; ///< rotations measured in the last checks
     double due = 0.0;                  ///< time of the next check, seconds
     double learned = 0.0;              ///< time of the last search for new patches, seconds
     int nextPart = 0;                  ///< part of the image in which a patch is searched for next
-    cv::Mat thumbnail;                 ///< thumbnail of the reference image, for large motions
+    cv::Mat thumbnail;                 ///< reduced reference image, for estimating large rotations
     CameraMotionState state;
   };
   void check(std::size_t camera, const Frame& frame, const FrameSet& frames);

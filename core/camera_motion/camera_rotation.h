@@ -11,21 +11,21 @@ namespace dewpoint::camera_motion {
 /// Displacement of a background patch in the image, and the derivative of the displacement with
 /// respect to a camera rotation.
 struct BackgroundShift {
-  Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< pixels
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero(); ///< displacement of the patch, pixels
   /// Derivative of `shift` with respect to CameraRotation::turn, pixels per radian.
   Eigen::Matrix<double, 2, 3> byTurn = Eigen::Matrix<double, 2, 3>::Zero();
-  Eigen::Matrix2d covariance =
-      Eigen::Matrix2d::Zero(); ///< covariance of `shift` due to image noise, px²
+  /// Covariance of `shift` due to image noise, px².
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
 };
 
 /// Small rotation of a camera about its center. To first order, the new cameraFromWorld is (I +
 /// [turn]x) times the old cameraFromWorld, where I is the identity and [turn]x is the cross-product
 /// matrix of `turn`.
 struct CameraRotation {
-  Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< radians, camera axes
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero(); ///< rotation vector, radians, camera axes
   double sigma = 0.0;        ///< standard error of the least certain component of `turn`, radians
   double significance = 0.0; ///< angle of the rotation divided by its standard error
-  int usedShiftCount = 0;    ///< number of shifts that agree with the rotation
+  int usedShiftCount = 0;    ///< number of patch displacements that agree with the rotation
 };
 
 /// Returns the derivative (pixels per radian) of the image position of a world point with respect

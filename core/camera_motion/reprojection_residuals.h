@@ -17,13 +17,13 @@ namespace dewpoint::camera_motion {
 /// Sighting of a target by one camera, compared with the position of the target according to the
 /// other cameras.
 struct ReprojectionResidual {
-  double time = 0.0; ///< seconds
+  double time = 0.0; ///< capture time of the image, seconds
   /// Position of the target according to the other cameras alone (in a rig of two cameras: the
   /// estimate of the tracker), meters.
   Eigen::Vector3d world = Eigen::Vector3d::Zero();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< center of the target in the image
-  Eigen::Vector2d residual =
-      Eigen::Vector2d::Zero(); ///< `pixel` minus the projection of `world`, pixels
+  /// `pixel` minus the projection of `world`, pixels.
+  Eigen::Vector2d residual = Eigen::Vector2d::Zero();
   /// Disagreement of the other cameras among themselves, pixels: the largest distance, over the
   /// images of the other cameras, between the center of the target and the projection of `world`.
   double otherCamerasDisagreementPx = 0.0;
@@ -60,8 +60,9 @@ public:
   }
   /// Medians over the sightings of a camera.
   struct Summary {
-    Eigen::Vector2d residual = Eigen::Vector2d::Zero(); ///< median of each component, pixels
-    double otherCamerasDisagreementPx = 0.0;            ///< pixels
+    /// Median residual, component by component, pixels.
+    Eigen::Vector2d residual = Eigen::Vector2d::Zero();
+    double otherCamerasDisagreementPx = 0.0; ///< median disagreement of the other cameras, pixels
   };
   /// Returns the medians over the sightings of a camera at or after the time `since` (seconds).
   /// Returns nothing if there are fewer than `fewest` such sightings.

@@ -40,11 +40,11 @@ struct CaptureInstant {
 
 /// Times at which a live image passed the stages of its processing.
 struct LiveInstants {
-  /// CaptureInstant::time minus the camera's delay.
+  /// Time at which the image was taken: CaptureInstant::time minus the camera's delay.
   std::chrono::steady_clock::time_point captured{};
   std::chrono::steady_clock::time_point arrived{}; ///< arrival of the image's data, before decoding
   std::chrono::steady_clock::time_point decoded{}; ///< end of decoding of the image
-  std::int64_t stamp = -1;                         ///< CaptureInstant::stamp
+  std::int64_t stamp = -1; ///< number of the image in its connection (CaptureInstant::stamp)
 };
 
 } // namespace dewpoint::capture

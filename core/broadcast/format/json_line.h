@@ -10,9 +10,9 @@ namespace dewpoint::broadcast {
 
 /// Returns the rig as one line of JSON: `{"type":"rig",...}` with axes, unit, volume and cameras.
 std::string jsonRigLine(const RigMessage& rig);
-/// Returns a frame as one line of JSON: `{"type":"frame",...}`. The vector has exactly one element
-/// (see StreamFormat::encode). Unknown values are null. Positions have nine significant digits,
-/// covariances six. A covariance is written as xx, xy, xz, yy, yz, zz.
+/// Returns a frame as one line of JSON: `{"type":"frame",...}`. The vector has exactly one element,
+/// because a frame is one line (see StreamFormat::encode). Unknown values are null. Positions have
+/// nine significant digits, covariances six. A covariance is written as xx, xy, xz, yy, yz, zz.
 std::vector<std::string> jsonFrameLines(const FrameMessage& frame);
 
 } // namespace dewpoint::broadcast

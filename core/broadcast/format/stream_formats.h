@@ -10,8 +10,8 @@
 
 namespace dewpoint::broadcast {
 
-/// Format in which results are sent during a run; one entry of streamFormats(). The functions have
-/// no side effects: the same input gives the same bytes.
+/// Format in which results are sent during a run, such as JSON lines. Its functions have no side
+/// effects: the same input gives the same bytes.
 struct StreamFormat {
   std::string_view id;     ///< name in documents and messages
   std::string_view title;  ///< description in a few words

@@ -52,7 +52,7 @@ using RigMessagePtr = std::shared_ptr<const RigMessage>;
 struct TargetMessage {
   int id = 0;       ///< number of the target, from 1; the id of a person is not reused during a run
   std::string name; ///< name in the project
-  std::string state; ///< result of stateWord()
+  std::string state; ///< tracking state as one word, such as "searching" (stateWord())
   /// Position; empty if the images of this frame do not confirm the position.
   std::optional<Eigen::Vector3d> position;
   /// Covariance of the position. Meaningful only if there is a position.
@@ -76,12 +76,13 @@ struct FrameMessage {
   std::vector<TargetMessage> targets;
 };
 
-/// Returns the state of a target as one word: held, ambiguous, searching, lost, hidden, or gone.
-/// The same words are used in reasons.csv.
+/// Returns the state of a target as one word: held (confirmed by the cameras), ambiguous,
+/// searching, lost, hidden, or gone (no longer present). The same words are used in reasons.csv.
 const char* stateWord(TrackingState state);
 
-/// Returns the message about the rig of a snapshot. The snapshot must have a rig. `volume` is the
-/// project's volume of interest (meters, world frame), if there is one.
+/// Returns the message that describes the rig of a snapshot, converted to `coordinates`. The
+/// snapshot must have a rig. `volume` is the project's volume of interest (meters, world frame), if
+/// there is one.
 RigMessage rigMessageOf(const TrackSnapshot& snapshot, const OutputCoordinates& coordinates,
                         const std::optional<WorldBox>& volume);
 
@@ -89,7 +90,8 @@ RigMessage rigMessageOf(const TrackSnapshot& snapshot, const OutputCoordinates& 
 /// be added, even if it is not sent.
 class RecentPositions {
 public:
-  /// Adds a snapshot. Forgets all earlier positions if the run was restarted or jumped back.
+  /// Adds the target positions in a snapshot. Forgets all earlier positions if the run was
+  /// restarted or jumped back.
   void add(const TrackSnapshot& snapshot);
   /// Returns the velocity of a target (m/s, world frame) in the latest frame, or nothing if it is
   /// unknown.
@@ -113,8 +115,9 @@ private:
   std::uint64_t seed_ = 0;
 };
 
-/// Returns the message about a frame. The snapshot must have a rig and frames, and must already
-/// have been added to `recent`. People who have left are omitted. FrameMessage::sequence is 0.
+/// Returns the message about the frame in a snapshot. The snapshot must have a rig and frames, and
+/// must already have been added to `recent`, which provides the velocities. People who have left
+/// are omitted. The caller must set FrameMessage::sequence, which is 0.
 FrameMessage frameMessageOf(const TrackSnapshot& snapshot, const RecentPositions& recent,
                             const RigMessagePtr& rig);
 

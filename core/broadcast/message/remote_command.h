@@ -23,7 +23,8 @@ struct RemoteCommand {
   std::string token; ///< secret word with which the sender proves its permission
 };
 
-/// Maximum length of a command line or WebSocket message, bytes. Longer ones are rejected.
+/// Maximum length of a line or WebSocket message that contains a remote command, bytes. Longer ones
+/// are rejected.
 inline constexpr std::size_t kMaxRemoteCommandBytes = 4096;
 /// Maximum length of the name of a recording, bytes.
 inline constexpr std::size_t kMaxRecordingName = 64;
@@ -42,7 +43,7 @@ class RemoteGate {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// `token`: token that commands must contain. If the token or the receiver is empty, remote
+  /// `token`: secret word that commands must contain. If the token or the receiver is empty, remote
   /// commands are off.
   RemoteGate(std::string token, RemoteReceiver receiver);
 

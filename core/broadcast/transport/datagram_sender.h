@@ -11,8 +11,8 @@
 
 namespace dewpoint::broadcast {
 
-/// Sends each piece as one UDP datagram to one receiver. Does not notice if there is no receiver.
-/// Sends no preamble.
+/// Sends each piece of a frame (StreamFormat::encode) as one UDP datagram to one receiver. Does not
+/// notice if there is no receiver. Sends no preamble (text before the first frame).
 class DatagramSender final : public Outlet {
 public:
   /// Opens a socket for sending to `address` (HOST:PORT, which may be a broadcast or multicast

@@ -24,11 +24,11 @@ public:
   bool maySendCommands() const { return maySendCommands_; }
   bool hasWaitingBytes() const { return !queue_.empty(); }
 
-  /// Appends bytes to send. Returns the number of pieces that were dropped because the queue is
-  /// full.
+  /// Appends a piece (a line or message) to the queue of those to send. Returns the number of
+  /// pieces that were dropped because the queue is full.
   std::int64_t push(SharedBytes bytes) { return queue_.push(std::move(bytes)); }
   /// Sends as many of the waiting bytes as the network accepts immediately. Returns the number of
-  /// pieces that were sent completely. Closes the socket after an error.
+  /// pieces (lines or messages) that were sent completely. Closes the socket after an error.
   std::int64_t sendWaiting();
   /// Reads at most 16 KiB of the data that has arrived. Returns the lines that are now complete,
   /// without their line ends. Lines longer than kMaxRemoteCommandBytes are omitted. A client that

@@ -13,8 +13,9 @@
 namespace dewpoint::broadcast {
 
 /// Writes lines to a file, a named pipe or standard output. send() opens a named pipe as soon as a
-/// program reads from it. Each reader first gets the preamble. A line that does not fit into a pipe
-/// is dropped completely. send() blocks SIGPIPE in the thread that calls it.
+/// program reads from it. Each reader first gets the preamble, the text before the first frame. A
+/// line that does not fit into a pipe is dropped completely. send() blocks SIGPIPE in the thread
+/// that calls it.
 class LineFile final : public Outlet {
 public:
   /// Opens an output. If `file` is "-", this is standard output. A file that does not exist is

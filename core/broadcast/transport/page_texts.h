@@ -15,15 +15,16 @@ struct PageTexts {
   /// BCP 47 tag of the language, for example "de-DE". It also determines how numbers are written.
   std::string language = "en";
   std::string title = "Dewpoint live";
-  std::string viewDescription =
-      "Cameras, targets and their tracks in 3D"; ///< of the 3D view, for screen readers
+  /// Description of the 3D view, for screen readers.
+  std::string viewDescription = "Cameras, targets and their tracks in 3D";
   std::string help = "Drag: rotate · Wheel or two fingers: zoom · Double click: reset";
   std::string connecting = "Connecting…";
   std::string waiting = "Connected. Waiting for images…";
   std::string disconnected = "Not connected. Trying again…";
   std::string frame = "Frame %1, %2"; ///< number and time of the frame shown
   std::string seconds = "%1 s";       ///< a time in seconds
-  /// Displayed names of target states. The keys are the results of stateWord().
+  /// Displayed names of target states. The keys are the state words in messages (stateWord());
+  /// "held" means confirmed by the cameras.
   std::map<std::string, std::string> states{{"held", "tracking"}, {"ambiguous", "ambiguous"},
                                             {"hidden", "hidden"}, {"searching", "searching"},
                                             {"lost", "lost"},     {"gone", "not present"}};

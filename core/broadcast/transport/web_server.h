@@ -13,8 +13,9 @@
 
 namespace dewpoint::broadcast {
 
-/// Sends each piece as a WebSocket text message (RFC 6455) to all clients, and reads remote
-/// commands from them. Serves livePage() at `/` on the same port. Uses one thread for all clients.
+/// Sends each piece of a frame (StreamFormat::encode) as a WebSocket text message (RFC 6455) to all
+/// clients, and reads remote commands from them. Serves livePage() at `/` on the same port. Uses
+/// one thread for all clients.
 ///
 /// Limits: An HTTP request has at most 8 KiB of header and no body, and must be complete within
 /// kRequestTimeoutSeconds. A message longer than kMaxRemoteCommandBytes ends the connection. At

@@ -12,22 +12,24 @@ namespace dewpoint::calibration {
 struct PosedView {
   std::size_t camera = 0;
   const BoardView* view = nullptr;
-  /// Detected corners. Their numbers agree with those of the other cameras, even on a symmetric
-  /// board.
+  /// Detected corners of the board. Their numbers agree with those of the other cameras, even on a
+  /// symmetric board.
   BoardDetection detection;
   Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
   double rmsPx = 0.0;
 };
 
-/// Result of chainCameras(): start values for bundle adjustment.
+/// Result of chainCameras(): start values of the camera and board poses for bundle adjustment.
 struct BoardChain {
   /// For each camera, the transformation from the frame of the first camera to the frame of this
   /// camera; meters.
   std::vector<Eigen::Isometry3d> cameraFromFirst;
-  /// Board poses in the frame of the first camera, by BoardView::instant.
+  /// Board poses in the frame of the first camera. The key is the instant (BoardView::instant) at
+  /// which the board had the pose.
   std::map<std::int64_t, Eigen::Isometry3d> firstFromBoard;
   std::vector<PosedView> views;
-  std::vector<std::vector<ViewFit>> leftOutViews; ///< views without a pose, per camera
+  /// Views from which no board pose could be computed, per camera.
+  std::vector<std::vector<ViewFit>> leftOutViews;
   std::vector<std::string> notices;
 };
 

@@ -29,8 +29,8 @@ struct BoardCoverage {
   static constexpr int kRows = 4;
   static constexpr int kTiltCount = 5;
 
-  std::array<int, std::size_t{kColumns} * kRows>
-      cornerCounts{};                       ///< number of corners seen in each region, row by row
+  /// Number of corners seen in each region, row by row.
+  std::array<int, std::size_t{kColumns} * kRows> cornerCounts{};
   std::array<int, kTiltCount> tiltCounts{}; ///< number of views at each BoardTilt
 
   /// Returns the index of the region that contains a pixel, in an image of `width` x `height`

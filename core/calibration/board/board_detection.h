@@ -15,8 +15,8 @@ namespace dewpoint::calibration {
 /// Corners of a board detected in one image.
 struct BoardDetection {
   std::vector<int> ids; ///< corner numbers, ascending
-  std::vector<Eigen::Vector2d>
-      pixels; ///< corner positions (column, row) in pixels; pixel centers are at integers
+  /// Corner positions (column, row) in pixels; pixel centers are at integers.
+  std::vector<Eigen::Vector2d> pixels;
   /// Median width of the edges between black and white, in pixels: about 1.5 in a sharp image,
   /// larger with defocus or motion blur.
   double edgeWidthPx = 0.0;
@@ -25,8 +25,9 @@ struct BoardDetection {
 /// Thoroughness of a search for the board. A more thorough search takes more time.
 enum class DetectionEffort {
   Live, ///< searches for the board in a reduced image; for live images
-  /// Chessboards: the settings of OpenCV's calibration sample (11 px, 30 steps, 0.1 px), so that
-  /// results can be compared with results of that sample. ChArUco boards: same as Exact.
+  /// Chessboards: the corners are refined with the settings of OpenCV's calibration sample (11 px
+  /// window, 30 steps, 0.1 px tolerance), so that results can be compared with results of that
+  /// sample. ChArUco boards: same as Exact.
   Sample,
   Exact ///< tries harder to find the board; takes up to a second per image
 };

@@ -14,7 +14,8 @@ namespace dewpoint::calibration {
 /// Board found in images by guessBoards(), and in how many images and corners it was seen.
 struct BoardGuess {
   /// The board that was found. Images do not show the square size, nor whether a chessboard is
-  /// `inverted`; these two are copied from the board that was passed as `requested`.
+  /// `inverted`; these two are copied from the board that was passed to guessBoards() as
+  /// `requested`.
   BoardDescription board;
   /// True if the images are mirrored left to right. A BoardDetector cannot find the board in such
   /// images, whatever the description.
@@ -47,8 +48,8 @@ Result<std::vector<BoardGuess>> guessBoards(const std::vector<cv::Mat>& images,
 /// turn.
 bool isSameBoard(const BoardDescription& one, const BoardDescription& other);
 
-/// Returns the description in words, for example "ChArUco board of 4 x 5 squares, DICT_4X4_50,
-/// black and white exchanged, mirrored".
+/// Returns the description of a board in words, for example "ChArUco board of 4 x 5 squares,
+/// DICT_4X4_50, black and white exchanged, mirrored".
 std::string guessText(const BoardGuess& guess);
 
 /// Returns a sentence that tells the user what to do, without a period at its end. Example: "3 of

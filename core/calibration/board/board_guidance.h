@@ -18,21 +18,23 @@ enum class GuidanceAdvice {
   ComeNearer, ///< bring the board closer: it is small in the image
   HoldStill,  ///< hold still: this view is useful
   Sharpen,    ///< the board is held still, but its edges are soft: focus, or add light
-  Finished    ///< the requested accuracy is reached
+  Finished    ///< the requested accuracy, or the maximum number of views, is reached
 };
 
-/// Settings of a BoardGuidance.
+/// Settings of a BoardGuidance, which tells the user how to show a board to a camera.
 struct GuidanceSettings {
   /// Speed below which the board counts as still, as a fraction of the image width per second.
   double maxStillSpeed = 0.05;
   double holdSeconds = 0.5; ///< time for which the board must be still before the view is captured
-  double softEdgeFraction =
-      0.008; ///< edges wider than this fraction of the image width count as soft
-  double nearAreaFraction =
-      0.25;          ///< fraction of the image area that the board should fill in at least one view
-  int minViews = 10; ///< minimum number of views before the guidance can end
-  int maxViews = 60; ///< maximum number of views; the guidance then ends, whatever the accuracy
-  /// The guidance ends when IntrinsicsResult::maxProjectionSigmaPx is at most this value, pixels.
+  /// Edges wider than this fraction of the image width count as soft.
+  double softEdgeFraction = 0.008;
+  /// Fraction of the image area that the board should fill in at least one view.
+  double nearAreaFraction = 0.25;
+  int minViews = 10; ///< minimum number of captured views before the guidance can end
+  /// Maximum number of captured views; the guidance then ends, whatever the accuracy.
+  int maxViews = 60;
+  /// The guidance ends when the standard deviation of the projection of a ray
+  /// (IntrinsicsResult::independentProjectionSigmaPx) is at most this value, pixels.
   double requiredProjectionSigmaPx = 0.3;
 };
 
@@ -44,10 +46,11 @@ struct GuidanceState {
   BoardTilt tilt = BoardTilt::Flat; ///< tilt to show if the advice is TiltTo
   BoardCoverage coverage;           ///< coverage of the captured views
   int viewCount = 0;                ///< number of views captured so far
-  double holdProgress = 0.0;        ///< elapsed fraction of GuidanceSettings::holdSeconds, 0 to 1
-  bool captured = false;            ///< true if this image was captured as a view
-  /// IntrinsicsResult::independentProjectionSigmaPx of the latest calibration, pixels; empty before
-  /// the first calibration.
+  /// Elapsed fraction of the time for which the board must be still, 0 to 1.
+  double holdProgress = 0.0;
+  bool captured = false; ///< true if this image was captured as a view
+  /// Standard deviation of the projection of a ray in the latest calibration
+  /// (IntrinsicsResult::independentProjectionSigmaPx), pixels. Empty before the first calibration.
   std::optional<double> projectionSigmaPx;
 };
 

@@ -39,7 +39,7 @@ private:
   std::vector<int> markerOfSquare_;        ///< index of the marker in each square; -1: no marker
 };
 
-/// Returns an image of the page, CV_8UC1, with a margin of half a square.
+/// Returns an image of the board as printed, CV_8UC1, with a margin of half a square.
 cv::Mat drawBoard(const BoardDescription& board, int pixelsPerSquare);
 
 /// Renders a board as seen by a camera, CV_8UC1. Each pixel is the mean of samples x samples rays,

@@ -13,8 +13,9 @@ namespace dewpoint::calibration {
 /// Chessboard-like grid in an image.
 struct ChessboardSuggestion {
   cv::Size size; ///< number of inner corners; width >= height
-  /// Result of isWholeChessboard(). If false, the grid may be only part of a board, may continue
-  /// beyond the detected corners, or may not be a chessboard at all.
+  /// True if the grid is a complete chessboard (isWholeChessboard()). If false, the grid may be
+  /// only part of a board, may continue beyond the detected corners, or may not be a chessboard at
+  /// all.
   bool whole = false;
 };
 

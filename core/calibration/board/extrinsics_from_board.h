@@ -29,7 +29,7 @@ inline constexpr double kWorstRayPx = 10.0;
 /// intrinsics count as undetermined. Chosen by judgment.
 inline constexpr double kUndeterminedRayShare = 0.25;
 
-/// Input of calibrateExtrinsics().
+/// Input of calibrateExtrinsics(): the board, the cameras with their views of it, and settings.
 struct ExtrinsicsRequest {
   BoardDescription board;
   std::vector<BoardCamera> cameras;
@@ -51,21 +51,21 @@ struct BoardPose {
   Eigen::Isometry3d worldFromBoard = Eigen::Isometry3d::Identity();
 };
 
-/// Fit of one camera to the result.
+/// How well the views of one camera fit the calibration, and how accurate its pose is.
 struct CameraFit {
   /// Root mean square distance between the corners used and their projections, pixels.
   double rmsPx = 0.0;
   std::vector<ViewFit> views;
   BoardCoverage coverage;
   /// Standard deviation of the camera position relative to the first camera, meters. Assumes that
-  /// the errors of the corners are independent. setCameraSigmas() replaces the value by an estimate
-  /// without this assumption.
+  /// the errors of the corners are independent. setCameraSigmas() can replace the value by an
+  /// estimate without this assumption.
   double centerSigma = 0.0;
   double rotationSigma = 0.0; ///< standard deviation of the camera orientation, radians
   bool isLensRefined = false; ///< true if the intrinsics were adjusted as well
 };
 
-/// Output of calibrateExtrinsics().
+/// Output of calibrateExtrinsics(): the camera poses estimated from views of a board.
 struct ExtrinsicsResult {
   CameraRig cameras; ///< cameras with their new poses, in the order of the request
   std::vector<CameraFit> fits;
@@ -75,11 +75,11 @@ struct ExtrinsicsResult {
   BundleCovariance covariance;
   int iterations = 0;
   std::vector<std::string> notices; ///< messages for the user
-  BundleProblem problem;            ///< last adjusted problem, in the world frame of the result
+  BundleProblem problem; ///< bundle adjustment problem solved last, in the result's world frame
   /// Solution of `problem`. Its covariance assumes the pixel sigmas of `problem` and is not scaled
   /// to the residuals.
   BundleResult bundle;
-  std::vector<DetectedFault> faults = {}; ///< faults found by findBoardFaults()
+  std::vector<DetectedFault> faults = {}; ///< mistakes found in the views, such as swapped cameras
 };
 
 /// Estimates the poses of all cameras from a board that several of them see at the same instants.

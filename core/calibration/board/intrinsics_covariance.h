@@ -38,27 +38,30 @@ Eigen::MatrixXd intrinsicsCovariance(const BoardDescription& board, const Camera
                                      const IntrinsicsParameters& parameters,
                                      const std::vector<ViewFit>& views);
 
-/// Returns the information about the intrinsics in each used view, in ascending order of instants.
+/// Returns the normal equations of each used view, which contain its information about the
+/// intrinsics, in ascending order of instants.
 std::vector<ViewNormalEquations> normalEquationsOfViews(const BoardDescription& board,
                                                         const Camera& camera,
                                                         const IntrinsicsParameters& parameters,
                                                         const std::vector<ViewFit>& views);
 
-/// Returns how much the parameters change, to first order, if the views with instants from `first`
-/// to before `end` are left out. The order is that of IntrinsicsResult::parameters. All changes are
-/// 0 if the remaining views do not determine the intrinsics.
+/// Returns how much the estimated intrinsics change, to first order, if the views with instants
+/// from `first` to before `end` are left out. `evidence` contains the normal equations of all
+/// views. The order is that of IntrinsicsResult::parameters. All changes are 0 if the remaining
+/// views do not determine the intrinsics.
 Eigen::VectorXd lensChangeWithoutViews(const std::vector<ViewNormalEquations>& evidence,
                                        std::int64_t first, std::int64_t end);
 
-/// Returns the camera that would result without the views with instants from `first` to before
-/// `end`; computed to first order.
+/// Returns the camera that the calibration `result` would give without the views with instants from
+/// `first` to before `end`; computed to first order.
 Camera lensWithoutViews(const IntrinsicsResult& result, std::int64_t first, std::int64_t end);
 
-/// Returns the covariance of the intrinsics, estimated from the scatter of up to ten results. Each
-/// result leaves out one block of neighboring views (delete-a-group jackknife, Kott 2001). The
-/// scatter includes errors that the corners of a view, or neighboring views, share. The covariance
-/// is enlarged so that 1.96 standard deviations bound 95 % of the errors despite the small number
-/// of results (Student's t). Returns an empty matrix if there are fewer than four views.
+/// Returns the covariance of the intrinsics, estimated from the scatter of up to ten results
+/// computed from `evidence`, the normal equations of all views. Each result leaves out one block of
+/// neighboring views (delete-a-group jackknife, Kott 2001). The scatter includes errors that the
+/// corners of a view, or neighboring views, share. The covariance is enlarged so that 1.96 standard
+/// deviations bound 95 % of the errors despite the small number of results (Student's t). Returns
+/// an empty matrix if there are fewer than four views.
 Eigen::MatrixXd lensJackknife(const std::vector<ViewNormalEquations>& evidence);
 
 /// Returns `covariance` with each variance replaced by the variance in `found`, if the latter is

@@ -26,7 +26,8 @@ enum class PixelShape {
   Free      ///< not assumed: focalX and focalY are estimated separately
 };
 
-/// Input of calibrateIntrinsics(). Image width and height are in pixels.
+/// Input of calibrateIntrinsics(): the board, its views in one camera, and what to estimate. The
+/// image width and height are in pixels.
 struct IntrinsicsRequest {
   BoardDescription board;
   std::vector<BoardView> views;
@@ -47,8 +48,8 @@ struct EstimatedParameter {
 /// the board eliminated. Rows and columns are in the order of IntrinsicsResult::parameters. Corners
 /// are assumed to have a standard deviation of one pixel.
 struct ViewNormalEquations {
-  std::int64_t instant = 0;    ///< BoardView::instant
-  Eigen::MatrixXd information; ///< normal matrix
+  std::int64_t instant = 0; ///< number of the time at which the view was taken (BoardView::instant)
+  Eigen::MatrixXd information; ///< normal matrix of the intrinsics
   /// Right-hand side of the normal equations: `information` times the parameter step that fits this
   /// view best.
   Eigen::VectorXd gradient;
@@ -57,14 +58,16 @@ struct ViewNormalEquations {
 /// Intrinsics of one camera, with their accuracy.
 struct IntrinsicsResult {
   Camera camera; ///< intrinsics, distortion and lens model; its pose is not determined
-  double rmsPx =
-      0.0; ///< root mean square distance of all corners used, pixels (as defined by OpenCV)
+  /// Root mean square distance between all corners used and their projections, pixels (as defined
+  /// by OpenCV).
+  double rmsPx = 0.0;
   std::vector<ViewFit> views;
   std::vector<EstimatedParameter> parameters;
   Eigen::MatrixXd covariance; ///< covariance of `parameters`, in the same order
-  /// Information in each view used, in ascending order of instants; see lensWithoutViews().
+  /// Information about the intrinsics in each view used, in ascending order of instants.
+  /// lensWithoutViews() needs it to leave out views.
   std::vector<ViewNormalEquations> viewNormalEquations;
-  BoardCoverage coverage; ///< coverage of the views used
+  BoardCoverage coverage; ///< image regions and tilts covered by the views used
   /// Largest standard deviation of the projection of a ray across the image, in pixels; see
   /// projectionSigma().
   double maxProjectionSigmaPx = 0.0;

@@ -16,7 +16,7 @@ namespace dewpoint::calibration {
 /// before version 4.7 and the one since.
 class MarkerDictionary {
 public:
-  /// `name` is one of markerDictionaries().
+  /// Creates the dictionary with the OpenCV name `name`, one of markerDictionaries().
   explicit MarkerDictionary(const std::string& name);
   ~MarkerDictionary();
   MarkerDictionary(MarkerDictionary&&) noexcept;
@@ -29,7 +29,7 @@ public:
   /// Returns the cells of a marker without its border: CV_8UC1, 0 for black and 1 for white.
   cv::Mat cellsOf(int id) const;
 
-  /// Result of detect().
+  /// Markers that detect() found in an image.
   struct Detections {
     /// Four corners of each marker in pixels, clockwise from the marker's own upper left corner.
     std::vector<std::vector<cv::Point2f>> outlines;

@@ -14,8 +14,8 @@ struct MarkerGrid {
   bool whiteFirst = false; ///< the first square is white and contains marker 0
   double markerToSquareRatio = 0.0; ///< side of a marker as a fraction of the side of a square
   int imageCount = 0;               ///< number of images that show the arrangement
-  int markerCount =
-      0; ///< number of markers in these images that are where the arrangement puts them
+  /// Number of markers in these images that are where the arrangement puts them.
+  int markerCount = 0;
 };
 
 /// Finds the ChArUco board whose arrangement of squares puts the markers where the images show

@@ -20,7 +20,8 @@ struct ReadMarker {
   std::array<cv::Point2f, 4> corners;
 };
 
-/// Code with which markers were read, and the version of the image in which they were read.
+/// Code (family of dictionaries with equally many cells) with which markers were read, and the
+/// version of the image in which they were read.
 struct MarkerReading {
   int code = 0;          ///< index in markerCodes()
   bool inverted = false; ///< black and white are exchanged
@@ -34,12 +35,13 @@ struct MarkerReading {
 /// smaller dictionaries of a code contain only the first markers of the largest one.
 const std::vector<std::string>& markerCodes();
 
-/// Reads all markers in an image (CV_8UC1), in every code. The image is read both as it is and
-/// mirrored. If too few markers are found, it is also read with black and white exchanged. A marker
-/// counts only if all its cells agree with the dictionary. The result contains the markers of each
-/// reading, in ascending order of their numbers. A marker that is seen at two places is left out,
-/// as are readings without markers. Random patterns are sometimes read as markers. Only the
-/// arrangement of the markers shows whether they are real; see findMarkerGrids().
+/// Reads all markers in an image (CV_8UC1), in every code (family of dictionaries whose markers
+/// have the same number of cells). The image is read both as it is and mirrored. If too few markers
+/// are found, it is also read with black and white exchanged. A marker counts only if all its cells
+/// agree with the dictionary. The result contains the markers of each reading, in ascending order
+/// of their numbers. A marker that is seen at two places is left out, as are readings without
+/// markers. Random patterns are sometimes read as markers. Only the arrangement of the markers
+/// shows whether they are real; see findMarkerGrids().
 std::map<MarkerReading, std::vector<ReadMarker>> readMarkersInAnyCode(const cv::Mat& gray);
 
 } // namespace dewpoint::calibration

@@ -15,8 +15,8 @@ namespace dewpoint::calibration {
 class RigGuidance {
 public:
   struct Settings {
-    double maxStillSpeed =
-        0.05; ///< speed below which the board counts as still, in image widths per second
+    /// Speed below which the board counts as still, in image widths per second.
+    double maxStillSpeed = 0.05;
     double holdSeconds = 0.5; ///< time for which the board must be still before it is captured
     /// Required number of instants at which both cameras see the board, for each pair in the chain
     /// that connects the cameras.
@@ -24,12 +24,13 @@ public:
     /// Minimum distance between captured positions of the board, as a fraction of the image width.
     double minDistanceFraction = 0.1;
   };
-  /// State of the guidance after a step.
+  /// State of the guidance after the latest detections were processed.
   struct State {
-    int instantCount = 0;      ///< number of instants captured so far
-    bool captured = false;     ///< true if the latest detections were captured
-    bool finished = false;     ///< true if all cameras are connected by enough captured instants
-    double holdProgress = 0.0; ///< elapsed fraction of Settings::holdSeconds, 0 to 1
+    int instantCount = 0;  ///< number of instants captured so far
+    bool captured = false; ///< true if the latest detections were captured
+    bool finished = false; ///< true if all cameras are connected by enough captured instants
+    /// Elapsed fraction of the time for which the board must be still, 0 to 1.
+    double holdProgress = 0.0;
     /// Indices of the cameras to which the board should be shown together next; -1 when finished.
     int firstCamera = -1;
     int secondCamera = -1;
@@ -43,7 +44,8 @@ public:
   /// Captures the latest detections at the user's request, even if the board is not still. Does
   /// nothing if fewer than two cameras saw the board.
   State captureNow();
-  /// Increases Settings::instantsPerPair by `instants`.
+  /// Asks for more views: increases Settings::instantsPerPair, the required number for each pair of
+  /// cameras, by `instants`.
   void requireMore(int instants);
   /// Returns the current state without new detections.
   State state() const;

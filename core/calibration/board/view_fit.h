@@ -20,7 +20,7 @@ struct BoardView {
   BoardDetection detection;
 };
 
-/// Fit of one image to the calibration.
+/// How well the corners of the board in one image fit the calibration.
 struct ViewFit {
   std::string name;
   std::int64_t instant = 0;
@@ -28,12 +28,15 @@ struct ViewFit {
   /// True if the view is used although its error is more than three times the median error.
   bool doubtful = false;
   std::string reason; ///< why the view was left out or is doubtful
-  double rmsPx = 0.0; ///< root mean square distance of the view's corners, pixels
-  double tilt = 0.0;  ///< tiltAngle(), radians
+  /// Root mean square distance between the view's corners and their projections, pixels.
+  double rmsPx = 0.0;
+  /// Angle between the board's normal and the direction to the camera (tiltAngle()), radians.
+  double tilt = 0.0;
   Eigen::Isometry3d cameraFromBoard = Eigen::Isometry3d::Identity();
   std::vector<int> ids;
-  std::vector<Eigen::Vector2d> pixels;    ///< measured positions
-  std::vector<Eigen::Vector2d> residuals; ///< measured minus projected, pixels
+  std::vector<Eigen::Vector2d> pixels; ///< measured positions of the corners
+  /// Measured minus projected positions of the corners, pixels.
+  std::vector<Eigen::Vector2d> residuals;
 };
 
 /// Computes the fit of a view to a camera and to a pose of the board relative to this camera. The
@@ -54,7 +57,8 @@ double maxViewErrorPx(double median, const Intrinsics& image);
 /// Marks used views as doubtful if their error is more than three times that of the median view.
 void markDoubtful(std::vector<ViewFit>& fits);
 
-/// Returns the root mean square distance of all corners in the used views, pixels.
+/// Returns the root mean square distance between all corners in the used views and their
+/// projections, pixels.
 double overallRms(const std::vector<ViewFit>& fits);
 
 /// Returns whether a detection has at least six corners, in at least two rows and two columns of

@@ -17,8 +17,8 @@
 
 namespace dewpoint::calibration {
 
-/// Loss function that reduces the influence of outliers (for an overview see Zach & Bourmaud, ECCV
-/// 2018).
+/// Loss function of a bundle adjustment that reduces the influence of outliers (for an overview see
+/// Zach & Bourmaud, ECCV 2018).
 enum class RobustLoss { None, Huber, SoftL1, Cauchy };
 
 /// Prior knowledge of a pose, as standard deviations around the start value.
@@ -32,18 +32,20 @@ struct PosePrior {
 struct BundleCamera {
   Camera camera;
   bool isPoseFixed = false;
-  bool isFocalFree = false;          ///< both focal lengths together, keeping their ratio
-  bool isAspectFree = false;         ///< the ratio of the focal lengths
-  bool isPrincipalPointFree = false; ///< the principal point
-  /// Distortion coefficients, in the order of the camera's lens model, each free if true.
+  bool isFocalFree = false;  ///< true to adjust both focal lengths together, keeping their ratio
+  bool isAspectFree = false; ///< true to adjust the ratio of the focal lengths
+  bool isPrincipalPointFree = false; ///< true to adjust the principal point
+  /// True for each distortion coefficient to adjust, in the order of the camera's lens model.
   std::array<bool, 8> isDistortionFree = {};
-  double timeOffset =
-      0.0; ///< seconds, added to the times of the camera's observations to get true times
-  /// Must be false for at least one camera, because only differences between offsets can be
-  /// determined.
+  /// Time offset of the camera, seconds. It is added to the times of the camera's observations to
+  /// get true times.
+  double timeOffset = 0.0;
+  /// True to adjust the camera's time offset. Must be false for at least one camera, because only
+  /// differences between offsets can be determined.
   bool isTimeOffsetFree = false;
   std::optional<PosePrior> posePrior = std::nullopt;
-  double focalPriorSigma = 0.0; ///< relative standard deviation around the start value; 0: no prior
+  /// Relative standard deviation of the focal length around its start value; 0: no prior.
+  double focalPriorSigma = 0.0;
 };
 
 /// Body with points that cameras observe.
@@ -56,7 +58,7 @@ struct BundleBody {
   std::string name;
   Kind kind = Kind::Point;
   double length = 0.0; ///< length of a stick, meters
-  /// Standard deviation of the stick length in each state, due to bending and reading errors;
+  /// Standard deviation of the stick length at each time, due to bending and reading errors;
   /// meters.
   double lengthSigma = 1e-4;
   std::vector<Eigen::Vector3d> points = {}; ///< points of a board, in the board frame; meters
@@ -66,15 +68,15 @@ struct BundleBody {
 /// with the cameras.
 struct BundleState {
   std::size_t body = 0;
-  double time = 0.0; ///< seconds
-  /// True if the values below are start values; if false, the points are triangulated, which is not
-  /// possible for boards.
+  double time = 0.0; ///< time at which the body has this position, seconds
+  /// True if this state contains a start value for the position of the body. If false, the points
+  /// of the body are triangulated, which is not possible for boards.
   bool isKnown = false;
-  /// True if the values below are exact and stay fixed, so that they define the world.
+  /// True if the position of the body in this state is exact and stays fixed, so that it defines
+  /// the world.
   bool isFixed = false;
-  std::array<Eigen::Vector3d, 2> ends = {
-      Eigen::Vector3d::Zero(),
-      Eigen::Vector3d::Zero()}; ///< the point (first only) or both ends of a stick; meters
+  /// Position of the point (first element only), or of both ends of a stick; meters.
+  std::array<Eigen::Vector3d, 2> ends = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   Eigen::Isometry3d worldFromBoard = Eigen::Isometry3d::Identity();
 };
 
@@ -97,15 +99,16 @@ struct BundleObservation {
   double radius = 0.0;
 };
 
-/// Input of adjustBundle().
+/// Input of adjustBundle(): cameras, bodies and the image points observed of them.
 struct BundleProblem {
   std::vector<BundleCamera> cameras;
   std::vector<BundleBody> bodies;
-  std::vector<BundleState> states; ///< states of the same body have different times
+  /// Positions of the bodies at each time; states of the same body have different times.
+  std::vector<BundleState> states;
   std::vector<BundleObservation> observations;
   RobustLoss loss = RobustLoss::None;
-  double lossWidth =
-      2.0; ///< residual at which the loss starts to deviate from least squares, pixels
+  /// Residual at which the loss starts to deviate from least squares, pixels.
+  double lossWidth = 2.0;
   /// Maximum time between two neighboring states, in seconds. Across a longer gap, the positions of
   /// points and sticks are not interpolated.
   double longestGap = 0.2;
@@ -115,17 +118,19 @@ struct BundleProblem {
   bool isDraft = false;
 };
 
-/// Output of adjustBundle().
+/// Output of adjustBundle(): the adjusted cameras and bodies, and how well they fit.
 struct BundleResult {
   CameraRig cameras;
-  std::vector<double> timeOffsets; ///< seconds, one per camera
+  /// Offset to add to the times of each camera's observations, seconds.
+  std::vector<double> timeOffsets;
   /// The given states with adjusted values; `isKnown` is true where the solution determines them.
   std::vector<BundleState> states;
-  /// Predicted minus observed, pixels; NaN for observations that could not be used.
+  /// Predicted minus observed image point for each observation, pixels; NaN for observations that
+  /// could not be used.
   std::vector<Eigen::Vector2d> residuals;
-  std::vector<double>
-      cameraRms;    ///< RMS residual length per camera over all used image points, pixels
-  double rms = 0.0; ///< RMS residual length over all cameras, pixels
+  /// RMS residual length per camera over all used image points, pixels.
+  std::vector<double> cameraRms;
+  double rms = 0.0;                     ///< RMS residual length over all cameras, pixels
   std::size_t usedObservationCount = 0; ///< number of observations used
   /// Ratio of the residuals to the given sigmas, robustly weighted and corrected for the degrees of
   /// freedom. Multiply `covariance` by the square of this ratio to scale it to the actual size of
@@ -139,9 +144,9 @@ struct BundleResult {
 /// Progress of an adjustment.
 struct BundleProgress {
   int iteration = 0;
-  double rms = 0.0; ///< pixels, robustly weighted
+  double rms = 0.0; ///< RMS residual length, pixels, robustly weighted
 };
-/// Callback for progress. It returns false to stop the computation.
+/// Callback for the progress of a bundle adjustment. It returns false to stop the computation.
 using BundleCallback = std::function<bool(const BundleProgress&)>;
 
 /// Finds the cameras and bodies that best explain the observations: bundle adjustment (Triggs et

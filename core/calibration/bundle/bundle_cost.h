@@ -15,15 +15,17 @@ namespace dewpoint::calibration {
 
 // Parameter blocks for a camera in an adjustment.
 
-/// Size of a pose block: a rotation vector (radians) relative to a fixed rotation, then the
-/// camera's position (meters).
+/// Number of values in a pose block, which holds the parameters of a camera's pose: a rotation
+/// vector (radians) relative to a fixed rotation, then the camera's position (meters).
 inline constexpr int kPoseSize = 6;
-/// Size of a lens block: focalX, focalY / focalX, principal point, distortion.
+/// Number of values in a lens block, which holds the intrinsics of a camera: focalX, focalY /
+/// focalX, principal point, distortion.
 inline constexpr int kLensSize = 12;
 
-/// Returns the lens block of a camera, in the order given at kLensSize.
+/// Returns the intrinsics of a camera as a lens block: focalX, focalY / focalX, principal point,
+/// distortion.
 std::array<double, kLensSize> lensBlock(const Camera& camera);
-/// Writes a lens block back into a camera.
+/// Sets the intrinsics of a camera to those in a lens block (lensBlock()).
 void setLens(const std::array<double, kLensSize>& block, Camera& camera);
 
 /// Returns the rotation matrix exp(turn). Uses rotationFromVector(). For rotations so small that
@@ -38,8 +40,9 @@ Eigen::Matrix3d rotationExponentialDerivative(const Eigen::Vector3d& turn,
 /// Data of one observation that stays constant during the optimization.
 struct PixelCostSetup {
   LensModel lens = LensModel::Pinhole;
-  Eigen::Matrix3d cameraRotation =
-      Eigen::Matrix3d::Identity(); ///< camera from world, before applying `turn`
+  /// Fixed rotation from world to camera axes, to which the rotation vector in the pose block is
+  /// relative.
+  Eigen::Matrix3d cameraRotation = Eigen::Matrix3d::Identity();
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   double sigma = 1.0;
   double outlineShift = 0.0;
@@ -51,12 +54,13 @@ struct PixelCostSetup {
   /// Index in the state block at which the coordinates of the free point start.
   int pointOffset = 0;
   double time = 0.0; ///< time of the image without the camera's offset, seconds
-  std::vector<double>
-      knots; ///< times of the states between which a free point is interpolated, seconds
+  /// Times of the states between which a free point is interpolated, seconds.
+  std::vector<double> knots;
 };
 
 /// Residual of an observation, (predicted - observed) / sigma. Parameter blocks: pose, lens, time
-/// offset, then one state per knot. Without knots, the last block is the observation's own state.
+/// offset, then one state per knot (state between which the point is interpolated). Without knots,
+/// the last block is the observation's own state.
 class PixelCost final : public ceres::CostFunction {
 public:
   explicit PixelCost(PixelCostSetup setup);

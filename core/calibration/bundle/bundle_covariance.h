@@ -15,17 +15,19 @@ namespace dewpoint::calibration {
 
 /// Camera parameter that an adjustment may estimate.
 enum class CameraQuantity {
-  TurnX, ///< rotation vector about the camera's axes: true rotation = exp(turn) * estimate, rad
+  /// Rotation error about the camera's x axis, radians. The true rotation is exp(v) times the
+  /// estimate, where v contains the errors about all three axes.
+  TurnX,
   TurnY,
   TurnZ,
-  CenterX, ///< optical center in the world, meters
+  CenterX, ///< x coordinate of the optical center in the world, meters
   CenterY,
   CenterZ,
   Focal,  ///< focalX, pixels; focalY keeps its ratio to focalX
   Aspect, ///< focalY / focalX
   PrincipalX,
   PrincipalY,
-  Distortion0, ///< the eight coefficients, in lens model order
+  Distortion0, ///< first of the eight distortion coefficients, in lens model order
   Distortion1,
   Distortion2,
   Distortion3,
@@ -33,7 +35,7 @@ enum class CameraQuantity {
   Distortion5,
   Distortion6,
   Distortion7,
-  TimeOffset, ///< seconds
+  TimeOffset, ///< offset added to the camera's times, seconds
 };
 
 /// Camera parameter to which one row and one column of the covariance belong.

@@ -17,7 +17,7 @@ namespace dewpoint::calibration {
 /// from them. An object must not be moved, because the solver keeps pointers into it.
 class BundleModel {
 public:
-  /// Parameters of a camera; see PixelCost.
+  /// Parameter blocks of a camera, as required by PixelCost.
   struct CameraBlocks {
     Eigen::Matrix3d rotation; ///< fixed rotation to which the rotation vector in `pose` is relative
     std::array<double, kPoseSize> pose{};
@@ -47,10 +47,10 @@ public:
   BundleStart start;
   std::vector<CameraBlocks> cameras;
   std::vector<StateBlock> states;
-  std::vector<ceres::CostFunction*>
-      costFunctions; ///< one per observation; null if the observation is not used
+  /// Cost function of each observation; null if the observation is not used.
+  std::vector<ceres::CostFunction*> costFunctions;
   std::size_t usedObservationCount = 0; ///< number of observations used
-  /// Loss functions, by BundleObservation::sigma.
+  /// Loss functions, one for each value of BundleObservation::sigma.
   std::map<double, std::unique_ptr<ceres::LossFunction>> losses;
   ceres::Problem solver;
 

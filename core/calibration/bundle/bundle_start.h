@@ -9,7 +9,7 @@
 
 namespace dewpoint::calibration {
 
-/// Usable parts of a problem, with start values for its bodies.
+/// Usable parts of a bundle problem, with start values for its bodies.
 struct BundleStart {
   std::vector<BundleState> states; ///< states, with start values where `isStateUsed` is true
   std::vector<bool> isStateUsed;

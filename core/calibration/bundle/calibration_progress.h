@@ -22,7 +22,8 @@ enum class CalibrationStage {
 /// may be empty.
 using CalibrationProgress = std::function<bool(CalibrationStage stage, double part)>;
 
-/// Calls `progress` unless it is empty. Returns false if the computation must stop.
+/// Reports the completed fraction `part` (0 to 1) of a stage to `progress`, unless `progress` is
+/// empty. Returns false if the computation must stop.
 inline bool reportProgress(const CalibrationProgress& progress, CalibrationStage stage,
                            double part) {
   return !progress || progress(stage, part);

@@ -8,9 +8,9 @@
 
 namespace dewpoint::calibration {
 
-/// Reads a calibration file written by this program or any other tool. Calls readCalibration()
-/// without hints, so a file that lacks information is an error. Also reads a folder with one file
-/// per camera. The result is in meters. Files without poses are an error.
+/// Reads a calibration file written by this program or any other tool. Uses readCalibration()
+/// without hints from the user, so a file that lacks information is an error. Also reads a folder
+/// with one file per camera. The result is in meters. Files without poses are an error.
 ///
 /// The format of this program is TOML in the style of anipose: one table per camera, with the keys
 /// of cameraFromToml(). A camera without `name` is named after its table. `[metadata]` is ignored.

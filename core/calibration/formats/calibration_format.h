@@ -43,9 +43,9 @@ struct ParsedCalibration {
 
 /// Lens models that a format can represent.
 struct LensSupport {
-  int pinholeCoefficients = 8; ///< 4 (k1 k2 p1 p2), 5 (also k3) or 8 (also k4 k5 k6)
-  bool supportsFisheye =
-      false; ///< true if the format also has the four coefficients of LensModel::Fisheye
+  int pinholeCoefficients = 8; ///< how many: 4 (k1 k2 p1 p2), 5 (also k3) or 8 (also k4 k5 k6)
+  /// True if the format also has the four coefficients of LensModel::Fisheye.
+  bool supportsFisheye = false;
 };
 
 /// Distribution of cameras among the files of a format.
@@ -79,10 +79,10 @@ struct CalibrationFormat {
   /// a file, the other format is used.
   bool isFallback = false;
   bool firstCameraIsWorld = false; ///< true if poses are always relative to the first camera
-  std::optional<double>
-      metersPerUnit; ///< meters per unit, if defined by the format's documentation
-  double defaultMetersPerUnit =
-      1.0; ///< unit used for writing unless another one is requested, meters
+  /// Meters per unit, if defined by the format's documentation.
+  std::optional<double> metersPerUnit;
+  /// Unit used for writing unless another one is requested, meters.
+  double defaultMetersPerUnit = 1.0;
   /// Returns the reason why the content of a file seems to be in this format, or an empty string if
   /// it does not. Only examines the text, so that a broken file is still recognized and its own
   /// error is reported.

@@ -17,7 +17,8 @@ inline constexpr double kMaxCameraSpread = 100.0;
 /// rig's unit.
 double cameraSpread(const CameraRig& rig);
 
-/// Returns the likely unit of a rig with this spread: "mm" or "m".
+/// Returns the likely unit of a rig whose cameras are up to `spread` apart (cameraSpread()): "mm"
+/// or "m".
 const char* likelyUnit(double spread);
 
 /// Returns the pairs of cameras that have the same position and rotation up to rounding, which

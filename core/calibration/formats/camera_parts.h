@@ -14,9 +14,9 @@ struct CameraParts {
   std::string name;
   double width = 0.0; ///< image width, pixels
   double height = 0.0;
-  Eigen::Matrix3d matrix =
-      Eigen::Matrix3d::Identity(); ///< camera matrix [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], pixels
-  std::vector<double> distortion;  ///< coefficients, in the order of `lens`
+  /// Camera matrix [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], pixels.
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
+  std::vector<double> distortion; ///< coefficients, in the order of `lens`
   LensModel lens = LensModel::Pinhole;
   /// Rotation from world axes to camera axes.
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();

@@ -15,16 +15,16 @@ namespace dewpoint::calibration {
 struct CalibrationOutput {
   std::filesystem::path path; ///< a file, or a folder for formats with one file per camera
   std::string format;         ///< format name; derived from the extension if only one format has it
-  std::optional<double>
-      metersPerUnit;             ///< meters per unit, for formats that do not define their unit
+  /// Meters per unit, for formats that do not define their unit.
+  std::optional<double> metersPerUnit;
   bool replacesExisting = false; ///< true to overwrite existing files
 };
 
 /// Effect of a conversion on one camera.
 struct CameraDifference {
   std::string camera;
-  bool isRefitted =
-      false; ///< true if the lens was fitted again because the format lacks some coefficients
+  /// True if the lens was fitted again because the format lacks some coefficients.
+  bool isRefitted = false;
   double maxDifferencePx = 0.0; ///< largest distance between projections of the same point, pixels
   /// Number of the 9 x 9 compared directions that the written camera cannot see.
   int lostDirectionCount = 0;
@@ -34,11 +34,11 @@ struct CameraDifference {
 struct CalibrationConversion {
   std::string fromFormat;             ///< name of the input format
   std::string toFormat;               ///< name of the output format
-  std::vector<std::string> decisions; ///< complete sentences about reading and writing
+  std::vector<std::string> decisions; ///< sentences about decisions made in reading and writing
   std::vector<std::string> notices;   ///< sentences about likely mistakes in the input
   std::vector<CameraDifference> cameras;
-  double maxDifferencePx =
-      0.0; ///< largest CameraDifference::maxDifferencePx of all cameras, pixels
+  /// Largest CameraDifference::maxDifferencePx of all cameras, pixels.
+  double maxDifferencePx = 0.0;
   std::vector<std::filesystem::path> writtenFiles;
 };
 
@@ -54,15 +54,16 @@ CameraDifference compareCameras(const Camera& camera, const Camera& other,
 Result<CalibrationConversion> writeCalibration(const CameraRig& rig,
                                                const CalibrationOutput& target);
 
-/// Changes made to the cameras between reading and writing.
+/// Changes that convertCalibration() makes to the cameras between reading and writing.
 struct CalibrationChanges {
   CalibrationAdaptation adaptation;
-  /// Image width and height for `adaptation.fit`, pixels; not needed for a rotation.
+  /// Image width and height to which `adaptation.fit` adapts the cameras, pixels; not needed for a
+  /// rotation.
   std::optional<std::array<int, 2>> size;
 };
 
-/// Calls readCalibration(). If requested, renames the cameras and fits them to another image size.
-/// Then calls writeCalibration().
+/// Converts a calibration file to another format. Reads it (readCalibration()), renames the cameras
+/// and fits them to another image size if requested, and writes it (writeCalibration()).
 Result<CalibrationConversion> convertCalibration(const std::filesystem::path& in,
                                                  const CalibrationHints& hints,
                                                  const CalibrationOutput& target,

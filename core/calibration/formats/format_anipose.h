@@ -7,7 +7,8 @@ namespace dewpoint::calibration {
 
 /// Returns the format of anipose and FreeMoCap: TOML, in the unit of the board (usually mm).
 CalibrationFormat aniposeFormat();
-/// Returns the format of Pose2Sim: the same keys, four coefficients, meters.
+/// Returns the format of Pose2Sim: TOML with the keys of anipose, four distortion coefficients,
+/// meters.
 CalibrationFormat pose2simFormat();
 
 } // namespace dewpoint::calibration

@@ -10,7 +10,8 @@ namespace dewpoint::calibration {
 /// Returns the format of this program: the TOML that loadCalibration() reads, meters.
 CalibrationFormat dewpointFormat();
 
-/// Returns the text of a calibration file in this format, in meters: sections [cam_0], [cam_1], ...
+/// Returns the text of a calibration file in this program's own format, in meters: sections
+/// [cam_0], [cam_1], ...
 std::string calibrationText(const CameraRig& rig);
 
 } // namespace dewpoint::calibration

@@ -18,8 +18,9 @@ namespace dewpoint::calibration {
 /// - optionally name, unit (see parseLengthUnit()) and model: fisheye.
 CalibrationFormat plainFormat();
 
-/// Returns whether a text has a rotation and a translation under the keys of the plain format.
-/// Files from OpenCV's samples do not have these keys next to a camera matrix.
+/// Returns whether a text has a rotation and a translation under keys such as R and t, which
+/// scripts use (plainFormat()). Files from OpenCV's samples do not have these keys next to a camera
+/// matrix.
 bool hasPlainPose(const std::string& text);
 
 } // namespace dewpoint::calibration

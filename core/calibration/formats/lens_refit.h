@@ -9,8 +9,8 @@ namespace dewpoint::calibration {
 struct LensRefit {
   Camera camera;
   bool isRefitted = false; ///< false if the format can represent the lens as it is
-  /// Largest error over the sampled pixels of the image; infinite if the new lens has no pixel for
-  /// one of the directions.
+  /// Largest distance between the pixels to which the original and the new lens project a
+  /// direction; infinite if the new lens has no pixel for one of the directions.
   double maxDifferencePx = 0.0;
   double rmsDifferencePx = 0.0;
 };

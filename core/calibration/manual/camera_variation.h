@@ -60,8 +60,8 @@ double meanDistance(const Camera& camera, const std::vector<ImageAnchor>& anchor
 double rmsOfPoints(const Eigen::VectorXd& residuals);
 
 /// Refines the pose of `camera` and, if `estimateFocal`, its focal length by least squares (Ceres).
-/// Returns the root mean square distance in pixels, or nothing if a point is not visible from the
-/// start pose.
+/// Returns the root mean square distance in pixels between the given pixels of the points and their
+/// projections, or nothing if a point is not visible from the start pose.
 std::optional<double> refinePose(Camera& camera, const std::vector<ImageAnchor>& anchors,
                                  bool estimateFocal);
 

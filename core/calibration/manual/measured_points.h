@@ -49,8 +49,8 @@ bool isClickedOnlyInOtherFrames(const MeasuredPoint& point, std::int64_t frame);
 struct ClickResidual {
   int point = 0;
   int camera = 0;
-  double pixels =
-      0.0; ///< distance in the image, pixels; infinite if the camera does not see the point
+  /// Distance in the image, pixels; infinite if the camera does not see the point.
+  double pixels = 0.0;
   double meters = 0.0; ///< distance from the point to the ray through the click, meters
 };
 /// Returns the residuals of all clicks for the current poses of the rig.
@@ -66,7 +66,7 @@ inline constexpr int kFewestPointsOfFocal = 6;
 /// Reason why a camera has no reliable pose from its points.
 enum class PoseStatus {
   None,
-  TooFew,    ///< fewer than kFewestPointsOfPose points
+  TooFew,    ///< fewer than four points were clicked (kFewestPointsOfPose)
   Collinear, ///< the points lie on one line
   Ambiguous, ///< the points lie in one plane, and two poses explain them about equally well
   NoPose     ///< no pose has all points in front of the camera
@@ -81,7 +81,7 @@ struct SymmetryProposal {
   bool isBasedOnUprightness = false;
 };
 
-/// Result of solveFromPoints() for one camera.
+/// Pose status and fit of one camera whose pose solveFromPoints() estimated from clicks on points.
 struct CameraFromPoints {
   int camera = 0;
   int clickCount = 0;
@@ -90,12 +90,12 @@ struct CameraFromPoints {
   std::optional<SymmetryProposal> proposal;
 };
 
-/// Result of solveFromPoints().
+/// Result of solveFromPoints(): camera poses estimated from clicks on measured points.
 struct PointSolution {
   CameraRig rig;                         ///< solved cameras have a new pose; the others keep theirs
   std::vector<CameraFromPoints> cameras; ///< cameras with at least one click
-  std::vector<ClickResidual>
-      residuals; ///< residuals of all clicks for the solved rig and the points as entered
+  /// Residuals of all clicks for the solved rig and the points as entered.
+  std::vector<ClickResidual> residuals;
   double rmsPx = 0.0;
   /// Index of the wrong point if `isWorstPointWrong`; otherwise, index of the point with the
   /// largest residual.
@@ -107,10 +107,10 @@ struct PointSolution {
   bool hasSolvedCamera() const;
 };
 
-/// Settings of solveFromPoints().
+/// Settings of solveFromPoints(), which estimates camera poses from clicks on measured points.
 struct PointSettings {
-  bool estimateFocal =
-      false; ///< true to estimate the focal lengths of cameras with kFewestPointsOfFocal points
+  /// True to estimate the focal lengths of cameras with kFewestPointsOfFocal points.
+  bool estimateFocal = false;
   double tapeSigma = 0.003; ///< standard deviation of a tape measurement, meters
   double clickSigma = 0.5;  ///< standard deviation of a click, pixels
 };

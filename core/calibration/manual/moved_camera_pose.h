@@ -22,7 +22,8 @@ struct PointSighting {
 
 /// Knowledge about a camera motion before the sightings are used.
 struct CameraMotionPrior {
-  /// Rotation measured from the background, as in CameraRotation; radians.
+  /// Rotation of the camera measured from the background, as a rotation vector
+  /// (CameraRotation::turn); radians.
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
   /// Standard deviation of `turn`, radians.
   double rotationSigma = 2e-4;
@@ -32,17 +33,18 @@ struct CameraMotionPrior {
 /// New pose of a camera that was moved.
 struct MovedCameraPose {
   Camera camera;
-  int usedSightingCount =
-      0; ///< number of sightings that agree with the new pose within three sigma
+  /// Number of sightings that agree with the new pose within three sigma.
+  int usedSightingCount = 0;
   /// Median distance between the pixels of all sightings and their projections with the old pose,
   /// in pixels; 0 if there are no sightings.
   double medianPxBefore = 0.0;
-  /// Median distance between these pixels and their projections with the new pose, pixels.
+  /// Median distance between the pixels of all sightings and their projections with the new pose,
+  /// pixels.
   double medianPxAfter = 0.0;
-  Eigen::Vector3d angleSigma =
-      Eigen::Vector3d::Zero(); ///< standard deviation of the rotation, radians, camera axes
-  Eigen::Vector3d shiftSigma =
-      Eigen::Vector3d::Zero(); ///< standard deviation of the position, meters, camera axes
+  /// Standard deviation of the rotation, radians, camera axes.
+  Eigen::Vector3d angleSigma = Eigen::Vector3d::Zero();
+  /// Standard deviation of the position, meters, camera axes.
+  Eigen::Vector3d shiftSigma = Eigen::Vector3d::Zero();
 };
 
 /// Returns the camera rotated about its center by the rotation vector `turn` (radians, camera

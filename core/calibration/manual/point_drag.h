@@ -18,18 +18,18 @@ enum class DragMode {
 enum class DragLimit {
   None,
   OutOfSight, ///< a point would be behind the camera, or outside the range of its lens model
-  /// The held points do not determine the motion, because they lie on one ray or line with the
-  /// dragged point.
+  /// The held points (which keep their pixels during the drag) do not determine the motion, because
+  /// they lie on one ray or line with the dragged point.
   OneRay,
   OutOfReach, ///< no pose near the current one shows the points at these pixels
-  Fixed       ///< three held points determine the pose: only the focal length could still change
+  Fixed ///< three points that keep their pixels fix the pose; only the focal length could change
 };
 
 /// Settings of a drag.
 struct DragSettings {
   DragMode mode = DragMode::Turn;
-  /// True if the focal length may change, together with the pose, while three points are held. If
-  /// false, such a drag stops with DragLimit::Fixed.
+  /// True if the focal length may change, together with the pose, while three points keep their
+  /// pixels. If false, such a drag stops with DragLimit::Fixed.
   bool focalMayChange = false;
 };
 
@@ -41,7 +41,8 @@ struct DragResult {
   double missPx = 0.0;
 };
 
-/// Maximum number of points held during a drag.
+/// Maximum number of points that can be held during a drag, which means that they keep their
+/// pixels.
 inline constexpr int kMaxHeldPoints = 3;
 
 /// Moves a camera so that `dragged.world` is seen at `dragged.pixel`, while the held points stay

@@ -22,7 +22,7 @@ Camera idealCamera(const std::string& name, int width, int height, double fieldO
 Camera placedInFarthestCorner(Camera camera, const CameraRig& rig,
                               const Eigen::AlignedBox3d& volume);
 
-/// Settings of placeCamera().
+/// Settings of placeCamera(), which finds the best pose for an additional camera.
 struct PlacementSettings {
   Eigen::AlignedBox3d volume; ///< volume to measure in; world frame, meters
   /// Distance by which the walls and the ceiling lie outside the volume, meters.
@@ -31,17 +31,21 @@ struct PlacementSettings {
   /// Largest standard deviation with which a position counts as good enough, meters.
   double goodSigma = 0.005;
   std::size_t cellCount = 900; ///< number of cells into which the volume is divided for the search
-  /// Number of cells used to compute the reported fractions; 0: the same cells as for the search.
-  /// To make the fractions agree with a displayed map, set the number of cells of that map.
+  /// Number of cells used to compute the fractions of the volume in PlacedCamera; 0: the same cells
+  /// as for the search. To make the fractions agree with a displayed map, set the number of cells
+  /// of that map.
   std::size_t reportedCellCount = 0;
 };
 
-/// Result of placeCamera().
+/// Result of placeCamera(): an additional camera in its best pose, and how much it improves a rig.
 struct PlacedCamera {
   Camera camera; ///< the given camera in its new pose
-  double goodFractionBefore =
-      0.0; ///< fraction of the volume that is good enough without the new camera, 0 to 1
-  double goodFractionAfter = 0.0; ///< the same fraction with the new camera
+  /// Fraction of the volume (0 to 1) in which positions are measured with a standard deviation of
+  /// at most goodSigma, without the new camera.
+  double goodFractionBefore = 0.0;
+  /// Fraction of the volume (0 to 1) in which positions are measured with a standard deviation of
+  /// at most goodSigma, with the new camera.
+  double goodFractionAfter = 0.0;
 };
 
 /// Finds the best pose for an additional camera: on one of the four walls (in the upper half) or on

@@ -18,22 +18,25 @@ namespace dewpoint::calibration {
 struct RigMap {
   VolumeGrid grid;
   std::size_t cameraCount = 0; ///< number of cameras in the rig
-  /// Standard deviation along the worst direction in each cell (VolumeGrid::index), meters; NaN
-  /// where points cannot be triangulated.
+  /// Standard deviation of a measured position along the worst direction, for each cell
+  /// (VolumeGrid::index), meters; NaN where points cannot be triangulated.
   std::vector<float> sigmas;
   std::vector<std::uint8_t> cameraCounts; ///< number of cameras that see the center of each cell
 };
 
-/// Summary of a map.
+/// Summary of a RigMap: how accurately a rig measures in the volume as a whole.
 struct RigMapSummary {
-  /// Fraction of the volume, 0 to 1, in which the sigma is at most the `limit` of summaryOf().
+  /// Fraction of the volume, 0 to 1, in which the standard deviation of a measured position is at
+  /// most the limit passed to summaryOf().
   double fractionWithinLimit = 0.0;
-  double fractionSeenByTooFew =
-      0.0; ///< fraction of the volume seen by fewer than two cameras, 0 to 1
-  /// Median sigma over the volume, meters; NaN if less than half of the volume has a sigma.
+  /// Fraction of the volume seen by fewer than two cameras, 0 to 1.
+  double fractionSeenByTooFew = 0.0;
+  /// Median over the volume of the standard deviation of a measured position, meters. NaN if less
+  /// than half of the volume has a standard deviation.
   double medianSigma = 0.0;
 };
-/// Summarizes a map. `limit` is the sigma that is good enough, in meters.
+/// Summarizes a map. `limit` is the largest standard deviation of a position that is good enough,
+/// in meters.
 RigMapSummary summaryOf(const RigMap& map, double limit);
 
 /// Returns the index of the cell that contains a position (world, meters). It is an index in
@@ -57,11 +60,12 @@ inline constexpr std::size_t kMapCells = 8640;
 /// the same index in `before`. Names are ignored.
 std::vector<std::size_t> changedCameras(const CameraRig& before, const CameraRig& now);
 
-/// Computes maps of a rig that changes over time. Reuses the unchanged parts of the last map.
+/// Computes maps of the accuracy (RigMap) of a rig that changes over time. Reuses the unchanged
+/// parts of the last map.
 class RigMapper {
 public:
-  /// Returns the map of a rig on a grid. `pixelSigma`: standard deviation of an image measurement,
-  /// pixels.
+  /// Returns the map of the accuracy of a rig, on a grid. `pixelSigma`: standard deviation of an
+  /// image measurement, pixels.
   RigMap map(const VolumeGrid& grid, double pixelSigma, const CameraRig& rig);
 
 private:

@@ -67,21 +67,24 @@ public:
   /// Returns, for each cell, the number of cameras that see its center; indexed by
   /// VolumeGrid::index.
   const std::vector<std::uint8_t>& cameraCounts() const { return counts_; }
-  /// Returns, for each cell, the standard deviation along the worst direction, meters; indexed by
-  /// VolumeGrid::index. NaN if fewer than two cameras see the center of the cell, or if all cameras
-  /// that see it look along the same line.
+  /// Returns, for each cell, the standard deviation of a triangulated point along the worst
+  /// direction, meters; indexed by VolumeGrid::index. NaN if fewer than two cameras see the center
+  /// of the cell, or if all cameras that see it look along the same line.
   const std::vector<float>& largestSigmas() const { return largest_; }
-  /// Returns, for each cell, the standard deviations along x, y and z in the world, meters; indexed
-  /// by VolumeGrid::index. NaN where largestSigmas() is NaN.
+  /// Returns, for each cell, the standard deviations of a triangulated point along x, y and z in
+  /// the world, meters; indexed by VolumeGrid::index. NaN where points cannot be triangulated
+  /// (largestSigmas()).
   const std::vector<std::array<float, 3>>& axisSigmas() const { return axes_; }
 
-  /// Returns the values of largestSigmas() in one horizontal layer of cells, x varying fastest.
+  /// Returns the standard deviations along the worst direction (largestSigmas()) in the horizontal
+  /// layer `z` of cells, x varying fastest.
   std::span<const float> layer(int z) const;
   /// Returns the index z of the layer that contains a height (world z, meters), or nothing outside
   /// the volume.
   std::optional<int> layerAt(double height) const;
-  /// Returns the fraction of all cells (0 to 1) that at least two cameras see and for which
-  /// largestSigmas() is at most `sigma` meters.
+  /// Returns the fraction of all cells (0 to 1) that at least two cameras see and in which the
+  /// standard deviation of a triangulated point along the worst direction is at most `sigma`
+  /// meters.
   double fractionWithin(double sigma) const;
 
 private:

@@ -11,18 +11,18 @@
 
 namespace dewpoint::calibration {
 
-/// Function that returns the cameras from which an adjustment starts if the states with indices
-/// from `first` to before `end` are left out. It is needed if the intrinsics were estimated from
-/// the same images: then their initial values must be estimated without the images of these states,
-/// too.
+/// Function that returns the cameras from which an adjustment starts if the states (target
+/// positions) with indices from `first` to before `end` are left out. It is needed if the
+/// intrinsics were estimated from the same images: then their initial values must be estimated
+/// without the images of these states, too.
 using InitialCamerasWithoutStates = std::function<CameraRig(std::size_t first, std::size_t end)>;
 
 /// Solutions of an adjustment that was repeated, each time without one block of neighboring states.
 struct BlockJackknife {
   /// Cameras of each solution, in the world frame of the solution with all states.
   std::vector<CameraRig> rigs;
-  double squaredErrorSum =
-      0.0; ///< sum of the squared reprojection errors of the states left out, pixels²
+  /// Sum of the squared reprojection errors of the states left out, pixels².
+  double squaredErrorSum = 0.0;
   std::size_t leftOutPointCount = 0; ///< number of image points in `squaredErrorSum`
 
   /// Returns the factor by which to multiply the deviations of the G solutions from their mean. The
@@ -47,8 +47,8 @@ leaveOutBlocks(const BundleProblem& problem, const BundleResult& result,
 Eigen::MatrixXd positionChanges(const std::vector<Eigen::Vector3d>& positions, const CameraRig& rig,
                                 const std::vector<CameraRig>& solutions);
 
-/// Returns the deviations of the columns from their mean, multiplied by
-/// BlockJackknife::errorFactor().
+/// Returns the deviations of the columns of `changes` (one per solution) from their mean,
+/// multiplied by `factor`, which is BlockJackknife::errorFactor().
 Eigen::MatrixXd jackknifeDeviations(const Eigen::MatrixXd& changes, double factor);
 
 /// Returns the length that a normally distributed vector with this covariance exceeds with a

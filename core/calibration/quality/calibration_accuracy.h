@@ -15,12 +15,13 @@ namespace dewpoint::calibration {
 /// Knowledge about the accuracy of a calibration that is not part of its adjustment.
 struct AccuracyPriors {
   double scaleSigma = 0.0; ///< relative standard deviation of the scale; 0: exact, or unknown
-  bool scaleKnown =
-      true; ///< false if the scale is arbitrary; the accuracy of the scale is then not reported
+  /// False if the scale is arbitrary; the accuracy of the scale is then not reported.
+  bool scaleKnown = true;
   /// Standard deviation of the upward direction about each of two horizontal axes, radians; empty
   /// if the upward direction is arbitrary.
   std::optional<double> upSigma;
-  /// Set if the intrinsics were estimated from the same images; see InitialCamerasWithoutStates.
+  /// Function that returns the initial cameras without some of the images. Set if the intrinsics
+  /// were estimated from the same images.
   InitialCamerasWithoutStates initialCamerasWithoutStates = nullptr;
 };
 
@@ -49,19 +50,22 @@ struct CalibrationAccuracy {
   /// Distance from the calibrated volume within which 95 % of the positions of `outsidePosition95`
   /// lie, meters; 0 if `outsidePosition95` is empty.
   double outsideDistance = 0.0;
-  std::optional<double> scale95;   ///< relative error of the scale, 95 %
-  std::optional<double> upAngle95; ///< error of the upward direction, radians, 95 %
+  /// Relative error of the scale, not exceeded with 95 % probability.
+  std::optional<double> scale95;
+  /// Error of the upward direction, radians; not exceeded with 95 % probability.
+  std::optional<double> upAngle95;
   /// Accuracy of each camera of the problem.
   std::vector<CameraAccuracy> cameras;
   /// Factor by which position errors in the cross-validation are larger than the covariance
-  /// predicts; 1 if they are not clearly larger. The values above already include this factor.
+  /// predicts; 1 if they are not clearly larger. The accuracies of positions, scale, upward
+  /// direction and cameras already include the factor.
   double modelFactor = 1.0;
   /// Root mean square reprojection error of the image points left out in the cross-validation,
   /// pixels.
   double leftOutRmsPx = 0.0;
   std::size_t leftOutPointCount = 0; ///< number of image points left out in the cross-validation
   /// Ratio of the errors in the cross-validation to the predicted errors; 0 if it is unknown. If
-  /// the ratio is clearly above 1, modelFactor is set to it.
+  /// the ratio is clearly above 1, modelFactor is set to it and enlarges the reported errors.
   double changeRatio = 0.0;
 };
 
@@ -85,7 +89,8 @@ Result<CalibrationAccuracy> assessCalibration(const BundleProblem& problem,
                                               const BundleResult& result,
                                               const AccuracyPriors& known = {});
 
-/// Assesses the accuracy of a calibration by wand. `floorTimes`: see WandProblem::floorTimes.
+/// Assesses the accuracy of a calibration by wand. `floorTimes`: times when ball 0 lay on the floor
+/// or touched it, seconds.
 Result<CalibrationAccuracy> assessWand(const WandResult& result,
                                        const std::vector<double>& floorTimes);
 

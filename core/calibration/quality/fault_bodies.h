@@ -8,8 +8,9 @@
 
 namespace dewpoint::calibration {
 
-/// Returns the faults found in the entered lengths, in the board and in the floor. `positions`:
-/// positions of the points, triangulated by all cameras of `rig`.
+/// Returns the faults found in the entered lengths, in the board and in the floor, such as a wrong
+/// unit or a mirrored board. `positions`: positions of the points, triangulated by all cameras of
+/// `rig`.
 std::vector<DetectedFault> findBodyFaults(const FaultSearchInput& input,
                                           const PointPositions& positions, const CameraRig& rig);
 

@@ -19,8 +19,8 @@ struct SuspectCamera {
   double sigmaPx = 1.0;
 };
 
-/// Finds the fault that best explains the images of a suspect. Returns nothing if no fault explains
-/// them clearly better than assuming no fault.
+/// Finds the fault that best explains the images of a camera that may have one. Returns nothing if
+/// no fault explains them clearly better than assuming no fault.
 std::optional<DetectedFault> findCameraFault(const FaultSearchInput& input,
                                              const SuspectCamera& suspect);
 

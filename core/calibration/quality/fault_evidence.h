@@ -13,7 +13,7 @@ namespace dewpoint::calibration {
 
 /// Image of a point of a body in one camera.
 struct ImagePoint {
-  std::size_t instant = 0; ///< index of the state
+  std::size_t instant = 0; ///< index of the state (position of the body at one time)
   std::size_t id = 0;      ///< index of the point on the body
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
@@ -30,15 +30,16 @@ ImagePoints imagePointsOf(const BundleProblem& problem);
 
 /// Standard deviations of the poses in the initial rig.
 struct InitialRigSigma {
-  double turn = 0.06;     ///< radians
-  double position = 0.12; ///< meters
+  double turn = 0.06;     ///< standard deviation of the rotation about each camera axis, radians
+  double position = 0.12; ///< standard deviation of the position along each world axis, meters
 };
 
 /// Poses of cameras, fitted to the images of points whose positions are unknown.
 struct PointFit {
   CameraRig rig;
-  double sigmaPx = 0.0; ///< robust standard deviation of an image point per axis, corrected for the
-                        ///< degrees of freedom; pixels
+  /// Robust standard deviation of an image point per axis, corrected for the degrees of freedom;
+  /// pixels.
+  double sigmaPx = 0.0;
   std::vector<double> squaredResiduals; ///< squared residuals per axis, pixels²
   std::size_t points = 0;
 };
@@ -53,8 +54,8 @@ std::optional<PointFit> estimateStructureAndPoses(const CameraRig& initialRig,
                                                   const InitialRigSigma& sigma,
                                                   bool centersFree = false);
 
-/// Point positions (world, meters) triangulated by the cameras selected by `use`, indexed by state,
-/// then by ImagePoint::id.
+/// Point positions (world, meters) triangulated by some of the cameras, indexed by state, then by
+/// ImagePoint::id.
 using PointPositions = std::vector<std::vector<std::optional<Eigen::Vector3d>>>;
 /// Triangulates the image points with the cameras selected by `use`.
 PointPositions triangulated(const CameraRig& rig, const ImagePoints& imagePoints,

@@ -9,11 +9,11 @@
 
 namespace dewpoint::calibration {
 
-/// Result of a search for faults.
+/// Result of a search for faults: mistakes in a calibration, such as swapped cameras.
 struct FaultReport {
   std::vector<DetectedFault> faults;
-  double sigmaPx =
-      0.0; ///< standard deviation of an image point per axis, from the cameras that agree; pixels
+  /// Standard deviation of an image point per axis, from the cameras that agree; pixels.
+  double sigmaPx = 0.0;
 };
 
 /// Searches for the faults listed in CalibrationFault. For each possible fault (hypothesis), the
@@ -34,7 +34,8 @@ struct FaultReport {
 /// a single camera cannot be identified and are not searched for.
 FaultReport findFaults(const FaultSearchInput& input);
 
-/// Searches for faults in the observations of a wand. Errors: those of checkViews().
+/// Searches for faults in the observations of a wand. Errors: those of checkViews(), which reports
+/// missing or invalid views.
 Result<FaultReport> findWandFaults(const WandProblem& problem);
 
 } // namespace dewpoint::calibration

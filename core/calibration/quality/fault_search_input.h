@@ -22,8 +22,8 @@ struct FaultSearchInput {
   /// by the user. A fixed state of a board represents the floor (or a wall) that defines the world.
   BundleProblem problem;
   InitialRigSigma initialSigma; ///< standard deviations of the poses in the initial rig
-  std::vector<std::array<int, 2>> imageSizes =
-      {};                                     ///< image size of each video, pixels; empty: unknown
+  /// Image size of each video, pixels; empty: unknown.
+  std::vector<std::array<int, 2>> imageSizes = {};
   std::optional<BoardDescription> board = {}; ///< board represented by the first body
   /// True if the focal lengths are not known, so that a wrong focal length is no fault.
   bool isFocalUnknown = false;

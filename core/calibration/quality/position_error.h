@@ -48,14 +48,15 @@ Eigen::MatrixXd removeRigidMotion(const std::vector<Eigen::Vector3d>& positions,
 
 /// Finds the rigid motion that the `errors` of `positions` have in common, and removes it from
 /// `errorsOfOthers`. The result shows how far `others` are displaced relative to `positions`. Both
-/// matrices have three rows per position and the same columns. For `sizeToo`, see
-/// removeRigidMotion().
+/// matrices have three rows per position and the same columns. With `sizeToo`, also finds and
+/// removes the common change of size.
 Eigen::MatrixXd removeRigidMotionOf(const std::vector<Eigen::Vector3d>& positions,
                                     const Eigen::MatrixXd& errors, bool sizeToo,
                                     const std::vector<Eigen::Vector3d>& others,
                                     const Eigen::MatrixXd& errorsOfOthers);
 
-/// Returns the relative change of size for each column of `errors`, as in removeRigidMotion().
+/// Returns the relative change of size for each column of `errors`, which has three rows per
+/// position.
 Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& positions,
                               const Eigen::MatrixXd& errors);
 

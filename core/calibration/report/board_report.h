@@ -18,21 +18,23 @@ struct BoardReport {
     double rmsPx = 0.0;
     BoardCoverage coverage;
     std::vector<ViewFit> views;
-    std::vector<EstimatedParameter> parameters; ///< empty if the intrinsics were given
-    std::optional<double> projectionSigmaPx;    ///< IntrinsicsResult::maxProjectionSigmaPx, pixels
-    /// Standard deviation of the position, meters; empty unless poses were estimated.
+    /// Estimated intrinsics; empty if the intrinsics were given.
+    std::vector<EstimatedParameter> parameters;
+    /// Largest standard deviation of the projection of a ray, pixels.
+    std::optional<double> projectionSigmaPx;
+    /// Standard deviation of the camera's position, meters; empty unless poses were estimated.
     std::optional<double> centerSigma;
-    /// Standard deviation of the orientation, radians; empty unless poses were estimated.
+    /// Standard deviation of the camera's orientation, radians; empty unless poses were estimated.
     std::optional<double> rotationSigma;
   };
 
   std::string title;
   BoardDescription board;
   std::vector<CameraPart> cameras;
-  std::vector<BoardPose>
-      boardPoses; ///< board poses for the 3D plot; there is no plot without poses
+  /// Board poses for the 3D plot; there is no plot without poses.
+  std::vector<BoardPose> boardPoses;
   std::vector<std::string> notices;
-  std::string accuracy; ///< one sentence; may be empty
+  std::string accuracy; ///< one sentence about the accuracy of the calibration; may be empty
 };
 
 /// Returns the report section about one camera's intrinsics.

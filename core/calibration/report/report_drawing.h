@@ -11,7 +11,7 @@
 namespace dewpoint::calibration {
 
 /// Returns the beginning of a self-contained HTML page up to its body, with the styles for the
-/// drawings below.
+/// drawings of a report.
 std::string htmlHead(const std::string& title);
 /// Width of the widest drawings, in SVG units. Origin not recorded.
 inline constexpr double kDrawingWidth = 460.0;

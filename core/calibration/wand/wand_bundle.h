@@ -18,14 +18,15 @@ Result<BundleProblem> wandBundle(const WandProblem& problem);
 /// whole, so that positions can still be interpolated between neighboring states.
 BundleProblem subsampledBundle(const BundleProblem& problem, int most, bool inRuns);
 
-/// Sets BundleObservation::outlineShift of every observation, computed from the cameras and states
-/// in `now`. `ballRadii`: radii of balls 0 and 1, meters.
+/// Sets BundleObservation::outlineShift, which corrects for the size of the ball, in every
+/// observation. It is computed from the cameras and states in `now`. `ballRadii`: radii of balls 0
+/// and 1, meters.
 void updateOutlineShifts(const std::array<double, 2>& ballRadii, const BundleResult& now,
                          BundleProblem& problem);
 
 /// In each state, drops the observation with the largest residual if this residual exceeds `limit`
-/// pixels. Returns the number of dropped observations, and adds the number of each camera to the
-/// camera's entry in `dropped`.
+/// pixels. Returns the number of dropped observations, and adds the number dropped for each camera
+/// to its entry in `dropped`.
 std::size_t dropWorstObservations(const BundleResult& now, double limit, BundleProblem& problem,
                                   std::vector<std::size_t>& dropped);
 

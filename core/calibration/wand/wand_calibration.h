@@ -40,21 +40,22 @@ enum class WandScale {
 
 /// Two times at which ball 0 was held at two positions with a known distance between them.
 struct TouchedDistance {
-  double firstTime = 0.0;  ///< seconds
-  double secondTime = 0.0; ///< seconds
+  double firstTime = 0.0;  ///< time when ball 0 was at the first position, seconds
+  double secondTime = 0.0; ///< time when ball 0 was at the second position, seconds
   double meters = 0.0;
 };
 
 /// Input of calibrateFromWand(): a wand, its views, and what to estimate.
 struct WandProblem {
   CameraRig initialRig;                              ///< approximate poses of the cameras
-  std::vector<std::vector<MarkerObservation>> views; ///< views of each camera in `initialRig`
-  std::array<double, 2> ballRadii = {
-      0.0, 0.0}; ///< radii of the balls, meters; 0: unknown, so that balls are treated as points
-  double stickLength =
-      0.0; ///< distance between the centers of balls 0 and 1, meters; 0: only one ball
+  std::vector<std::vector<MarkerObservation>> views; ///< observations of the balls by each camera
+  /// Radii of the balls, meters; 0: unknown, so that balls are treated as points.
+  std::array<double, 2> ballRadii = {0.0, 0.0};
+  /// Distance between the centers of balls 0 and 1, meters; 0: only one ball.
+  double stickLength = 0.0;
   WandScale scale = WandScale::InitialRig;
-  TouchedDistance distance;       ///< the known distance; used for WandScale::Distance
+  /// Known distance between two positions that ball 0 touched; used for WandScale::Distance.
+  TouchedDistance distance;
   std::vector<double> floorTimes; ///< times when ball 0 lay on the floor or touched it, seconds
   std::optional<std::array<double, 2>> fallSpan; ///< time span in which ball 0 fell freely, seconds
   bool estimateTimeOffsets = false;  ///< estimate time offsets of the cameras relative to the first
@@ -64,13 +65,14 @@ struct WandProblem {
   double initialRotationError = kInitialRotationError;
   /// Expected error of the initial rig's positions, meters.
   double initialPositionError = kInitialPositionError;
-  int starts = 6;         ///< number of starts: the initial rig and perturbed copies of it
+  /// Number of rigs from which the solution starts: the initial rig and perturbed copies of it.
+  int starts = 6;
   std::uint64_t seed = 1; ///< random seed for the perturbations
   /// Maximum number of wand positions used, spread evenly over the recording.
   int maxInstants = 900;
 };
 
-/// Quality of the solution obtained from one start.
+/// Quality of the solution obtained from one start (the initial rig or a perturbed copy of it).
 struct WandStart {
   bool solved = false;
   double medianPx = 0.0; ///< median length of the residuals, pixels
@@ -78,18 +80,19 @@ struct WandStart {
 
 /// Measurements made during a free fall.
 struct FreeFall {
-  double gravity =
-      0.0; ///< measured acceleration, meters per second squared; 9.81 if the scale is correct
+  /// Measured acceleration, meters per second squared; 9.81 if the scale is correct.
+  double gravity = 0.0;
   double sigma = 0.0;       ///< standard deviation of `gravity`
-  std::size_t instants = 0; ///< number of positions used
+  std::size_t instants = 0; ///< number of ball positions used
 };
 
-/// Output of calibrateFromWand().
+/// Output of calibrateFromWand(): the calibrated cameras, and how well the views of the wand fit.
 struct WandResult {
-  CameraRig cameras;               ///< same names as the initial cameras
-  std::vector<double> timeOffsets; ///< seconds; true time = camera's time + offset
-  std::vector<double>
-      cameraMedianResidualPx; ///< median length of the residuals that were kept, pixels, per camera
+  CameraRig cameras; ///< calibrated cameras, with the names of the initial cameras
+  /// Offset of each camera, seconds; true time = camera's time + offset.
+  std::vector<double> timeOffsets;
+  /// Median length of the residuals that were kept, pixels, per camera.
+  std::vector<double> cameraMedianResidualPx;
   double medianPx = 0.0;
   std::vector<std::size_t> views;   ///< number of views used, per camera
   std::vector<std::size_t> dropped; ///< number of views dropped as outliers, per camera
@@ -100,12 +103,12 @@ struct WandResult {
   bool floorFound = false;
   double floorRms = 0.0; ///< RMS distance of the touched positions from the floor plane, meters
   std::optional<FreeFall> freeFall;
-  double upCorrectionAngle =
-      0.0; ///< angle between the upward directions of the initial rig and of the result, radians
-  BundleProblem problem; ///< last adjusted problem, in the world frame of the result
+  /// Angle between the upward directions of the initial rig and of the result, radians.
+  double upCorrectionAngle = 0.0;
+  BundleProblem problem; ///< bundle adjustment problem solved last, in the result's world frame
   BundleResult bundle;   ///< solution of `problem`, with the covariance
   double seconds = 0.0;  ///< computation time, seconds
-  std::vector<DetectedFault> faults = {}; ///< faults found by findWandFaults()
+  std::vector<DetectedFault> faults = {}; ///< mistakes found in the views, such as swapped cameras
 };
 
 /// Progress of a calibration by wand.
@@ -114,7 +117,7 @@ struct WandProgress {
   int steps = 0;
   double rms = 0.0; ///< RMS of the residuals, pixels
 };
-/// Callback for progress. It returns false to stop the computation.
+/// Callback for the progress of a calibration by wand. It returns false to stop the computation.
 using WandCallback = std::function<bool(const WandProgress&)>;
 
 /// Calibrates the poses of all cameras from a wand (a waved ball or stick), starting from an

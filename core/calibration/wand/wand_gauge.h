@@ -31,10 +31,10 @@ struct ScaleEstimate {
 Result<ScaleEstimate> estimateScale(const WandProblem& problem, const BundleProblem& bundle,
                                     const BundleResult& now);
 
-/// Returns the change of the world frame after which z points up, according to the floor touches or
-/// the fall. If there are floor touches, the floor is then at z = 0. If there is neither, returns
-/// the identity. The scale of `now` must already be correct. Stores the accuracy of the floor and
-/// of the fall in `result`.
+/// Returns the change of the world frame after which z points up, according to the times when the
+/// ball touched the floor or fell freely. If it touched the floor, the floor is then at z = 0. If
+/// it did neither, returns the identity. The scale of `now` must already be correct. Stores the
+/// accuracy of the floor and of the fall in `result`.
 Result<Similarity> changeToUprightWorld(const WandProblem& problem, const BundleResult& now,
                                         WandResult& result);
 

@@ -24,7 +24,7 @@ struct CameraError {
 };
 
 /// Assumption about the fault of a rig. AgreementModel::fit() computes how well the assumption
-/// explains the sightings.
+/// explains the sightings of colored regions.
 struct AgreementHypothesis {
   /// For each camera, the index of the camera whose calibration applies to its images under this
   /// assumption. If empty, each camera has its own calibration.
@@ -39,7 +39,8 @@ struct AgreementHypothesis {
   double initialDelay = 0.0;
 };
 
-/// How well a hypothesis explains the sightings.
+/// How well a hypothesis about a fault of the rig explains the cameras' sightings of colored
+/// regions.
 struct AgreementFit {
   std::vector<CameraError> errors = {}; ///< most likely errors, one per camera
   /// Natural logarithm of the likelihood of the sightings, integrated over all possible errors,
@@ -49,7 +50,8 @@ struct AgreementFit {
   double logPrior = 0.0;      ///< log prior of `errors`, relative to no errors
   /// Sum of the weights of all comparisons of a sighting with the image of another camera.
   double count = 0.0;
-  /// Log likelihoods and counts per camera pair, in the order of AgreementModel::pairs().
+  /// Log likelihoods (and then counts of comparisons) for each camera pair, in the order of
+  /// AgreementModel::pairs().
   std::vector<double> pairLogLikelihoods = {};
   std::vector<double> pairCounts = {};
 
@@ -105,7 +107,8 @@ private:
     double time;
     std::vector<SeenRegion> seen;
   };
-  using Views = std::vector<std::vector<std::vector<RegionImage>>>; ///< [color][camera]
+  /// Images and their regions, by color and camera.
+  using Views = std::vector<std::vector<std::vector<RegionImage>>>;
   struct Pose {
     Eigen::Vector3d center;
     Eigen::Matrix3d worldFromCamera;
@@ -129,9 +132,11 @@ private:
   AgreementFit evaluate(const Views& views, const std::vector<Pose>& poses,
                         const Eigen::VectorXd& unknowns, double widening, Sums& sums) const;
   void summarizePairs(AgreementFit& fit) const;
-  /// Returns the median SeenRegion::bias over the sightings of a camera that count.
+  /// Returns the median constant error due to region shape (SeenRegion::bias), over those sightings
+  /// of a camera that count as evidence.
   static double biasOf(const Views& views, std::size_t camera);
-  /// Returns the entry closest in time, or null if none is within `within` seconds of `time`.
+  /// Returns the image in `instants` that is closest to `time`, or null if none is within `within`
+  /// seconds of `time`.
   static const RegionImage* nearest(const std::vector<RegionImage>& instants, double time,
                                     double within);
   /// Calls visit(a, b, color, seen, other, rotations, matches, likelihood) for each comparison of a
@@ -146,9 +151,9 @@ private:
 
   const std::vector<std::vector<SightingHistory>>& histories_;
   std::vector<double> radii_;
-  /// Per camera; convert pixels to directions in camera axes.
+  /// Converters from pixels to directions in camera axes, one per camera.
   std::vector<Unprojector> unprojectors_;
-  std::vector<double> focals_; ///< focal lengths, pixels
+  std::vector<double> focals_; ///< focal length of each camera, pixels
   std::vector<Pose> cameras_;
   double interval_ = 0.0;
   Views views_; ///< images and regions of all cameras, each with its own calibration

@@ -57,10 +57,10 @@ private:
   std::vector<double> lastTimes_; ///< time of the last image of each camera, seconds
   double due_ = 0.0;              ///< time of the next check, seconds
   double wait_ = 0.0; ///< interval between checks, seconds; not used while `sparse_` is true
-  std::optional<double>
-      badSince_; ///< since when the rig has explained hardly any sightings, seconds
-  std::optional<double>
-      unclearSince_; ///< since when the rig has explained only some sightings, seconds
+  /// Since when the rig has explained hardly any sightings, seconds.
+  std::optional<double> badSince_;
+  /// Since when the rig has explained only some sightings, seconds.
+  std::optional<double> unclearSince_;
   /// Since when the rig has explained the sightings well, seconds.
   std::optional<double> goodSince_;
   bool sparse_ = false; ///< true if the rig has been confirmed and is checked only occasionally

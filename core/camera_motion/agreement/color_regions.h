@@ -52,7 +52,7 @@ private:
     double radius() const;
   };
   struct Run {
-    int left, right; ///< column range, inclusive
+    int left, right; ///< first and last column of a run of pixels in the color
     std::size_t part;
   };
   std::size_t rootOf(std::size_t part);

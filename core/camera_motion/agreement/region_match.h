@@ -13,9 +13,10 @@ struct SeenRegion {
   Eigen::Vector3d direction; ///< direction to the center: unit vector, camera axes
   Eigen::Vector3d rate;      ///< change of `direction` per second
   double radius;
-  double sigma;          ///< standard deviation of the center, per axis
-  double bias;           ///< part of `sigma` that is constant while the object moves
-  bool countsAsEvidence; ///< RegionSighting::countsAsEvidence
+  double sigma; ///< standard deviation of the center, per axis
+  double bias;  ///< part of `sigma` that is constant while the object moves
+  /// True if the region moved enough to count (RegionSighting::countsAsEvidence).
+  bool countsAsEvidence;
 };
 
 /// Result of matchRegions(): how well two regions, each in the image of another camera, match as
@@ -23,12 +24,12 @@ struct SeenRegion {
 struct RegionMatch {
   double density = 0.0;  ///< likelihood divided by the likelihood of unrelated regions
   double residual = 0.0; ///< distance between the two rays, in standard deviations
-  /// Derivative of `residual` with respect to the direction `u`.
+  /// Derivative of `residual` with respect to the direction `u` to the region in the first camera.
   Eigen::Vector3d residualByU = Eigen::Vector3d::Zero();
-  /// Derivative of `residual` with respect to the direction `v`.
+  /// Derivative of `residual` with respect to the direction `v` to the region in the second camera.
   Eigen::Vector3d residualByV = Eigen::Vector3d::Zero();
-  double size =
-      0.0; ///< radius of the object seen by both cameras, in the unit of `apart`; 0: unknown
+  /// Radius of the object seen by both cameras, in the unit of the camera positions; 0: unknown.
+  double size = 0.0;
 };
 
 /// Returns how well region `a` in a first camera matches region `b` in a second camera. `a` is seen

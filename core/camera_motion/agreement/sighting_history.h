@@ -28,7 +28,7 @@ struct RegionSighting {
 
 /// All sightings of one color in one image.
 struct SightingImage {
-  double time = 0.0; ///< seconds
+  double time = 0.0; ///< capture time of the image, seconds
   std::vector<RegionSighting> regions;
 };
 
@@ -50,7 +50,8 @@ public:
   const std::deque<SightingImage>& images() const { return images_; }
 
 private:
-  /// Position of a region in the last sighting of its track that counted, or when the track began.
+  /// Position of a region in the last sighting of its track that counted as evidence, or when the
+  /// track began.
   struct CountedPosition {
     int track;
     Eigen::Vector2d center;
@@ -60,7 +61,7 @@ private:
   ColorRegionSearch search_;
   Unprojector unprojector_; ///< converts pixels to directions in camera axes
   std::deque<SightingImage> images_;
-  std::vector<CountedPosition> counted_; ///< one per track in the last image
+  std::vector<CountedPosition> counted_; ///< one position for each track in the last image
   int tracks_ = 0;
 };
 
