@@ -22,10 +22,11 @@ namespace dewpoint::capture {
 /// last.
 class CaptureSchedule {
 public:
-  /// Images of one camera.
+  /// Number, delay and capture times of the images of one camera.
   struct CameraImages {
     std::int64_t count = 0; ///< number of images, > 0
-    double delay = 0.0;     ///< delay of the images, seconds
+    /// How much earlier an image shows the scene than its delivery or capture time says, seconds.
+    double delay = 0.0;
     /// Capture time of each image, by a common clock. Either all cameras have capture times or
     /// none.
     std::optional<CaptureTimes> times = std::nullopt;
@@ -33,7 +34,8 @@ public:
     /// includes missing images. Empty if no image is missing. Not used if there are capture times.
     std::vector<std::int64_t> sequenceNumbers = {};
   };
-  /// `rate`: frame sets per second, > 0. `cameras`: at least one.
+  /// Creates the schedule for the images of `cameras` (at least one camera). `rate`: frame sets per
+  /// second, > 0.
   CaptureSchedule(std::vector<CameraImages> cameras, double rate);
 
   /// Returns the number of frame sets. The last frame set contains the last image of the camera

@@ -32,8 +32,9 @@ enum class TableCompleteness {
 /// Returns Unknown if the table cannot be read.
 TableCompleteness completenessOf(const std::string& file);
 
-/// Returns the names by which a table of capture times may identify a camera: its name, the number
-/// at the end of its file name, and the number at the end of its name.
+/// Returns the names by which a table of capture times may identify a camera: the camera's name,
+/// the number at the end of the file name of its images (`file`), and the number at the end of the
+/// camera's name.
 std::vector<std::string> captureTimeIds(const std::string& camera, const std::string& file);
 
 /// Reads the capture times of one camera from a table.

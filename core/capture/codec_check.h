@@ -9,7 +9,7 @@
 
 namespace dewpoint::capture {
 
-/// Result of checkCodecs() for one type of recording.
+/// Result of writing and reading a test recording of one type; see checkCodecs().
 struct CodecOutcome {
   std::string name; ///< name of the type, for example "FFV1"
   /// True if this program needs the codec for its own recordings. Otherwise the codec is only

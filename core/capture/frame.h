@@ -18,7 +18,8 @@ struct Frame {
   std::int64_t index = 0;  ///< frame number of this camera, from 0
   TimeStamp captureTime{}; ///< capture time by the camera's own clock
   cv::Mat image;           ///< CV_8UC3 (blue, green, red)
-  /// Origin of the capture time of a live camera; not used for recordings.
+  /// Source of the capture time of a live image (driver, sender or arrival); not used for
+  /// recordings.
   TimeOrigin origin = TimeOrigin::Arrival;
   LiveInstants instants{}; ///< processing times of a live image; all zero for recordings
 };

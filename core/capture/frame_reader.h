@@ -12,8 +12,8 @@
 
 namespace dewpoint::capture {
 
-/// Reads images of one recorded camera by number, as stored: without rotating them or checking
-/// their size.
+/// Reads images of one recorded camera by number. The images are returned as stored: they are not
+/// rotated, and their size is not checked.
 class FrameReader {
 public:
   virtual ~FrameReader() = default;

@@ -10,8 +10,8 @@
 
 namespace dewpoint::capture {
 
-/// Frame rate (frames per second) used if neither the project nor the source specifies one. Origin
-/// not recorded.
+/// Frame rate (frames per second) used if neither the project nor the source specifies one. The
+/// reason for this value is not known.
 inline constexpr double kDefaultFramesPerSecond = 30;
 
 /// Source of frame sets, delivered one after the other. Implementations convert all exceptions of

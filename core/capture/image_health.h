@@ -13,8 +13,8 @@
 
 namespace dewpoint::capture {
 
-/// Fault of a camera's images. errorPhrase(code) describes the fault; `detail` adds numbers or
-/// advice.
+/// Fault of a camera's images, for example that they are black. `code` identifies the fault
+/// (errorPhrase() returns its text); `detail` adds numbers or advice.
 struct ImageFault {
   ErrorCode code = ErrorCode::ImagesBlack;
   std::string detail;
@@ -32,14 +32,15 @@ public:
   /// Time for which images must be black, identical or late to count as a fault. Chosen so that a
   /// short disturbance does not count, but a fault is reported within a second.
   static constexpr std::chrono::milliseconds kMinFaultDuration{700};
-  /// A pixel is black if its largest channel is at most this. Chosen to allow for the noise of a
-  /// covered camera.
+  /// A pixel is black if its largest channel is at most this gray level. Chosen to allow for the
+  /// noise of a covered camera.
   static constexpr int kBlackLevel = 24;
   /// An image is black if at most this fraction of its pixels is not black. Chosen to allow for a
   /// few defective pixels.
   static constexpr double kMaxBrightShareOfBlackImage = 0.002;
-  /// A camera repeats images if at least this fraction of the images in the window was sent before.
-  /// Chosen by judgment: a camera that sends every image twice repeats half of them.
+  /// A camera repeats images if at least this fraction of the images in the last second (kWindow)
+  /// repeats an earlier image. Chosen by judgment: a camera that sends every image twice repeats
+  /// half of them.
   static constexpr double kMinRepeatedShare = 0.3;
   /// An image is late if more than this time plus the camera's delay passes between its capture and
   /// its arrival.
@@ -48,13 +49,13 @@ public:
   /// cameras that halve their rate in poor light are slow, but a few lost images do not matter.
   static constexpr double kMinRateShare = 0.6;
 
-  /// `requestedRate`: images per second that were requested from the camera. If it is 0, the
-  /// expected rate is the highest rate that the camera has had over two seconds. `delay`: delay of
-  /// the camera, seconds (LiveCamera::delay).
+  /// Creates the assessment for one camera. `requestedRate`: images per second that were requested
+  /// from the camera. If it is 0, the expected rate is the highest rate that the camera has had
+  /// over two seconds. `delay`: delay of the camera, seconds (LiveCamera::delay).
   explicit ImageHealth(double requestedRate = 0.0, double delay = 0.0);
 
-  /// Forgets all images, but not the highest rate of the camera. Call this when the camera is
-  /// opened again.
+  /// Forgets all images, but not the highest frame rate that the camera has had. Call this when the
+  /// camera is opened again.
   void restart(Clock::time_point now);
   /// Adds an image (CV_8UC3) that arrived at `arrived` and was captured at `captured`, if that is
   /// known.
@@ -82,17 +83,19 @@ private:
   double requestedRate_;
   Clock::duration delay_;
   double bestRate_ = 0.0;
-  std::int64_t imagesOfPeriod_ = 0; ///< since periodBegin_
+  std::int64_t imagesOfPeriod_ = 0; ///< number of images since periodBegin_
   Clock::time_point periodBegin_{};
-  Clock::time_point begun_{}; ///< when the camera was opened, or sent again after a pause
-  std::deque<Seen> seen_;     ///< images in the window
+  /// Time at which the camera was opened, or sent images again after a pause.
+  Clock::time_point begun_{};
+  std::deque<Seen> seen_; ///< images in the window
   // Since when all images have been black, identical or late; empty if the last one was not.
   std::optional<Clock::time_point> blackSince_;
   std::optional<Clock::time_point> sameSince_;
   std::optional<Clock::time_point> lateSince_;
 };
 
-/// Returns whether `code` is the code of an ImageFault. Images with such a fault are still used.
+/// Returns whether an error code stands for a fault of a camera's images (ImageFault). Images with
+/// such a fault are still used.
 bool isImageFault(ErrorCode code);
 
 } // namespace dewpoint::capture

@@ -22,7 +22,7 @@ public:
   double perSecond() const { return interval_ > 0.0 ? 1.0 / interval_ : 0.0; }
 
 private:
-  double interval_ = 0.0; ///< smoothed, seconds; 0: unknown
+  double interval_ = 0.0; ///< smoothed time between two images, seconds; 0: unknown
   bool isPaused_ = false; ///< the last interval was a pause
   Clock::time_point last_{};
   bool hasLast_ = false;

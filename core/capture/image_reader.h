@@ -10,8 +10,8 @@ namespace dewpoint::capture {
 /// Returns whether a file is an image, based on its file name extension.
 bool isImageFile(const std::string& path);
 
-/// Opens a reader for the images in a folder, in the order of isBeforeInNaturalOrder(). `field`
-/// names the camera in errors. Errors: FileMissing, FileUnreadable.
+/// Opens a reader for the images in a folder, in natural order of their names, so that "2" comes
+/// before "10". `field` names the camera in errors. Errors: FileMissing, FileUnreadable.
 Result<FrameReaderPtr> openImageFolderReader(const std::string& folder, const std::string& field);
 
 /// Opens a reader for a single image file. An unreadable file is not detected until the first read.

@@ -21,16 +21,17 @@ struct ImageShape {
   ImageMargins crop = {}; ///< margins that are cut off after rotation and mirroring
 };
 
-/// Returns the name of a camera for error messages: "camera 'left'", but not "camera 'camera 1'".
+/// Returns the name of a camera in quotation marks for error messages. The word "camera" is put
+/// before a name that does not begin with it: "camera 'left'", "'camera 1'".
 std::string cameraField(const std::string& name);
 
 /// Checks that the rotation is 0, 90, 180 or 270 degrees, and that neither the size nor a margin is
-/// negative.
+/// negative. `file` is the file to name in the error.
 Status checkShape(const ImageShape& shape, const std::string& file);
 
 /// Returns an image as CV_8UC3 (converted from gray or BGRA if needed), rotated, mirrored and
 /// cropped as `shape` requires. If no change was needed, the result shares the pixels of `picture`.
-/// Fails if the image does not have the size of `shape`.
+/// Fails if the image does not have the size of `shape`; `file` is the file to name in the error.
 Result<cv::Mat> prepareImage(const cv::Mat& picture, const ImageShape& shape,
                              const std::string& file);
 

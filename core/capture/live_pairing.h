@@ -72,7 +72,7 @@ private:
 
   std::vector<Camera> cameras_;
   std::deque<Group> completeGroups_;
-  std::optional<TimeStamp> taken_; ///< start of the last group taken
+  std::optional<TimeStamp> taken_; ///< capture time of the first frame in the last group taken
   std::int64_t dropped_ = 0;
 };
 

@@ -57,7 +57,7 @@ public:
 
   VideoEncoder(VideoEncoder&& other) noexcept;
   VideoEncoder& operator=(VideoEncoder&& other) = delete;
-  ~VideoEncoder(); ///< removes the temporary file
+  ~VideoEncoder(); ///< removes the temporary file unless finish() has renamed it
 
   /// Appends one image: CV_8UC3 (blue, green, red) or CV_8UC4 (the fourth channel is ignored).
   /// Errors: Mismatch if the image does not have the size of the output; BadValue for another image

@@ -60,8 +60,9 @@ enum class ColorSuggestion : std::uint8_t {
   LessExposure,      ///< the target is nearly white, so its color is lost
   UseStrongerColor,  ///< the target is nearly gray
   UseAnotherColor,   ///< several objects in the room have this color
-  FollowAll,         ///< a few objects have this color and size: each may be a target
-                     ///< (`similarObjectCount`)
+  /// A few objects (ColorAssessment::similarObjectCount) have this color and size: each may be a
+  /// target.
+  FollowAll,
   ClickObjectItself, ///< the clicked region fills much of an image: a wall, not an object
   ClickMore,         ///< the clicked region is tiny, and little of it matches
 };
@@ -76,9 +77,10 @@ struct ColorAssessment {
   double separability = 0.0;
   double targetShare = 0.0;     ///< fraction of the sampled colors that match, 0 to 1
   double backgroundShare = 0.0; ///< fraction of the other pixels that match as well, 0 to 1
-  /// The backgroundShare that a range would have if it covered the whole target. This value shows
-  /// the user why the learned range covers so little of the target: a wider range would match too
-  /// much of the background. Empty while missesTarget() is false.
+  /// Fraction of the background pixels that would match if the range covered the whole target. This
+  /// value shows the user why the learned range covers so little of the target: a wider range would
+  /// match too much of the background. Empty if enough of the target matches (missesTarget() is
+  /// false).
   std::optional<double> backgroundShareOfFullRange;
   std::vector<DistractorRegion> distractors; ///< largest first, at most kMaxDistractors
   /// Number of objects with the target's color and about the target's size, including the target,
@@ -91,11 +93,11 @@ struct ColorAssessment {
 
   /// Maximum number of distractors in the list.
   static constexpr std::size_t kMaxDistractors = 5;
-  static constexpr double kMinTargetShare =
-      0.75; ///< fraction of the target below which missesTarget() is true
+  /// Least fraction of the sampled colors that must match; below it, missesTarget() is true.
+  static constexpr double kMinTargetShare = 0.75;
   static constexpr int kGoodScore = 90; ///< least score() at which isGood() is true
 
-  /// Returns the separability as displayed, 0 to 100.
+  /// Returns the separability (F1 score) in percent, as displayed: 0 to 100.
   int score() const { return static_cast<int>(std::lround(inPercent(separability))); }
   /// Returns whether the color separates the target well from the background: the background has
   /// few matching pixels compared with the target. Their positions do not matter.

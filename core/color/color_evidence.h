@@ -39,8 +39,8 @@ struct EvidenceWorkCounts {
 /// everything else in the images (the rest). Weights are in pixels.
 struct ColorEvidence {
   std::vector<WeightedHsiColor> target;
-  /// `target`, split into one list for each separate color of the samples (groupSamplesByColor()).
-  /// Empty if the samples have only one color.
+  /// Colors of the target (`target`), split into one list for each separate color of the samples
+  /// (groupSamplesByColor()). Empty if the samples have only one color.
   std::vector<std::vector<WeightedHsiColor>> targetColorsBySampleColor;
   std::vector<WeightedHsiColor> rest;
   double targetWeight = 0.0;
@@ -55,9 +55,9 @@ struct ColorEvidence {
 
   // Data from which later evidence for the same samples is computed.
   std::int64_t viewCount = 0;                  ///< number of cameras with an image
-  ColorRanges typicalRanges = ColorRange{};    ///< ranges of the target colors alone
+  ColorRanges typicalRanges = ColorRange{};    ///< ranges fitted to the target colors alone
   std::vector<ImageEvidence> images;           ///< evidence in the image of each camera
-  std::shared_ptr<const HsiCounts> restCounts; ///< counts of `rest`
+  std::shared_ptr<const HsiCounts> restCounts; ///< how often each color occurs in `rest`
   EvidenceWorkCounts work;                     ///< cost of collecting this evidence
 };
 

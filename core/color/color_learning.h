@@ -54,9 +54,9 @@ ColorAssessment assessColorWithBackground(const ColorRanges& ranges,
                                           const std::vector<cv::Mat>& images,
                                           const std::vector<cv::Mat>& backgroundImages);
 
-/// First step of learnColor(): finds the ranges from evidence that was collected without ranges.
-/// Call it instead of learnColor() if you also need the evidence for another purpose, because
-/// collecting the evidence takes most of the time.
+/// First step of learnColor(): finds the ranges from evidence that colorEvidence() collected
+/// without its argument `ranges`. Call it instead of learnColor() if you also need the evidence for
+/// another purpose, because collecting the evidence takes most of the time.
 Result<ColorRanges> learnRanges(const ColorEvidence& evidence);
 /// Second step of learnColor(): assesses ranges in these images, which may differ from the images
 /// of the evidence.

@@ -17,7 +17,7 @@ class ColorPalette {
 public:
   /// Number of colors in the palette.
   static constexpr std::size_t kColorCount = 24;
-  using Shares = std::array<double, kColorCount>; ///< one value per color
+  using Shares = std::array<double, kColorCount>; ///< one value per color of the palette
 
   /// Computes the palette of an image (CV_8UC3, not empty) by k-means clustering. The first initial
   /// color is the color of the pixel `first` (clamped to the image). Each further initial color is

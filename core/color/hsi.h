@@ -10,9 +10,10 @@
 
 namespace dewpoint::color {
 
-/// Tolerance of inclusive bounds, in degrees for hue and as a fraction for saturation and
-/// intensity. With this tolerance, a color exactly on a bound always matches, regardless of
-/// rounding. The tolerance is much smaller than the distance between any two 8-bit colors.
+/// Tolerance of the inclusive bounds of a color range, in degrees for hue and as a fraction for
+/// saturation and intensity. With this tolerance, a color exactly on a bound always matches,
+/// regardless of rounding. The tolerance is much smaller than the distance between any two 8-bit
+/// colors.
 inline constexpr double kBoundSlack = 1e-10;
 
 /// Color in the HSI model of Gonzalez & Woods, Digital Image Processing, section 6.2 (RGB to HSI).

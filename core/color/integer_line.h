@@ -21,10 +21,11 @@ template <class Coefficient> struct IntegerLine {
   bool isBelow(int x, int y) const noexcept { return scale * y > ((scaledSlope * x) >> 16); }
 };
 
-/// Line for |x|, |y| <= 255 and -1/2 <= slope <= 0, with scale 1. Neighboring fractions are at
-/// least 1 / (255 * 254) apart. No integer point except 0 may lie on the line.
+/// Line that tests a hue bound, for |x|, |y| <= 255 and -1/2 <= slope <= 0; IntegerLine::scale is
+/// 1. Neighboring fractions y / x are at least 1 / (255 * 254) apart. No integer point except the
+/// origin may lie on the line.
 using HueLine = IntegerLine<std::int16_t>;
-/// Creates the line with the slope `slope`.
+/// Creates the line y = slope * x that tests a hue bound.
 HueLine hueLine(double slope);
 
 /// Two ways to express a bound on the ratio of two integers >= 0 as a line with a slope below 1.
@@ -35,11 +36,11 @@ enum class RatioAxes {
   ExcessPerLeast, ///< x: least channel, y: excess; x <= 255, y <= 510 - 2 x
 };
 
-/// Line for 0 <= slope <= 1 and the integers specified by `axes`; scaledSlope < 65536. Neighboring
-/// fractions differ by at least (1 + 2 slope)^2 / 510^2 with LeastPerExcess, and by at least 1 /
-/// 255^2 with ExcessPerLeast.
+/// Line that tests a saturation bound, for 0 <= slope <= 1; RatioAxes specifies the integers x and
+/// y. IntegerLine::scaledSlope is below 65536. Neighboring fractions y / x differ by at least (1 +
+/// 2 slope)^2 / 510^2 with LeastPerExcess, and by at least 1 / 255^2 with ExcessPerLeast.
 using RatioLine = IntegerLine<std::uint16_t>;
-/// Creates the line with the slope `slope`.
+/// Creates the line y = slope * x that tests a saturation bound. `axes` specifies x and y.
 RatioLine ratioLine(double slope, RatioAxes axes);
 
 } // namespace dewpoint::color

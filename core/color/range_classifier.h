@@ -61,13 +61,18 @@ private:
     }
   };
 
-  /// Saturation bound: a line between the least channel (0) and the excess (1).
+  /// Saturation bound as a half-plane, whose border is a line. The coordinates of a color are its
+  /// least channel, which is the smallest of blue, green and red (index 0), and its excess, which
+  /// is the sum of the channels minus three times the least channel (index 1).
   struct RatioPlane {
     std::size_t y = 0, x = 0;
-    RatioLine line{0, 0}; ///< every color is on the line y = 0, with scale 1
-    bool above = false;   ///< true: the side where y is greater; false: the other side
+    /// Border of the half-plane; by default, every color is in the half-plane.
+    RatioLine line{0, 0};
+    /// True: the half-plane is the side of the line with greater y; false: the other side.
+    bool above = false;
 
-    /// Returns the half-plane where 3 min / sum is greater than `bound` (if `greater`), or smaller.
+    /// Returns the half-plane of the colors for which 3 min(R, G, B) / (R + G + B) is greater than
+    /// `bound` if `greater` is true, otherwise smaller.
     static RatioPlane beyond(double bound, bool greater);
     bool contains(const std::array<int, 2>& leastAndExcess) const noexcept {
       return line.isBelow(leastAndExcess[x], leastAndExcess[y]) == above;
@@ -86,7 +91,8 @@ private:
     return true;
   }
 
-  int sumMin_ = 1; ///< at least 1: black never matches
+  /// Smallest matching sum of the channels; at least 1, so that black never matches.
+  int sumMin_ = 1;
   int sumMax_ = 0;
   RatioPlane leastAbove_;
   RatioPlane leastBelow_;

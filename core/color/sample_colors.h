@@ -22,10 +22,10 @@ inline constexpr std::size_t kMaxTargetColors = 3;
 /// the most similar colors are merged.
 std::vector<std::vector<std::size_t>> groupSamplesByColor(const std::vector<ColorSample>& samples);
 
-/// Returns at least two ranges for a multicolored target, in the order of
-/// ColorEvidence::targetColorsBySampleColor. A color that is also common in the surroundings is
-/// left out. Returns nothing if the samples show one color, or if the single range `one` separates
-/// all samples from the rest about as well.
+/// Returns at least two ranges for a multicolored target, in the order of the separate colors of
+/// the samples (ColorEvidence::targetColorsBySampleColor). A color that is also common in the
+/// surroundings is left out. Returns nothing if the samples show one color, or if the single range
+/// `one` separates all samples from the rest about as well.
 std::optional<ColorRanges> multicolorRanges(const ColorEvidence& evidence, const ColorRange& one);
 
 } // namespace dewpoint::color

@@ -38,9 +38,11 @@ struct TargetExposure {
 
   /// Adds one pixel.
   void add(const BgrColor& color);
-  /// Returns the fraction of all pixels that is clipped, 0 to 1; 0 without pixels.
+  /// Returns the fraction of all pixels that is clipped (a channel is 255), 0 to 1; 0 without
+  /// pixels.
   double clippedShare() const;
-  /// Returns the fraction of all pixels that is dark, 0 to 1; 0 without pixels.
+  /// Returns the fraction of all pixels that is dark (all channels below kMinUsefulBrightness), 0
+  /// to 1; 0 without pixels.
   double darkShare() const;
   /// Returns the fault of the exposure, or None. Returns Overexposed if both faults apply.
   ExposureFault fault() const;

@@ -20,7 +20,7 @@ struct OfferedSize {
 
 /// Pixel format that a device offers, and the image sizes in this format.
 struct OfferedFormat {
-  std::string pixelFormat;        ///< see DeviceFormat::pixelFormat; for example "MJPG"
+  std::string pixelFormat;        ///< V4L2 four-character code, for example "MJPG"
   std::string description;        ///< name given by the driver, for example "Motion-JPEG"
   bool isCompressed = false;      ///< true if the images are compressed
   std::vector<OfferedSize> sizes; ///< image sizes, largest first

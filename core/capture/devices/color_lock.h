@@ -12,14 +12,14 @@ namespace dewpoint::capture {
 /// Automatic adjustments of a camera that change its colors.
 enum class ColorAutomatic { Exposure, Gain, WhiteBalance, Hue };
 
-/// Result of lockColors().
+/// Result of switching off the automatic color adjustments of a device; see lockColors().
 struct ColorLock {
   /// Control that the device did not accept: an automatic adjustment that could not be switched
   /// off, or a value that could not be set.
   struct Refusal {
     ColorAutomatic automatic = ColorAutomatic::Exposure;
     std::string control; ///< name of the control
-    std::string reason;  ///< reason, as text to append after a colon
+    std::string reason;  ///< reason for the refusal, as text to append after a colon
   };
 
   /// Control values that are now set, to be stored in the project (DeviceSettings::controls): the

@@ -12,7 +12,7 @@ namespace dewpoint::capture {
 /// Type of the value of a control: a number, a switch, or a choice from a menu.
 enum class ControlKind { Integer, Boolean, Menu };
 
-/// Entry of a menu control.
+/// Choice in the menu of a control whose value is chosen from a menu.
 struct ControlMenuItem {
   std::int64_t value = 0;
   /// Name given by the driver, such as "Manual Mode", or a number for a menu of integers.

@@ -14,13 +14,14 @@ namespace dewpoint::capture {
 /// Property by which a device was recognized.
 enum class MatchBasis { None, Serial, Bus, Name };
 
-/// Connected device that belongs to a camera.
+/// Result of searching for a camera's device among the connected devices.
 struct DeviceMatch {
-  /// Index of the device; empty if the device is missing or ambiguous.
+  /// Index of the camera's device in the list of connected devices; empty if the device is missing
+  /// or ambiguous.
   std::optional<std::size_t> device;
   MatchBasis basis = MatchBasis::None;
-  /// Similar devices, if it is not clear which one belongs to the camera; the user must choose.
-  /// Empty if a device was found, or if none is similar.
+  /// Indices of similar devices, if it is not clear which one belongs to the camera; the user must
+  /// choose. Empty if a device was found, or if none is similar.
   std::vector<std::size_t> candidates;
 
   bool isAmbiguous() const { return !candidates.empty(); }
@@ -48,11 +49,13 @@ struct DeviceMatch {
 std::vector<DeviceMatch> matchDevices(std::span<const DeviceIdentity> identities,
                                       std::span<const CameraDevice> devices);
 
-/// Finds the connected device of a single camera by its identity, by the rules of matchDevices().
+/// Finds the connected device of a single camera by its identity. The rules are those of
+/// matchDevices(): first by serial number, then by connector, then by model.
 DeviceMatch matchDevice(const DeviceIdentity& identity, std::span<const CameraDevice> devices);
 
-/// Returns why a match has no device: the device is missing, or there are several candidates. The
-/// text can be appended after a colon. It is empty if the match has a device.
+/// Returns why no device was found for a camera (`match`): the device is missing, or there are
+/// several candidates. The text can be appended after a colon. It is empty if the match has a
+/// device.
 std::string mismatchReason(const DeviceMatch& match, const DeviceIdentity& identity,
                            std::span<const CameraDevice> devices);
 

@@ -9,7 +9,8 @@
 
 namespace dewpoint::capture {
 
-/// Data with which a connection finds its device among the connected devices.
+/// Data with which the connection to a camera finds the camera's device among the connected
+/// devices.
 struct DeviceLookup {
   DeviceAccessPtr access;
   /// Identities of all cameras that are opened together. They ensure that no two cameras use the

@@ -23,7 +23,7 @@ public:
 
 using LinuxCallsPtr = std::shared_ptr<LinuxCalls>;
 
-/// Returns the calls of the operating system.
+/// Returns the implementation that calls the operating system.
 LinuxCallsPtr linuxCalls();
 
 /// Open device node. The destructor closes it.

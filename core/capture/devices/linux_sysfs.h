@@ -18,15 +18,16 @@ struct SysfsFacts {
   UsbLink usb;
 };
 
-/// Returns the names of all video device nodes ("video0", ...), ordered by number. `root`: see
-/// LinuxDevices.
+/// Returns the names of all video device nodes ("video0", ...), ordered by number. `root` is the
+/// folder that contains sys, usually "/".
 std::vector<std::string> videoNodes(const std::filesystem::path& root);
 
-/// Returns the properties of a video device node ("video0"). `root`: see LinuxDevices.
+/// Returns the properties of a video device node ("video0"). `root` is the folder that contains
+/// sys, usually "/".
 SysfsFacts sysfsFacts(const std::filesystem::path& root, const std::string& node);
 
-/// Returns the name of the first link to a node in a folder such as "dev/v4l/by-path". The result
-/// does not include the folder. It is empty if there is no such link.
+/// Returns the name of the first link to a node in a folder such as "dev/v4l/by-path" below `root`.
+/// The name does not include the folder. It is empty if there is no such link.
 std::string sysfsLinkTarget(const std::filesystem::path& root, const std::string& folder,
                             const std::string& node);
 

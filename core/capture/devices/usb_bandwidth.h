@@ -12,7 +12,8 @@ namespace dewpoint::capture {
 /// A device, and the format that is requested from it.
 struct BandwidthRequest {
   CameraDevice device;
-  DeviceFormat format; ///< completedFormat() fills in the parts that are left to the device
+  /// Requested format; completedFormat() fills in the parts that are left to the device.
+  DeviceFormat format;
 };
 
 /// Format that needs less bandwidth, proposed for one of the requests.

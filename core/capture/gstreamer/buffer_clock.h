@@ -18,7 +18,7 @@ class BufferClock {
 public:
   using Clock = std::chrono::steady_clock;
 
-  /// `origin`: origin of plausible time stamps.
+  /// `origin`: where the camera's time stamps come from; reported for plausible time stamps only.
   explicit BufferClock(TimeOrigin origin) : origin_(origin) {}
 
   /// Returns the capture time of the next image. `stamp`: time stamp of the image by the steady

@@ -14,9 +14,9 @@ namespace dewpoint::capture {
 /// cropping is used.
 DeviceFormat requestedFormat(const LiveCamera& camera);
 
-/// Returns the GStreamer caps for requestedFormat(). If this format has no pixel format, the caps
-/// ask for JPEG, or else for uncompressed images. Returns nothing if GStreamer has no caps for the
-/// pixel format.
+/// Returns the GStreamer caps (a format description) for the format that is requested from the
+/// camera's device (requestedFormat()). If this format has no pixel format, the caps ask for JPEG,
+/// or else for uncompressed images. Returns nothing if GStreamer has no caps for the pixel format.
 std::optional<std::string> deviceCaps(const LiveCamera& camera);
 
 /// Returns whether decoding an image in this V4L2 pixel format requires previous images.

@@ -21,22 +21,25 @@ public:
   /// Function that is called for each image, in a thread of the stream. It must not block.
   using Receiver = std::function<void(const EncodedImage&)>;
 
-  /// Passes an image to the receiver. Without a receiver, keeps it for the pre-roll.
+  /// Passes an image to the receiver. Without a receiver, keeps it among the latest images
+  /// (pre-roll).
   void put(const EncodedImage& image);
-  /// Reports that the stream has ended, and drops the pre-roll. The stream begins again with the
-  /// next image.
+  /// Reports that the stream has ended, and drops the images that were kept (pre-roll). The stream
+  /// begins again with the next image.
   void markEnded();
 
   /// Sets how many of the latest images are kept while there is no receiver (pre-roll). Drops the
   /// images kept so far. With a length of 0, no images are kept.
   void setPreRoll(const PreRollLimits& limits);
-  /// Returns the number, duration and size of the images that are kept.
+  /// Returns the number, duration and size of the images that are kept while there is no receiver
+  /// (pre-roll).
   PreRollStatus preRoll() const;
-  /// Returns the capture time of the oldest image that is kept, or nothing if no image is kept.
+  /// Returns the capture time of the oldest image that is kept while there is no receiver
+  /// (pre-roll), or nothing if no image is kept.
   std::optional<Clock::time_point> preRollBegin() const;
 
-  /// Replaces the receiver. The new receiver first gets the images that are kept, then all new
-  /// images.
+  /// Replaces the receiver. The new receiver first gets the latest images, which were kept
+  /// (pre-roll), then all new images.
   void connect(Receiver receiver);
   /// Removes the receiver. It is not called after this function has returned.
   void disconnect();

@@ -40,7 +40,8 @@ GstElementPtr makePipeline(const std::string& text, std::string& reason);
 /// in addresses are removed.
 std::string gstErrorText(const _GError& error);
 
-/// Returns gstErrorText() of the error in a GStreamer message of type error.
+/// Returns the error in a GStreamer message of type error, as one line of text without passwords;
+/// see gstErrorText().
 std::string gstMessageErrorText(_GstMessage* message);
 
 } // namespace dewpoint::capture

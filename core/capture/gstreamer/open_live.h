@@ -29,10 +29,12 @@ Status checkLocation(const LiveCamera& camera);
 /// `feed` receives all images for a recording; may be null.
 LiveStreamPtr makeLiveStream(const LiveCamera& camera, EncodedFeedPtr feed);
 
-/// Opens a live source (see live_frame_source.h) with the connections of makeLiveStream().
+/// Opens a source of live images with one thread per camera (see live_frame_source.h). The cameras
+/// are connected through GStreamer or FFmpeg (makeLiveStream()).
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras);
 
-/// Opens a live source with the connections of makeLiveStream(). `feeds` has one entry per camera,
+/// Opens a source of live images whose cameras are connected through GStreamer or FFmpeg
+/// (makeLiveStream()). `feeds` passes undecoded images to recordings. It has one entry per camera,
 /// in the same order; the feeds outlive the source. Cameras with a device identity are searched for
 /// among `devices`.
 Result<std::unique_ptr<FrameSetSource>> openLive(const std::vector<LiveCamera>& cameras,

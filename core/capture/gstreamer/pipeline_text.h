@@ -25,7 +25,7 @@ inline constexpr const char* kEncodedSinkName = "dewpoint_encoded";
 /// Only recording uses the second branch, so recording loses no images if the view is slow.
 struct PipelineText {
   std::string text;
-  TimeOrigin origin = TimeOrigin::Arrival; ///< origin of the time stamps of its images
+  TimeOrigin origin = TimeOrigin::Arrival; ///< source of the images' time stamps
   /// True if the user specified a pipeline that ends in an appsink. Decoded images then come from
   /// this appsink, and there is no branch for recording.
   bool hasOwnSink = false;

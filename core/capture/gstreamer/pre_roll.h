@@ -28,7 +28,7 @@ struct PreRollLimits {
   std::size_t bytes = 0;
 };
 
-/// Number, duration and size of the images in a PreRoll.
+/// Number, duration and size of the latest images that a PreRoll keeps in memory.
 struct PreRollStatus {
   double seconds = 0.0;   ///< time from the oldest to the newest image, seconds
   std::size_t images = 0; ///< number of images

@@ -39,7 +39,8 @@ struct RecordedCounts {
   /// Images per second, computed from the capture times of the first and the last image; 0 before
   /// the second image.
   double framesPerSecond = 0.0;
-  TimeOrigin origin = TimeOrigin::Arrival; ///< origin of the latest capture time
+  /// Source of the latest capture time: driver, sender or arrival.
+  TimeOrigin origin = TimeOrigin::Arrival;
   /// True if the stored pixels differ from the received ones, for example because of
   /// RawStorage::Jpeg.
   bool arePixelsChanged = false;
@@ -69,12 +70,13 @@ public:
                   std::string field, std::optional<Clock::time_point> begin = std::nullopt);
   StreamRecording(const StreamRecording&) = delete;
   StreamRecording& operator=(const StreamRecording&) = delete;
-  /// Calls stop().
+  /// Ends the recording and completes its files (stop()).
   ~StreamRecording();
 
   /// Returns the progress of the recording. Thread-safe.
   RecordedCounts counts() const;
-  /// Returns the CaptureInstant::stamp of each image in the video. Thread-safe.
+  /// Returns, for each image in the video, the number that identified it in the live stream
+  /// (CaptureInstant::stamp). Thread-safe.
   std::vector<std::int64_t> stamps() const;
   /// Ends the recording in less than 1 s, and completes the files: writes the index of the video
   /// and the last line of the table. Images that cannot be written in this time are dropped.

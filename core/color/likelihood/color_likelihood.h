@@ -23,24 +23,25 @@ public:
   /// in a hundred of all other pixels has this color by chance. For a matching pixel,
   /// core/observation/sphere/sphere_evidence.cpp uses the same values.
   static constexpr int kMaxSteps = 72;
-  static constexpr double kMaxLogRatio = kMaxSteps * kStep; ///< nats
+  /// Largest absolute log ratio of a color, nats.
+  static constexpr double kMaxLogRatio = kMaxSteps * kStep;
 
   /// Creates a table from the log ratio of each cell in nats: kColorCellCount finite numbers. The
   /// numbers are rounded to steps and clamped to [-kMaxLogRatio, kMaxLogRatio].
   explicit ColorLikelihood(const std::vector<double>& logRatios);
 
-  /// Returns the log ratio of a color, in steps.
+  /// Returns the log likelihood ratio of a color, in steps of kStep.
   std::int8_t at(std::uint8_t blue, std::uint8_t green, std::uint8_t red) const noexcept {
     return (*steps_)[colorCell(blue, green, red)];
   }
-  /// Returns the log ratio of a color, in nats.
+  /// Returns the log likelihood ratio of a color, in nats (units of the natural logarithm).
   double logRatio(std::uint8_t blue, std::uint8_t green, std::uint8_t red) const noexcept {
     return kStep * at(blue, green, red);
   }
 
-  /// Computes at() for `count` adjacent pixels of three bytes (blue, green, red). `out` must not
-  /// overlap the pixels. Runs of pixels that cannot belong to the target are skipped without a
-  /// table lookup.
+  /// Computes the log likelihood ratio, in steps of kStep, of `count` adjacent pixels of three
+  /// bytes (blue, green, red). `out` must not overlap the pixels. Runs of pixels that cannot belong
+  /// to the target are skipped without a table lookup.
   void logRatioRow(const std::uint8_t* bgr, std::int64_t count, std::int8_t* out) const noexcept;
   /// Classifies `count` adjacent pixels like ColorClassifier::matchRow(). Writes 255 where the log
   /// ratio exceeds `threshold` (nats), and 0 elsewhere.

@@ -41,23 +41,25 @@ class TargetColorModel {
 public:
   // The constants below are judgments, not measurements.
 
-  /// Prior log ratio of a color inside the range, in nats. Colors outside have the negative of this
-  /// value.
+  /// Prior log likelihood ratio, in nats, of a color inside the range that the user sees and edits.
+  /// Colors outside have the negative of this value.
   static constexpr double kPriorLogRatio = 1.0;
-  /// Number of observed pixels that count as much as the prior.
+  /// Number of observed pixels that count as much as the prior, which is the range that the user
+  /// sees and edits.
   static constexpr double kPriorPixels = 20.0;
-  /// u in the formula above, as a multiple of the density of evenly spread colors. Where both t and
-  /// k r are much smaller than this, a color counts as never seen, and its value is about the
-  /// prior.
+  /// Density u in the formula of this class, as a multiple of the density of evenly spread colors.
+  /// A color counts as never seen, and its value is about the prior, where both its density t in
+  /// the target and k times its density r in the rest are much smaller than u.
   static constexpr double kUnseenColorDensity = 0.3;
-  /// Margins between the range and the limits. The hue margin is at least twice the effect of other
-  /// light on a hue (withLightVariations()). The other margins are about equal to the effect of
-  /// other light, because a fitted range ends where the background begins.
+  /// Margins between the target's color range and the limits, outside which no color counts as the
+  /// target. The hue margin is at least twice the effect of other light on a hue
+  /// (withLightVariations()). The other margins are about equal to the effect of other light,
+  /// because a fitted range ends where the background begins.
   static constexpr double kHueMarginDegrees = 20.0;
   static constexpr double kSaturationMargin = 0.15;
   static constexpr double kIntensityMargin = 0.10;
 
-  /// Returns the range widened by the margins.
+  /// Returns the range widened by the margins. No color outside the result counts as the target.
   static ColorRange limitsOf(const ColorRange& range);
 
   /// Creates a model without observed colors. All ranges must have passed checkColorRange().
@@ -67,13 +69,13 @@ public:
   /// Adds target colors as shown by a camera with this gain. Weights are in pixels.
   void add(const std::vector<WeightedHsiColor>& colors, const ColorGain& gain = {});
 
-  /// Returns the table for a camera with this gain that shows the target in front of `rest` (the
-  /// colors in the camera's own images; weights are in pixels). `restPerTarget` > 0 is the number
-  /// of pixels of the rest that compete with one target pixel. If it is 1, the table is a
-  /// likelihood ratio, for callers that know the probability of a target at a position from another
-  /// source. If it is pixelRatio(), the log ratio is 0 for colors with as many pixels in the target
-  /// as in the rest, consistent with the weights in fitRange(). Use pixelRatio() to segment whole
-  /// images.
+  /// Returns the table of log likelihood ratios for a camera with this gain that shows the target
+  /// in front of `rest` (the colors in the camera's own images; weights are in pixels).
+  /// `restPerTarget` > 0 is the number of pixels of the rest that compete with one target pixel. If
+  /// it is 1, the table is a likelihood ratio, for callers that know the probability of a target at
+  /// a position from another source. If it is pixelRatio(), the log ratio is 0 for colors with as
+  /// many pixels in the target as in the rest, consistent with the weights in fitRange(). Use
+  /// pixelRatio() to segment whole images.
   ColorLikelihood likelihoodForCamera(const ColorGain& gain,
                                       const std::vector<WeightedHsiColor>& rest,
                                       double restPerTarget = 1.0) const;
@@ -88,8 +90,9 @@ private:
 /// Returns 1 if the target or the rest has no pixels.
 double pixelRatio(const ColorEvidence& evidence);
 
-/// Learns the table for one camera, or for several with the same color response, from samples and
-/// images.
+/// Learns the table of log likelihood ratios for one camera, or for several with the same color
+/// response, from evidence. `range` is the prior; for `restPerTarget`, see
+/// TargetColorModel::likelihoodForCamera().
 ColorLikelihood learnLikelihood(const ColorEvidence& evidence, const ColorRange& range,
                                 double restPerTarget = 1.0);
 

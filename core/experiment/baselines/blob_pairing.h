@@ -15,7 +15,7 @@ namespace dewpoint::experiment {
 /// Blobs (connected regions) of one color in the image of one camera.
 struct CameraBlobs {
   bool hasImage = false;
-  std::vector<Blob> blobs; ///< ordered as by findBlobs(); only the largest ones are paired
+  std::vector<Blob> blobs; ///< largest first, as from findBlobs(); only the largest ones are paired
 };
 
 /// Position on which blobs of several cameras agree, with a cost that is higher the less the blobs
@@ -33,8 +33,8 @@ struct ExpectedPosition {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
   /// Squared Mahalanobis distance beyond which a position is accepted only if there is no other
-  /// position. If empty, every position is accepted, and all positions beyond kFarSquared have the
-  /// same cost.
+  /// position. If empty, every position is accepted, and all positions beyond the squared distance
+  /// kFarSquared have the same cost.
   std::optional<double> gate;
 };
 
@@ -60,13 +60,14 @@ inline constexpr double kMissingCost = 4.0;
 inline constexpr double kFarSquared = 9.0;
 
 /// Finds blobs of different cameras that show the same object, by the distances between their rays
-/// and by their sizes. The constants above were chosen by judgment and not tuned.
+/// and by their sizes. The constants in this file were chosen by judgment and not tuned.
 class BlobPairing {
 public:
   explicit BlobPairing(const CameraRig& rig);
 
-  /// Returns the bearing of a blob in the image of a camera, or nothing if the lens model has no
-  /// ray at `pixel`. `pixel` is the blob's center, `radiusPx` its radius, and `blob` its index.
+  /// Returns the bearing (the ray through the center) of a blob in the image of a camera, or
+  /// nothing if the lens model has no ray at `pixel`. `pixel` is the blob's center, `radiusPx` its
+  /// radius, and `blob` its index.
   std::optional<Bearing> bearing(std::size_t camera, std::size_t blob, const Eigen::Vector2d& pixel,
                                  double radiusPx) const;
 
@@ -79,7 +80,8 @@ public:
                                 std::size_t targetCount) const;
 
   /// Returns the index of the blob that fits a position (world, meters) best, or nothing if none
-  /// fits. `blobs` are the blobs of camera `camera`; `radius` is the target radius as in pair().
+  /// fits. `blobs` are the blobs of camera `camera`; `radius` is the target radius in meters, or 0
+  /// if it is unknown.
   std::optional<std::size_t> blobAt(std::size_t camera, const std::vector<Blob>& blobs,
                                     const Eigen::Vector3d& position, double radius) const;
 

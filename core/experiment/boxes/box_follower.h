@@ -49,7 +49,8 @@ const std::vector<std::string>& openCvFollowerNames();
 std::unique_ptr<BoxFollower> makeOpenCvFollower(const std::string& name);
 
 /// Returns the names of all methods that follow a box in one camera. OpenCV's methods have the
-/// suffix "-box" ("csrt-box"), because the suite's "csrt" is a method that triangulates such boxes.
+/// suffix "-box" ("csrt-box"), because the "csrt" of the accuracy suite is a method that
+/// triangulates such boxes.
 const std::vector<std::string>& boxFollowerNames();
 
 /// Creates a follower by a name from boxFollowerNames(). `particles` and `seed` apply only to

@@ -16,9 +16,9 @@
 
 namespace dewpoint::experiment {
 
-/// Target of a clip, with the click or box from which its color is learned. If `click` marks only a
-/// part of a larger object, it also contains the radius of this part. Its field `frame` is an index
-/// into CalibratedClip::instants.
+/// Target of a clip (recording with ground truth), with the click or box from which its color is
+/// learned. If `click` marks only a part of a larger object, `click` also contains the radius of
+/// this part. ColorSample::frame is an index into CalibratedClip::instants.
 struct ClipTarget {
   std::string name;
   ColorSample click;
@@ -35,8 +35,9 @@ struct ClipPosition {
 /// Default half side length of the box in which the search starts, in meters. Rendered scenarios
 /// that start near the truth use the same value.
 inline constexpr double kClipStartHalfSize = 0.1;
-/// Default of CalibratedClip::markGatePx, pixels. Chosen from the range of 5 to 30 pixels: it is
-/// about half the width of the colored bands that are tracked in the clip tapes2_limbs.
+/// Default limit for the distance between a projected estimate and the marked target center,
+/// pixels; see CalibratedClip::markGatePx. Chosen from the range of 5 to 30 pixels: it is about
+/// half the width of the colored bands that are tracked in the clip tapes2_limbs.
 inline constexpr double kClipMarkGatePx = 10.0;
 
 /// Recording of calibrated cameras with ground truth, and everything that a run on it needs.
@@ -62,16 +63,16 @@ struct CalibratedClip {
   double startHalfSize = kClipStartHalfSize;
 };
 
-/// Creates a run of a clip, with grade `Real`. The color of each target is learned from its one
-/// click. The search starts in a box around the initial positions of the targets. This box is
-/// shifted by up to half of `startHalfSize` along each axis. The seed determines this shift and the
-/// random numbers of the methods. The function opens the files of the clip. Returns Mismatch if
-/// images and calibration have different sizes.
+/// Creates a run of a recorded clip; its grade (level of realism) is `Real`. The color of each
+/// target is learned from its one click. The search starts in a box around the initial positions of
+/// the targets. This box is shifted by up to half of `startHalfSize` along each axis. The seed
+/// determines this shift and the random numbers of the methods. The function opens the files of the
+/// clip. Returns Mismatch if images and calibration have different sizes.
 Result<ScenarioRun> makeClipRun(const CalibratedClip& clip, std::uint64_t seed);
 
-/// Returns the point (world, meters) where the rays through a target's marks at one instant meet
-/// (nearestPoint()). Returns nothing for fewer than two marks, or if the rays do not meet in front
-/// of the cameras.
+/// Returns the point (world, meters) where the rays through the marked centers of a target at one
+/// instant meet (nearestPoint()). Returns nothing for fewer than two marks, or if the rays do not
+/// meet in front of the cameras.
 std::optional<Eigen::Vector3d> triangulateMarks(const CameraRig& rig,
                                                 const std::vector<MarkedCenter>& marks,
                                                 std::int64_t instant, std::size_t target);

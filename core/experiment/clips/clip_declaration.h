@@ -41,10 +41,11 @@ struct ClipDeclaration {
   std::string start;       ///< how methods learn the target's appearance
   std::string truth;       ///< kind, origin and accuracy of the truth
   TruthOrigin origin = TruthOrigin::Marked;
-  /// Standard deviation of the truth along each axis: in mm, or in pixels if `images` is set.
+  /// Standard deviation of the truth along each axis: in mm, or in pixels for a clip recorded by
+  /// one camera (`images` is set).
   double truthSigma = 0.0;
   TuningUse tuningUse = TuningUse::No;
-  std::string tuningNote; ///< what was tuned, or why nothing was tuned, in one clause
+  std::string tuningNote; ///< what was tuned on the clip, or why nothing was, in one clause
   int seeds = 5;          ///< default number of runs in a report
   /// True if the `truth` folder of ClipFolders is also needed.
   bool needsTruthFolder = false;

@@ -13,8 +13,8 @@ namespace dewpoint::experiment {
 /// 0.03 m; see the same file.
 Result<CalibratedClip> handClip(const ClipFolders& folders);
 
-/// Loads the same clip as handClip(), but the target is learned from a box around the hand instead
-/// of a click.
+/// Loads the same clip as handClip() (a hand over a desk, two cameras), but the target is learned
+/// from a box around the hand instead of a click.
 Result<CalibratedClip> boxedHandClip(const ClipFolders& folders);
 
 /// Loads `tapes2_limbs`: three colored bands on a man's knee, ankle and wrist, two cameras. The
@@ -32,7 +32,8 @@ Result<CalibratedClip> boardClip(const ClipFolders& folders);
 /// m. No length in that clip was measured in meters.
 inline constexpr double kBandBaseline = 0.6;
 
-/// Returns the clip with this name from recordedBoxClips(); NotFound if there is none.
+/// Returns the recorded clip of one camera with this name, as read by recordedBoxClips(); NotFound
+/// if there is none.
 Result<BoxClip> recordedBoxClip(const ClipFolders& folders, const std::string& name);
 
 } // namespace dewpoint::experiment

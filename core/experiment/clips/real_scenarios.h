@@ -16,7 +16,7 @@ struct SkippedClip {
   std::string description; ///< message that names the clip and the missing files
 };
 
-/// Real clips as scenarios of the suite.
+/// Real clips (recordings with ground truth) as scenarios of the accuracy suite.
 struct RealScenarios {
   std::vector<ScenarioDeclaration> scenarios;
   std::vector<SkippedClip> skipped;

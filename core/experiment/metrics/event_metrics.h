@@ -17,8 +17,8 @@ namespace dewpoint::experiment {
 /// Input of the event metrics for one target in one frame. World frame, meters.
 struct TargetFrame {
   std::int64_t frame = 0;
-  std::optional<Eigen::Vector3d> truth; ///< empty: the target is absent
-  /// Empty: the method does not declare the target present.
+  std::optional<Eigen::Vector3d> truth; ///< true position; empty: the target is absent
+  /// Estimated position. Empty: the method does not declare the target present.
   std::optional<Eigen::Vector3d> estimate;
   /// False if no method could see the target, because all cameras are blind in this frame.
   bool visible = true;
@@ -40,7 +40,8 @@ std::vector<TargetFrame> targetFrames(std::span<const TrackFrame> frames, int tr
 std::optional<std::int64_t> framesToConverge(std::span<const TargetFrame> frames, double gate);
 
 /// Returns the number of frames from frame `event` (a jump, or the first frame after a blackout)
-/// until the target is followed again, in the same way as framesToConverge().
+/// until the target is followed again (TargetFrame::isFollowed()) in kConvergedFrames successive
+/// frames. Returns nothing if this never happens.
 std::optional<std::int64_t> framesToReacquire(std::span<const TargetFrame> frames,
                                               std::int64_t event, double gate);
 

@@ -19,9 +19,11 @@ struct ExtentSample {
   /// Distance from the estimate to the centroid of the target. Empty: the method does not declare
   /// the target present.
   std::optional<double> distance;
-  double halfExtent = 0.0;               ///< longest semi-axis (TargetExtent::halfAxes)
-  double radius = 0.0;                   ///< radius of a ball with the same volume as the target
-  std::optional<double> estimatedRadius; ///< empty: the method does not estimate the size
+  /// Longest semi-axis of the target (TargetExtent::halfAxes).
+  double halfExtent = 0.0;
+  double radius = 0.0; ///< radius of a ball with the same volume as the target
+  /// Estimated `radius`; empty: the method does not estimate the size.
+  std::optional<double> estimatedRadius;
 };
 
 /// Errors relative to the target size. An error of 30 mm is large for a marble and small for a

@@ -19,8 +19,9 @@ struct GospaSetup {
 /// (Rahmathullah, Garcia-Fernandez & Svensson 2017, proposition 1): distance^p = sum over the
 /// assigned pairs of d^p + cutoff^p / 2 * (missed + false).
 struct Gospa {
-  double distance = 0.0; ///< meters
-  /// Contributions of the three kinds of errors to distance^p, in meters^p.
+  double distance = 0.0; ///< GOSPA distance, meters
+  /// Contributions of the three kinds of errors (localization errors, missed targets and false
+  /// targets) to distance^p, in meters^p.
   double localization = 0.0;
   double missed = 0.0;
   double falseTargets = 0.0;

@@ -14,7 +14,7 @@ inline constexpr int kHotaThresholdCount = 19;
 
 /// Higher order tracking accuracy at one threshold (Luiten et al. 2021). Undefined scores are NaN.
 /// If there are neither true targets nor estimates, all scores are undefined. If there are no
-/// matches, LocA is undefined.
+/// matches, LocA (localization accuracy) is undefined.
 struct HotaAtThreshold {
   double threshold = 0.0; ///< alpha, the minimum similarity of a match
   std::int64_t matches = 0;
@@ -28,8 +28,8 @@ struct HotaAtThreshold {
   double hota = 0.0;                 ///< sqrt(DetA * AssA)
 };
 
-/// HOTA scores at each similarity threshold, and their means over the thresholds. LocA is averaged
-/// over the thresholds that have matches.
+/// HOTA scores at each similarity threshold, and their means over the thresholds. LocA
+/// (localization accuracy) is averaged over the thresholds that have matches.
 struct Hota {
   std::array<HotaAtThreshold, kHotaThresholdCount> thresholds;
   double detectionAccuracy = 0.0;

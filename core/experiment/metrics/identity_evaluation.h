@@ -39,15 +39,15 @@ struct IdentityEvaluation {
   GospaAverage gospa; ///< GOSPA of order 2
 };
 
-/// Compares an estimated trajectory of several targets with the truth. Returns the errors of
-/// trackFrames().
+/// Compares an estimated trajectory of several targets with the truth. Returns Mismatch if a
+/// trajectory has no frame numbers, or if there is no common frame.
 Result<IdentityEvaluation> evaluateIdentities(const Trajectory& estimate, const Trajectory& truth,
                                               const IdentityComparison& comparison);
 
 /// Returns the text that `dewpoint-cli evaluate --identities` prints, with lengths in meters and
 /// millimeters.
 std::string identityText(const IdentityEvaluation& evaluation);
-/// Returns the evaluation as JSON.
+/// Returns the result of comparing several targets with the truth as JSON.
 nlohmann::json identityJson(const IdentityEvaluation& evaluation);
 
 } // namespace dewpoint::experiment

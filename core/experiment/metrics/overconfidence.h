@@ -14,10 +14,10 @@ namespace dewpoint::experiment {
 /// covariance in m².
 struct ReportedBelief {
   double probability = 0.0; ///< reported P(exists), in [0, 1]
-  bool declared = false;    ///< the method declares the target present
+  bool declared = false;    ///< true if the method declares the target present
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  std::optional<Eigen::Vector3d> truth; ///< empty: the target is absent
+  std::optional<Eigen::Vector3d> truth; ///< true position; empty: the target is absent
 };
 
 /// Reported existence probability P(exists) above which a method counts as confident.
@@ -44,10 +44,12 @@ bool isConfidentlyWrong(const ReportedBelief& belief);
 /// Numbers of cases in which a method is wrong, out of all beliefs, including those in which the
 /// method reports nothing.
 struct Overconfidence {
-  Proportion wrong; ///< cases in which isWrong() is true
-  /// Cases in which isWrong() is true and P(exists) is above kConfidentProbability.
+  Proportion wrong; ///< cases in which the reported presence or position is wrong (isWrong())
+  /// Cases in which the reported presence or position is wrong (isWrong()) and P(exists) is above
+  /// kConfidentProbability.
   Proportion wrongWhenConfident;
-  Proportion confidentlyWrong; ///< cases in which isConfidentlyWrong() is true
+  /// Cases in which the method is confidently wrong (isConfidentlyWrong()).
+  Proportion confidentlyWrong;
 };
 
 /// Counts the beliefs in which a method is wrong (isWrong()) or confidently wrong; `gate` is in

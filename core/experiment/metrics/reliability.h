@@ -21,7 +21,7 @@ struct ReliabilityBin {
   double low = 0.0;
   double high = 0.0;
   std::int64_t count = 0;
-  double meanProbability = 0.0; ///< NaN if the bin is empty
+  double meanProbability = 0.0; ///< mean of the reported probabilities; NaN if the bin is empty
   double frequency = 0.0;       ///< fraction of positive outcomes; NaN if the bin is empty
 };
 

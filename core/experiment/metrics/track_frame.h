@@ -22,7 +22,7 @@ struct TrackPoint {
 /// target but still counts as declared.
 struct TrackFrame {
   std::int64_t frame = 0;
-  double time = 0.0; ///< seconds
+  double time = 0.0; ///< time of the frame, seconds
   std::vector<TrackPoint> truth;
   std::vector<TrackPoint> estimates;
 };

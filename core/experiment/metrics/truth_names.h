@@ -23,7 +23,8 @@ truthNamesByPosition(const Trajectory& estimate, const Trajectory& truth,
                      const std::vector<std::vector<std::string>>& alike);
 
 /// Returns the truth with each target renamed to its tracked target, so that evaluate() compares
-/// the two. `truthNames` is the result of truthNamesByPosition().
+/// the two. `truthNames` maps the name of a tracked target to the name of its true target; see
+/// truthNamesByPosition().
 Trajectory withTrackedNames(Trajectory truth, const std::map<std::string, std::string>& truthNames);
 
 } // namespace dewpoint::experiment

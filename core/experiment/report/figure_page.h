@@ -69,7 +69,8 @@ private:
   std::vector<std::pair<std::string, std::string>> files_; ///< name, bytes
 };
 
-/// Returns plots with their legend, or an image with its caption, as HTML for a report page.
+/// Return HTML for a report page: plots with their captions and legend, or an image with its
+/// caption.
 std::string plotsHtml(const std::vector<std::pair<std::string, Plot>>& plots,
                       const std::vector<std::pair<std::string, std::string>>& legend);
 std::string imageHtml(const std::string& file, const std::string& caption);

@@ -22,11 +22,13 @@ Status stoppedExperimentError();
 /// Reports the progress `part` (0 to 1). Returns false if the experiment must stop.
 bool reportProgress(const ExperimentOptions& options, double part);
 
-/// Creates a line through the values, at the x positions `first` + i * `step`.
+/// Creates a line through the values, at the x positions `first` + i * `step`. `style` is the CSS
+/// class of the line's color.
 SvgSeries lineSeries(const std::string& style, const std::vector<double>& values,
                      double first = 0.0, double step = 1.0);
 /// Creates a series of points without a line, one point per row of `rows`. Column `across` of
-/// `rows` contains x, and column `up` contains y. `area` is the area of a point in square pixels.
+/// `rows` contains x, and column `up` contains y. `area` is the area of a point in square pixels,
+/// and `style` the CSS class of its color.
 SvgSeries pointSeries(const std::string& style, const Eigen::ArrayXXd& rows, Eigen::Index across,
                       Eigen::Index up, double area = 7.0);
 

@@ -50,13 +50,15 @@ inline constexpr std::array<SeedBlock, 4> kSeedBlocks{{
 /// Returns the block that contains a seed.
 const SeedBlock& seedBlockOf(std::uint64_t seed);
 
-/// Returns whether the list is not empty and all its seeds are in the reporting block.
+/// Returns whether the list is not empty and all its seeds are in the reporting block, which is
+/// reserved for reported results.
 bool areReportingSeeds(const std::vector<std::uint64_t>& seeds);
 
 /// Describes the seeds (ascending, without duplicates) and their block, with a warning unless all
 /// are in the reporting block: "1006001 to 1006020, 20 in all: reporting seeds, ...".
 std::string describeSeeds(const std::vector<std::uint64_t>& seeds);
-/// Describes `count` seeds from `first` on, in the same way as describeSeeds() for a list.
+/// Describes `count` seeds from `first` on and their block, with a warning unless all are in the
+/// reporting block.
 std::string describeSeeds(std::uint64_t first, int count);
 
 } // namespace dewpoint::experiment

@@ -20,7 +20,7 @@ struct SvgAxis {
 /// Point of a line, in the units of the axes.
 struct SvgPoint {
   double x = 0.0;
-  double y = 0.0; ///< if NaN, the line is interrupted at this point
+  double y = 0.0; ///< vertical coordinate; if NaN, the line is interrupted at this point
 };
 
 /// Line, optionally with a band around it or a disk on each point.

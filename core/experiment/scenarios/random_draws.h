@@ -26,10 +26,10 @@ public:
 
   double uniform(double low, double high);
   double normal(double sigma);
-  int integer(int low, int high); ///< low to high, both included
+  int integer(int low, int high); ///< random integer from low to high, both included
   bool coinFlip() { return integer(0, 1) == 1; }
   Eigen::Vector3d pointInBox(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
-  Eigen::Vector3d direction(); ///< unit vector, uniform over the sphere
+  Eigen::Vector3d direction(); ///< random unit vector, uniform over the sphere
 
 private:
   RandomStream stream_;

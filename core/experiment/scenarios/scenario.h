@@ -32,9 +32,10 @@ struct ScenarioEvent {
     CameraLost,
     CameraBack,
     CameraMoved,
-    UnseenBegin, ///< from this frame on, the target is hidden or outside the image of the camera
-                 ///< (camera -1: of all cameras)
-    UnseenEnd,   ///< from this frame on, the target is at least partly visible again
+    /// From this frame on, the target is hidden or outside the image of the camera (camera -1: of
+    /// all cameras).
+    UnseenBegin,
+    UnseenEnd, ///< from this frame on, the target is at least partly visible again
   };
   Kind kind = Kind::Jump;
   std::int64_t frame = 0;
@@ -45,7 +46,7 @@ struct ScenarioEvent {
 struct MarkedCenter {
   std::int64_t frame = 0; ///< frame number in the run
   std::size_t target = 0; ///< index among the run's targets
-  std::size_t camera = 0; ///< index in the rig
+  std::size_t camera = 0; ///< index of the camera in the rig
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
 
@@ -72,14 +73,15 @@ struct ScenarioRun {
   std::vector<Target> targets;
   /// Center of the volume in which the search starts, meters.
   Eigen::Vector3d startCenter = Eigen::Vector3d::Zero();
-  Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero(); ///< half size of that volume, meters
+  /// Half size of the volume in which the search starts, meters.
+  Eigen::Vector3d startHalfSize = Eigen::Vector3d::Zero();
   double framesPerSecond = simulation::kDefaultFrameRate;
   std::int64_t frameCount = 0;
   /// True trajectory, with one sample per target and frame. A sample is not `valid` while the
   /// target is not in the scene. The position is the center of a ball, or the centroid of any other
   /// target.
   Trajectory truth;
-  std::vector<TargetExtent> extents; ///< one per sample of `truth`, in the same order
+  std::vector<TargetExtent> extents; ///< target sizes, one per sample of `truth`, in the same order
   /// Standard deviation of the errors of `truth` along each axis, meters. Comparisons with
   /// estimates take this uncertainty into account.
   double truthSigma = 0.0;
@@ -105,10 +107,10 @@ struct ScenarioRun {
   std::function<FrameSetPtr(std::int64_t)> frames;
 };
 
-/// Declaration of a scenario of the suite.
+/// Declaration of a scenario of the accuracy suite.
 struct ScenarioDeclaration {
-  std::string name;        ///< for example "S4-desk-cloud"
-  std::string family;      ///< for example "S4"
+  std::string name;        ///< name, for example "S4-desk-cloud"
+  std::string family;      ///< group of similar scenarios, for example "S4"
   std::string description; ///< what happens in the scenario
   int seeds = 20;          ///< default number of runs in a report
   /// Creates the run for a seed and grade. Returns Undetermined if the random draws allow no run,

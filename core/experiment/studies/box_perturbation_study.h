@@ -32,24 +32,28 @@ std::vector<BoxPerturbation> boxPerturbations();
 /// all shifted boxes. The values are means over all runs.
 struct BoxPerturbationRow {
   std::string clip;
-  std::string method;          ///< name of the method, for example "histogram" or "csrt"
-  double scale = 1.0;          ///< scale of the first box
-  int runs = 0;                ///< number of runs: shifts times seeds
-  BoxMetrics metrics;          ///< accuracy of the found boxes compared with the true boxes
-  double worstPrecision = 1.0; ///< smallest BoxMetrics::precision of a run
+  std::string method; ///< name of the method, for example "histogram" or "csrt"
+  double scale = 1.0; ///< scale of the first box
+  int runs = 0;       ///< number of runs: shifts times seeds
+  BoxMetrics metrics; ///< accuracy of the found boxes compared with the true boxes
+  /// Smallest BoxMetrics::precision (fraction of frames on the target) of any run.
+  double worstPrecision = 1.0;
   bool reportsConfidence =
       false; ///< true if the method reports its confidence; only then are the following fields set
-  /// Mean reported similarity in frames in which the center is within the clip's radius.
+  /// Mean reported similarity in frames in which the found center is within the clip's radius
+  /// (BoxClip::radius) of the true center.
   double similarityOnTarget = 0.0;
-  /// Mean reported similarity in frames in which the center is outside the clip's radius; it counts
-  /// as 0 if the method reports the target as hidden.
+  /// Mean reported similarity in frames in which the found center is farther than the clip's radius
+  /// (BoxClip::radius) from the true center; the similarity counts as 0 if the method reports the
+  /// target as hidden.
   double similarityOffTarget = 0.0;
-  /// Fraction of the frames with a reported confidence in which the center is outside the clip's
-  /// radius although the similarity is above 0.9.
+  /// Fraction of the frames with a reported confidence in which the found center is farther than
+  /// the clip's radius (BoxClip::radius) from the true center although the similarity is above 0.9.
   double confidentlyWrong = 0.0;
 };
 
-/// Returns the methods that studyPerturbedBoxes() compares by default.
+/// Returns the methods that are compared by default in the study of inexact first boxes
+/// (studyPerturbedBoxes()).
 std::vector<std::string> perturbationMethods();
 
 /// Follows every clip from inexact first boxes (boxPerturbations()) with each of `methods`.

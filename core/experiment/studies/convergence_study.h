@@ -17,8 +17,8 @@
 
 namespace dewpoint::experiment {
 
-/// Case of the study: the position of the ball, the initial position of the cloud, and the cameras.
-/// World frame, meters.
+/// Case of the convergence study: the position of the ball, the initial position of the cloud, and
+/// the cameras. World frame, meters.
 struct ConvergenceCase {
   std::string name;
   Eigen::Vector3d ballPosition;
@@ -34,8 +34,8 @@ struct ConvergenceCase {
   std::uint64_t firstSeed = kFirstTuningSeed;
 };
 
-/// Results of the `barrera` method for a case, with one run per seed and one iteration per frame.
-/// Convergence is determined from the spread of the particle cloud alone, see
+/// Results of the `barrera` method (Barrera et al. 2005) for a case, with one run per seed and one
+/// iteration per frame. Convergence is determined from the spread of the particle cloud alone, see
 /// convergenceIteration(). Errors are distances between the cloud's mean and the ball after
 /// convergence.
 struct ConvergenceResult {
@@ -43,9 +43,10 @@ struct ConvergenceResult {
   int convergedRunCount = 0; ///< number of runs whose cloud has converged at the end
   int accurateRunCount = 0;  ///< number of converged runs with an RMSE below 3 cm after convergence
   double medianIterations =
-      0.0;                ///< median number of iterations until convergence, over converged runs
-  double rmse = 0.0;      ///< RMSE over converged runs, from convergence on, meters
-  double depthBias = 0.0; ///< bias along camera 1's optical axis in the same iterations, meters
+      0.0;           ///< median number of iterations until convergence, over converged runs
+  double rmse = 0.0; ///< RMSE over converged runs, from convergence on, meters
+  /// Bias along camera 1's optical axis over converged runs, from convergence on, meters.
+  double depthBias = 0.0;
 };
 
 /// Returns the iteration (counted from 1) from which on a particle cloud has converged. `spreads`

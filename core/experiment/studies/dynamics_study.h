@@ -13,8 +13,8 @@ namespace dewpoint::experiment {
 
 /// Setup with an object that stands still and jumps to another position at one iteration (Barrera
 /// et al. 2005, section III-C). Meters. The paper specifies the jump of 2 m, iteration 30, 200
-/// particles and sigma_m. It specifies neither the start of the cloud nor the sigma of the
-/// observation.
+/// particles and sigma_m (`motionSigma`). It specifies neither the start of the cloud nor the sigma
+/// of the observation.
 struct DynamicsSetup {
   int particles = 200;
   double motionSigma = 0.03;
@@ -29,7 +29,7 @@ struct DynamicsSetup {
 
 /// Results of one run of the `dynamics` method with a DynamicsSetup.
 struct DynamicsRun {
-  std::vector<double> errors; ///< error after each iteration, meters
+  std::vector<double> errors; ///< error of the estimated position after each iteration, meters
   /// Root mean square distance of the particles from their mean after the prediction, meters. The
   /// particles are not weighted; `clouds` contains the same particles.
   std::vector<double> cloudSpreads;
@@ -46,8 +46,8 @@ struct DynamicsRun {
 DynamicsRun runDynamics(const DynamicsSetup& setup, std::uint64_t seed,
                         const std::vector<int>& instants = {});
 
-/// Returns the mean error after each iteration (meters) over `runs` runs, with seeds from
-/// `firstSeed` on.
+/// Returns the mean error of the estimated position after each iteration (meters) over `runs` runs,
+/// with seeds from `firstSeed` on.
 std::vector<double> meanErrors(const DynamicsSetup& setup, int runs,
                                std::uint64_t firstSeed = kFirstTuningSeed);
 

@@ -23,11 +23,12 @@ inline constexpr std::int64_t kSilhouetteInterval = 5;
 /// One frame of a scene with people: its images as methods receive them, and the people that the
 /// cameras really see at the time of the frame.
 struct OfficeInstant {
-  FrameSetPtr frames; ///< images as they arrive, see PeopleRecording
-  /// Number of cameras that see at least kMinVisiblePixels, per person.
+  FrameSetPtr frames; ///< images as methods receive them: delayed, or null where dropped
+  /// Number of cameras that see a person, that is, at least kMinVisiblePixels of the person; one
+  /// number per person.
   std::vector<int> seeingCameraCounts;
-  std::vector<cv::Mat>
-      personIndexImages; ///< visible person at each pixel, per camera; see paintPeople()
+  /// One image per camera: 1 + index of the person visible at each pixel, or 0; see paintPeople().
+  std::vector<cv::Mat> personIndexImages;
   /// Complete silhouettes, indexed by camera, then by person. Empty in frames in which silhouettes
   /// are not compared.
   std::vector<std::vector<cv::Mat>> silhouettes;

@@ -50,7 +50,8 @@ struct PeopleTrial {
   double stepMs = 0.0;               ///< mean CPU time per frame with people, ms
   PersonResult allPersonsResult;     ///< results over all people in the scene
   std::vector<PersonResult> persons; ///< results per person, in scene order
-  std::vector<PeopleImage> pictures; ///< images of chooseInstantsToShow(), if requested
+  /// Images of the frames that are chosen to be shown (chooseInstantsToShow()), if requested.
+  std::vector<PeopleImage> pictures;
 };
 
 /// Largest distance (meters) at which an estimate is assigned to a person: the width of an adult.
@@ -66,7 +67,8 @@ struct PeopleStudySetup {
   std::uint64_t seed = kFirstTuningSeed;
   /// Non-default parameter values. They apply to the methods that have such a parameter.
   std::vector<std::pair<std::string, double>> parameters;
-  bool drawsPictures = false; ///< true to draw the images of chooseInstantsToShow()
+  /// True to draw the frames that are chosen to be shown (chooseInstantsToShow()).
+  bool drawsPictures = false;
 };
 
 /// Checks the parameters. Returns UnknownKey for a parameter that no method has, or BadValue for a

@@ -19,14 +19,16 @@ struct PeopleSummary {
   int keptRunCount =
       0; ///< number of runs in which all identities were kept (PeopleTrial::identitiesKept)
   int identitySwitches = 0;
-  double mota = 0.0; ///< mean over runs, like `hota` and `gospa`
+  double mota = 0.0; ///< CLEAR MOT accuracy, mean over runs
   double hota = 0.0;
-  double gospa = 0.0;         ///< mean over runs, meters
-  double motp = 0.0;          ///< mean over the runs that have matches, meters
-  double longestGhost = 0.0;  ///< value of the worst run, seconds
-  double longestMissed = 0.0; ///< value of the worst run, seconds
-  double hullVolume = 0.0;    ///< mean over runs, m³
-  double stepMs = 0.0;        ///< mean over runs, ms
+  double gospa = 0.0; ///< GOSPA distance, mean over runs, meters
+  double motp = 0.0;  ///< distance of matches, mean over the runs that have any, meters
+  /// Longest time with an estimate but no person nearby, over all runs, seconds.
+  double longestGhost = 0.0;
+  /// Longest time without an estimate of a visible person, over all runs, seconds.
+  double longestMissed = 0.0;
+  double hullVolume = 0.0; ///< volume that contains 95 % of a person, mean over runs, m³
+  double stepMs = 0.0;     ///< CPU time per frame with people, mean over runs, ms
   /// Means of the fields `found` and `silhouette` in PeopleTrial::allPersonsResult, over the runs
   /// that have a value; see PersonResult.
   double found = std::numeric_limits<double>::quiet_NaN();
@@ -41,7 +43,8 @@ const char* clothesName(PeopleClothes clothes);
 std::vector<PeopleSummary> summarize(const std::vector<PeopleTrial>& trials);
 /// Returns a number with `digits` decimals for a table; "-" if it is NaN.
 std::string tableCell(double value, int digits);
-/// Return the header and one row of the summary table that is printed in a terminal.
+/// Return the header and one row of the table, printed in a terminal, that summarizes a study of
+/// people.
 std::string peopleTableHeader();
 std::string peopleTableRow(const PeopleSummary& summary);
 /// Returns the content of runs.csv, with one row per trial.

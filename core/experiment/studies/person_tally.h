@@ -34,7 +34,8 @@ struct PersonResult {
 /// Accumulates the results of a method for one person or for all people.
 class PersonTally {
 public:
-  /// Adds a frame in which at least two cameras see the person.
+  /// Adds a frame in which at least two cameras see the person. `found` states whether there is an
+  /// estimate near the person.
   void addFrame(bool found) { found_.add(found ? 1.0 : 0.0); }
   /// Adds the overlap of the estimated volume's outline in a camera that sees the person.
   void addSilhouette(const SilhouetteOverlap& overlap);

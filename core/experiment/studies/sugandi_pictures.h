@@ -13,15 +13,15 @@ namespace dewpoint::experiment {
 
 /// Draws an image (CV_8UC3) like figures 2 and 3 of Sugandi et al. 2009. It shows five frames of a
 /// clip: four evenly spaced frames, and the frame with the largest error with 100 particles. The
-/// boxes and centers found with 100 particles (upper row) and 300 particles (lower row) are red.
-/// The true box is white.
+/// boxes and centers found with 100 particles (`few`, upper row) and 300 particles (`many`, lower
+/// row) are red. The true box is white.
 cv::Mat drawBoxFrames(const std::vector<cv::Mat>& images, const std::vector<ImageBox>& truth,
                       const BoxStudyRow& few, const BoxStudyRow& many);
 
 /// Returns the figures of a clip as HTML: plots of x, y and error of the box centers over the
-/// frames, and the image from drawBoxFrames().
+/// frames, and the image with the boxes of five frames (drawBoxFrames()).
 std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip);
-/// Returns the file name of the image from drawBoxFrames() for a clip.
+/// Returns, for a clip, the file name of the image with the boxes of five frames (drawBoxFrames()).
 std::string boxFramesFileName(std::size_t clip);
 /// Returns plots for a clip as HTML, like figure 1 of Sugandi et al. 2009: the color histograms of
 /// the first box, which was given to the method, and of the box found halfway through the clip.

@@ -12,7 +12,7 @@ namespace dewpoint::experiment::scenarios {
 /// time minus the known part of the camera's delay; the delays in this struct come in addition.
 struct CameraTiming {
   double delay = 0.0;         ///< unknown delay: time from mid-exposure to the time stamp, seconds
-  double clockDrift = 0.0;    ///< seconds by which the unknown delay grows per second
+  double clockDrift = 0.0;    ///< increase of the unknown delay, seconds per second
   double jitter = 0.0;        ///< standard deviation of the errors of the time stamps, seconds
   double droppedShare = 0.0;  ///< fraction of frames that do not arrive
   double repeatedShare = 0.0; ///< fraction of frames that repeat the previous image

@@ -8,10 +8,10 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Returns frame set number `frame` of a finished draft, as methods receive it. The time stamp of
-/// the set is ScenarioDraft::timeOf(`frame`). The clock and the timing faults of each camera
-/// determine the delay and time stamp of its image. An image that does not arrive is null. This is
-/// a pure function.
+/// Returns frame set number `frame` of a run whose draft is finished, as methods receive it. The
+/// time stamp of the set is ScenarioDraft::timeOf(`frame`). The clock and the timing faults of each
+/// camera determine the delay and time stamp of its image. An image that does not arrive is null.
+/// This is a pure function.
 FrameSetPtr frameSetOf(const ScenarioDraft& draft, std::int64_t frame);
 
 } // namespace dewpoint::experiment::scenarios

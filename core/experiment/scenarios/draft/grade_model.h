@@ -41,11 +41,10 @@ struct GradeModel {
   Range initialErrorStops; ///< error of the exposure at frame 0, stops
   Range whiteBalanceStops; ///< constant error of blue and red, stops
   Range huntingStops;      ///< amplitude of a periodic error in the measured brightness, stops
-  Range huntingPeriodSeconds; ///< period of this error, seconds
-  Range
-      exposureLoopSpeed; ///< ControlLoop::speed: fraction of the error that is corrected per frame
-  Range exposureLoopLagFrames; ///< ControlLoop::lagFrames: number of frames from a measurement to
-                               ///< ///< its effect
+  Range huntingPeriodSeconds;     ///< period of the error in the measured brightness, seconds
+  /// ControlLoop::speed: fraction of the exposure error that is corrected per frame.
+  Range exposureLoopSpeed;   /// ControlLoop::lagFrames: number of frames from a measurement to ///< its effect.
+Range exposureLoopLagFrames;
 
   // Light; drawn once per run.
   /// Light of a low, white lamp at the side of the target, as a fraction of full light at the
@@ -61,15 +60,15 @@ struct GradeModel {
 
   // Time.
   Range readoutSeconds; ///< time from the first to the last row of a rolling shutter
-  Range delayFrames;    ///< unknown part of the delay, frames
+  Range delayFrames;    ///< part of the camera's delay that methods do not know, frames
   Range jitterSeconds;  ///< standard deviation of the errors of the time stamps, seconds
   Range droppedShare;   ///< fraction of frames that do not arrive
   Range repeatedShare;  ///< fraction of frames that repeat the previous image
 
   // Calibration.
-  CalibrationError calibration; ///< standard deviations of the errors
+  CalibrationError calibration; ///< standard deviations of the errors of the calibration
   Range driftRadians;           ///< final rotation of the camera since its calibration, radians
-  Range driftSettleSeconds;     ///< time constant of this rotation, seconds
+  Range driftSettleSeconds;     ///< time constant of the rotation since the calibration, seconds
 };
 
 /// Default horizontal distance of additional lamps from the target's initial position, meters. It
@@ -77,7 +76,8 @@ struct GradeModel {
 /// and behind the cameras.
 inline constexpr double kLampDistance = 1.5;
 
-/// Returns the severity of the faults in a grade. All values of grade `Ideal` are zero.
+/// Returns the severity of the faults in a grade (level of realism). All values of grade `Ideal`
+/// are zero.
 const GradeModel& gradeModel(Grade grade);
 
 /// Properties of a run on which its random faults depend.
@@ -101,9 +101,9 @@ SensingFaults randomFaults(const GradeModel& model, const FaultContext& context,
 simulation::SensorModel randomSensor(const GradeModel& model, const FaultContext& context,
                                      RandomDraws& draws);
 
-/// Gives each camera a lens that is typical of consumer cameras. In grade `Ideal`, cameras remain
-/// pinhole cameras. There are only a few different lenses to draw from, because runs with the same
-/// lenses share rendered backgrounds.
+/// Gives each camera a lens that is typical of consumer cameras. In the grade (level of realism)
+/// `Ideal`, cameras remain pinhole cameras. There are only a few different lenses to draw from,
+/// because runs with the same lenses share rendered backgrounds.
 void setRandomLenses(Grade grade, CameraRig& rig, RandomDraws& draws);
 
 } // namespace dewpoint::experiment::scenarios

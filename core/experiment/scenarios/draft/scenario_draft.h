@@ -43,9 +43,9 @@ struct ScenarioDraft {
   /// Returns whether a frame is lost and does not arrive.
   std::function<bool(std::size_t camera, std::int64_t frame)> lost = nullptr;
   std::vector<ScenarioEvent> events = {};
-  /// Changes the faults drawn for the grade, or the faults of an ideal run. A scenario uses this
-  /// function to set the faults that it tests. It is called when everything else in the draft is
-  /// complete.
+  /// Changes the faults drawn for the grade (level of realism), or the faults of an ideal run. A
+  /// scenario uses this function to set the faults that it tests. It is called when everything else
+  /// in the draft is complete.
   std::function<void(SensingFaults&)> adjustFaults = nullptr;
   /// Timing faults, one per camera, set by the grade and by the scenario. If empty, all times are
   /// known and all frames arrive.
@@ -58,7 +58,8 @@ struct ScenarioDraft {
   double pathScale = 1.0;
   /// Scale factor for ball radii, at most 1. It is applied when the scenario is complete.
   double radiusScale = 1.0;
-  int equalCandidates = 1; ///< see ScenarioRun::equalCandidates
+  /// Number of objects that fit the first target equally well (ScenarioRun::equalCandidates).
+  int equalCandidates = 1;
   /// True if calibration and time stamps are exact in grade `ideal`, and methods know this.
   bool exactWhenIdeal = true;
   /// Function that sets what methods know about the targets (ScenarioRun::targets), using the
@@ -80,7 +81,8 @@ struct ScenarioRecipe {
   CameraRig rig;
   simulation::Furnishing furnishing = simulation::Furnishing::ClutteredDesk;
   std::function<bool(ScenarioDraft&)> complete = nullptr;
-  /// Target color, BGR in full light. In grade `wild`, some of the clutter has the same color.
+  /// Target color, BGR in full light. In the grade (level of realism) `wild`, some of the clutter
+  /// has the same color.
   Eigen::Vector3d targetColor = simulation::kDefaultBallColor;
 };
 

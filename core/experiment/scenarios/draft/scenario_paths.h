@@ -31,10 +31,11 @@ inline constexpr double kFastPathPeriod = 1.2;
 /// Closed path. Each coordinate k (1: x, 2: y, 3: z) is center[k] + extent[k] * sin(k a +
 /// phase[k]), where the angle a = 2 pi time / period. One round takes `period` seconds.
 struct LissajousPath {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters
-  Eigen::Vector3d extent = Eigen::Vector3d::Zero(); ///< meters
-  Eigen::Vector3d phase = Eigen::Vector3d::Zero();  ///< radians
-  double period = kSlowPathPeriod;                  ///< seconds
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< center of the path, meters
+  /// Half of the path's extent along each axis, meters.
+  Eigen::Vector3d extent = Eigen::Vector3d::Zero();
+  Eigen::Vector3d phase = Eigen::Vector3d::Zero(); ///< phase of each coordinate at time 0, radians
+  double period = kSlowPathPeriod;                 ///< duration of one round, seconds
   Eigen::Vector3d operator()(double time) const;
 };
 
@@ -60,8 +61,9 @@ bool areSeparated(const simulation::RoomView& view, const Eigen::Vector3d& one, 
 std::optional<LissajousPath> randomDeskPath(ScenarioDraft& draft, bool fast,
                                             double radius = kBallRadius);
 
-/// Adds one target ball that moves on a path from randomDeskPath() for `frames` frames, and calls
-/// startNearTruth(). Returns false if no path was found.
+/// Adds one target ball that moves on a path from randomDeskPath() for `frames` frames, and sets
+/// the volume in which methods start to search to a box near the true initial position
+/// (startNearTruth()). Returns false if no path was found.
 bool addDeskBall(ScenarioDraft& draft, std::int64_t frames, bool fast = false);
 
 } // namespace dewpoint::experiment::scenarios

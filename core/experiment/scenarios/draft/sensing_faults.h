@@ -55,8 +55,8 @@ struct ScenarioDraft;
 /// Returns faults for ideal cameras in the unchanged light of the room.
 SensingFaults noFaults(const ScenarioDraft& draft);
 
-/// Applies the faults to the draft's stage and time stamps. Returns the calibration that methods
-/// receive, with errors drawn from `draws`.
+/// Applies the faults to the simulated scene (`draft.stage`) and the time stamps of the draft.
+/// Returns the calibration that methods receive, with errors drawn from `draws`.
 CameraRig applyFaults(const SensingFaults& faults, ScenarioDraft& draft, RandomDraws& draws);
 
 } // namespace dewpoint::experiment::scenarios

@@ -8,13 +8,13 @@
 
 namespace dewpoint::experiment {
 
-/// Office and cameras for a run of grade `Wild`.
+/// Office and cameras for a run of the grade (level of realism) `Wild`.
 struct WildOffice {
   CameraRig rig;
   simulation::RoomDesign design;
 };
 
-/// Returns the office of a scene, changed for grade `Wild`:
+/// Returns the office of a scene, changed for the grade (level of realism) `Wild`:
 /// - The cameras are moved along the walls, mounted lower or higher, aimed elsewhere, and have
 ///   other lenses.
 /// - The walls have another color, and the lamp is at another position.

@@ -15,7 +15,7 @@ namespace dewpoint::experiment::scenarios {
 /// Initial positions (meters) and velocities (m/s) of balls.
 struct CrowdStart {
   std::vector<Eigen::Vector3d> positions;
-  std::vector<Eigen::Vector3d> velocities; ///< one per position
+  std::vector<Eigen::Vector3d> velocities; ///< initial velocity of each ball, m/s, one per position
 };
 
 /// Motion of equal, weightless balls in a box. The balls bounce elastically off the walls and off

@@ -14,9 +14,9 @@ namespace dewpoint::experiment::scenarios {
 /// offset changes to `back`. It then returns to the closed path within `reach` seconds.
 struct Detour {
   LissajousPath base;
-  /// Offset from `base` when the ball has moved aside, meters.
+  /// Offset from the closed path (`base`) when the ball has moved aside, meters.
   Eigen::Vector3d out = Eigen::Vector3d::Zero();
-  /// Offset from `base` when the ball starts to return, meters.
+  /// Offset from the closed path (`base`) when the ball starts to return, meters.
   Eigen::Vector3d back = Eigen::Vector3d::Zero();
   double begin = 1.5;
   double reach = 0.7;
@@ -35,8 +35,9 @@ enum class Visibility { None, Partial, Full };
 Visibility visibilityOf(const simulation::RoomView& view, const Eigen::Vector3d& center,
                         double radius);
 
-/// Adds the UnseenBegin and UnseenEnd events of each camera, according to `isSeen(camera, frame)`.
-/// Also adds events for all cameras together (camera -1) where no camera sees the target.
+/// Adds an event for each time that the target disappears from a camera's image (UnseenBegin) or
+/// appears again (UnseenEnd), according to `isSeen(camera, frame)`. Also adds events for all
+/// cameras together (camera -1) where no camera sees the target.
 void addInvisibilityEvents(
     ScenarioDraft& draft,
     const std::function<bool(std::size_t camera, std::int64_t frame)>& isSeen);

@@ -22,8 +22,8 @@ double hiddenShare(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, do
 double overlappedFraction(const Eigen::Vector3d& eye, const Eigen::Vector3d& center, double radius,
                           const std::vector<simulation::MovingPart>& parts);
 
-/// Converts a box of the stage, as it is at a time (seconds), to a part for hiddenShare(), in the
-/// world frame.
+/// Converts a box of the simulated scene, as it is at a time (seconds), to a part that may hide a
+/// ball, as hiddenShare() needs it. World frame.
 simulation::MovingPart boxPart(const simulation::StageBody& box, double time = 0.0);
 
 /// Number of frames between two checks of hiddenShare() or overlappedFraction() in a scenario: few

@@ -39,7 +39,8 @@ inline constexpr double kFastestSpin = 1.0;
 /// Draws a rotation about a random axis with `least` to `most` rotations per second.
 Spin randomSpin(RandomDraws& draws, double least, double most);
 
-/// Paints a pattern on a ball of the stage, at random positions.
+/// Paints a pattern on a ball of the simulated scene, at random positions. The pattern rotates with
+/// `spin`.
 void paintBall(simulation::StageBody& ball, BallPattern pattern, const Spin& spin,
                RandomDraws& draws);
 

@@ -11,10 +11,10 @@
 
 namespace dewpoint::experiment::scenarios {
 
-/// Draws a room of grade `wild`. The room contains clutter of any shape, size and color, which is
-/// kept away from the cameras and from the center of their common volume. It also has posters,
-/// walls of another color and a lamp at another position. Some of the clutter has approximately the
-/// target color (BGR in full light).
+/// Draws a room for the grade (level of realism) `wild`. The room contains clutter of any shape,
+/// size and color, which is kept away from the cameras and from the center of their common volume.
+/// It also has posters, walls of another color and a lamp at another position. Some of the clutter
+/// has approximately the target color (BGR in full light).
 simulation::RoomDesign
 randomRoom(simulation::Furnishing furnishing, const CameraRig& rig, RandomDraws& draws,
            const Eigen::Vector3d& targetColor = simulation::kDefaultBallColor);
