@@ -67,8 +67,8 @@ struct WorldRecord {
   /// Relative error of the scale: with a probability of 95 %, the true error is at most this value.
   /// Empty if unknown.
   std::optional<double> scaleError;
-  std::optional<CalibrationOrigin>
-      floor; ///< input that determined where the floor is; empty if unknown
+  /// Input that determined where the floor is; empty if unknown.
+  std::optional<CalibrationOrigin> floor;
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed.
   std::optional<double> accuracy;
   /// Error, in meters, that 95 % of the positions outside the calibrated volume do not exceed, if

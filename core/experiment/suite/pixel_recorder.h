@@ -55,8 +55,8 @@ private:
 
   std::vector<TargetFrame> framesOf(std::size_t target) const;
 
-  std::map<std::int64_t, std::vector<MarkedCenter>>
-      marks_; ///< marks (true target centers in the images), by frame
+  /// Marks (true target centers in the images), by frame.
+  std::map<std::int64_t, std::vector<MarkedCenter>> marks_;
   std::vector<Projector> cameras_;
   double gate_ = 0.0;
   std::vector<std::vector<Sample>> samples_; ///< one list per target, in frame order

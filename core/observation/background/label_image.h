@@ -94,8 +94,8 @@ private:
   void matchInReferenceLight(const std::uint8_t* row, int count);
 
   std::vector<std::uint8_t> matched_; ///< working memory, one row
-  std::vector<std::uint8_t>
-      relit_; ///< working memory: colors of one row after conversion to the reference light
+  /// Working memory: colors of one row after conversion to the reference light.
+  std::vector<std::uint8_t> relit_;
   std::vector<std::uint8_t> again_; ///< working memory, one row
 };
 
