@@ -28,8 +28,10 @@ public:
   struct Position {
     std::int64_t firstDraw = 0; ///< first draw of the tile, counted within its block
     std::int64_t particle = 0;  ///< next particle to compare with
-    std::int64_t base = 0;      ///< number of particles that lie before all draws of the tile
-    /// Number of particles, in addition to `base`, that lie before each draw.
+    /// Number of particles whose cumulative weight is not above any draw of the tile.
+    std::int64_t base = 0;
+    /// For each draw, the number of further particles, beyond `base`, whose cumulative weight is
+    /// not above the draw.
     std::array<std::int64_t, kTileSize> rank{};
   };
 

@@ -11,7 +11,7 @@ namespace dewpoint::filter {
 /// Mean, covariance and other statistics of a weighted particle set, in the units of the state.
 struct StateEstimate {
   Eigen::VectorXd mean;       ///< weighted mean (MMSE)
-  Eigen::MatrixXd covariance; ///< weighted covariance about the mean, divisor 1
+  Eigen::MatrixXd covariance; ///< weighted covariance about the mean, without bias correction
   /// Index of the particle with the highest weight (MAP); the first such particle if there are
   /// ties.
   Eigen::Index bestIndex = 0;

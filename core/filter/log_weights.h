@@ -11,7 +11,7 @@ namespace dewpoint::filter {
 double largestLogWeight(const double* logWeights, std::int64_t count);
 
 /// Sets weights[i] = exp(logWeights[i] - largest), or zero where the log weight is not finite, and
-/// returns the sum of the weights (see block_sums.h). `largest` must be finite and at least as
+/// returns the sum of the weights, added in a fixed order. `largest` must be finite and at least as
 /// large as every finite log weight.
 double relativeWeights(const double* logWeights, std::int64_t count, double largest,
                        double* weights);

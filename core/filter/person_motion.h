@@ -46,8 +46,9 @@ struct PersonMotion {
 struct WalkingMotion {
   double interval = 0.0;          ///< seconds since the last step
   double accelerationSigma = 3.0; ///< standard deviation along each axis, m/s²
-  double meanHeight = 1.72;       ///< m
-  double heightSigma = 0.01;      ///< standard deviation, m per step
+  /// Height, in meters, to which the height of a person returns slowly.
+  double meanHeight = 1.72;
+  double heightSigma = 0.01; ///< standard deviation, m per step
 
   void predict(StateRows rows, std::uint32_t firstIndex, const RandomStream& stream) const {
     constexpr double kHeightPull = 0.02; // share of the difference, per step

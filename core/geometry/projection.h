@@ -19,7 +19,7 @@ struct Projection {
   std::array<double, 9> rotation{};    ///< camera from world, row by row
   std::array<double, 3> translation{}; ///< camera from world, meters
   double focalX = 0.0, focalY = 0.0, centerX = 0.0, centerY = 0.0; ///< pixels
-  std::array<double, 8> distortion{}; ///< in the order of the lens model
+  std::array<double, 8> distortion{}; ///< distortion coefficients in the order of the lens model
   /// Largest squared normalized radius at which the distorted radius still increases. The
   /// normalized radius of a point is its distance from the optical axis divided by its depth.
   double radiusSquaredLimit = 0.0;

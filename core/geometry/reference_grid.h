@@ -77,7 +77,7 @@ struct GridStroke {
 /// Grid as it appears in one image.
 struct ProjectedGrid {
   std::vector<GridStroke> strokes; ///< lines first; borders and axes last, to be drawn on top
-  std::vector<GridText<2>> labels; ///< inside the image
+  std::vector<GridText<2>> labels; ///< axis names and distances at pixels inside the image
 };
 
 /// Projects a grid into a camera. Parts behind the camera or beyond the valid range of the lens

@@ -13,9 +13,9 @@ namespace dewpoint::geometry {
 /// The value is about the size of a room and was chosen by judgment.
 inline constexpr double kSingleCameraRange = 4.0;
 
-/// Returns the bounding box of the volume that at least `cameras` cameras of a rig see (world
-/// frame, meters). Returns nothing if there is no such volume. Cameras without an image size or a
-/// focal length are ignored.
+/// Returns the bounding box of the volume in which each point is seen by at least `cameras` cameras
+/// of a rig (world frame, meters). Returns nothing if there is no such volume. Cameras without an
+/// image size or a focal length are ignored.
 ///
 /// Each camera is assumed to see up to a limited distance. The limit is 1.5 times the median of the
 /// distances at which the optical axis of the camera meets the optical axes of the other cameras.

@@ -8,7 +8,7 @@
 
 namespace dewpoint::project {
 
-/// Origin of a part of a calibration.
+/// Input from which a part of a calibration was computed.
 enum class CalibrationOrigin {
   Points, ///< points measured in the room and clicked in the images
   Board,  ///< views of a printed board
@@ -17,11 +17,11 @@ enum class CalibrationOrigin {
   Marks   ///< points marked in the images to define the floor or a measured distance
 };
 
-/// Origin and accuracy of the intrinsics of a camera.
+/// How the intrinsics of a camera were determined, and how accurate they are.
 struct LensRecord {
   CalibrationOrigin origin = CalibrationOrigin::File;
-  /// Largest standard deviation, over the image, of the projection of a direction due to errors of
-  /// the intrinsics; pixels. Empty if unknown.
+  /// Image error that is caused by inexact intrinsics: the standard deviation, in pixels, of the
+  /// projection of a given direction, where it is largest in the image. Empty if unknown.
   std::optional<double> error;
   /// Intrinsics that the record describes: the two focal lengths and the principal point, pixels.
   std::array<double, 4> values{};
@@ -29,7 +29,7 @@ struct LensRecord {
   bool operator==(const LensRecord&) const = default;
 };
 
-/// Origin and accuracy of the pose of a camera.
+/// How the pose of a camera was determined, and how accurate it is.
 struct PoseRecord {
   CalibrationOrigin origin = CalibrationOrigin::File;
   /// Standard deviation of the camera position relative to the other cameras, meters. Empty if
@@ -42,9 +42,9 @@ struct PoseRecord {
   bool operator==(const PoseRecord&) const = default;
 };
 
-/// Origin and accuracy of the calibration of a camera. Each of the two records contains a copy of
-/// the calibration values that it describes. A record becomes invalid as soon as the calibration of
-/// the camera differs from this copy.
+/// How a camera was calibrated, and how accurate the calibration is. Each of the two records
+/// (intrinsics and pose) contains a copy of the calibration values that it describes. A record
+/// becomes invalid as soon as the calibration of the camera differs from this copy.
 struct CameraRecord {
   std::optional<LensRecord> lens;
   std::optional<PoseRecord> pose;
@@ -61,17 +61,18 @@ struct LengthCheck {
   bool operator==(const LengthCheck&) const = default;
 };
 
-/// Origin and accuracy of the world frame of a project.
+/// How the world frame of a project was determined, and how accurate it is.
 struct WorldRecord {
-  std::optional<CalibrationOrigin> scale; ///< origin of the scale; empty if unknown
+  std::optional<CalibrationOrigin> scale; ///< input that determined the scale; empty if unknown
   /// Relative error of the scale: with a probability of 95 %, the true error is at most this value.
   /// Empty if unknown.
   std::optional<double> scaleError;
-  std::optional<CalibrationOrigin> floor; ///< origin of the floor; empty if unknown
+  /// Input that determined where the floor is; empty if unknown.
+  std::optional<CalibrationOrigin> floor;
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed.
   std::optional<double> accuracy;
   /// Error, in meters, that 95 % of the positions outside the calibrated volume do not exceed, if
-  /// at least two cameras see them. It is extrapolated.
+  /// at least two cameras see them. The value is extrapolated.
   std::optional<double> errorOutsideVolume;
   /// Comparison of a measured with a calibrated length, if the user made one.
   std::optional<LengthCheck> check;

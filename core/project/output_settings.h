@@ -24,10 +24,11 @@ enum class OutputUnit { Meter, Millimeter };
 struct OutputSettings {
   OutputAxes axes = OutputAxes::ZUp;
   OutputUnit unit = OutputUnit::Meter;
-  double rate = 30.0;               ///< maximum number of frames sent per second; 0: all frames
-  std::string osc;                  ///< receiver of OSC messages as HOST:PORT (UDP)
-  std::string tuio;                 ///< receiver of TUIO 1.1 3D cursors as HOST:PORT (UDP)
-  std::optional<std::uint16_t> tcp; ///< port for JSON lines; 0: any free port
+  double rate = 30.0; ///< maximum number of frames sent per second; 0: all frames
+  std::string osc;    ///< receiver of OSC messages as HOST:PORT (UDP)
+  std::string tuio;   ///< receiver of TUIO 1.1 3D cursors as HOST:PORT (UDP)
+  /// TCP port on which results are sent as JSON lines; 0: any free port.
+  std::optional<std::uint16_t> tcp;
   /// Port for WebSocket and the page for browsers; 0: any free port.
   std::optional<std::uint16_t> websocket;
   std::string csv;                  ///< file or named pipe for CSV lines; "-": standard output

@@ -48,7 +48,7 @@ struct ProjectCamera {
   double delay = 0.0;
   /// Identity, format and controls of the device (`source` is Device only).
   DeviceSettings device = {};
-  /// Origin of the camera's calibration, as far as it is known.
+  /// How the camera was calibrated, and how accurate the calibration is, as far as this is known.
   CameraRecord calibrated = {};
   /// Margins cut off from the images after rotation and mirroring. The calibration is that of the
   /// cropped images.
@@ -122,7 +122,7 @@ struct Project {
   ParameterValues parameters;
   std::vector<Target> targets;
   std::vector<ProjectCamera> cameras;
-  std::optional<std::filesystem::path> truth; ///< absolute path of truth.csv
+  std::optional<std::filesystem::path> truth; ///< absolute path of truth.csv, the true positions
   std::string scene; ///< name or file of the simulated scene; empty if there is none
   std::vector<ProjectMarker> markers; ///< markers in the recording, ordered by frame
   /// Grid drawn over the images while cameras are adjusted by hand.
@@ -135,13 +135,14 @@ struct Project {
   std::vector<PositionCorrection> corrections;
   /// Outputs that send results to other programs during a run; they do not affect the results.
   OutputSettings output;
-  WorldRecord calibrated; ///< origin of the floor and the scale, as far as it is known
+  WorldRecord calibrated; ///< how floor and scale of the world frame were determined, if known
   std::string layout;     ///< view layout saved by the window; empty: default layout
 
   bool operator==(const Project&) const = default;
 };
 
-/// Returns the parameters used to track a project; see tracking::effectiveParameters().
+/// Returns the parameters used to track a project. Parameters that the user has not set are derived
+/// from the volume that the cameras see, where possible.
 ParameterValues effectiveParameters(const Project& project);
 
 /// Inserts a correction after the existing corrections for the same frame.

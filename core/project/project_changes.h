@@ -23,7 +23,7 @@ struct ProjectChanges {
   bool corrections = false;      ///< corrections of target positions
   bool backgroundImages = false; ///< background images; never true if `sources` is true
   bool controls = false;         ///< controls of devices; never true if `sources` is true
-  bool records = false;          ///< records of the origin of the calibration
+  bool records = false;          ///< records of how the calibration was obtained
   bool output = false;           ///< settings of the outputs to other programs
   bool sources = false;          ///< the set of cameras, and the sources of images and ground truth
 

@@ -42,8 +42,8 @@ struct Restart {
 struct SetParameters {
   ParameterValues parameters;
 };
-/// Changes the tracking method and tracks again. The random seed is kept. If `from` is set, the
-/// results of frames before `from` are kept.
+/// Changes the tracking method and tracks the frames again with it. The random seed is kept. If
+/// `from` is set, the results of frames before `from` are kept.
 struct SetMethod {
   std::string method;
   ParameterValues parameters;
@@ -68,7 +68,8 @@ struct Rerun {
   /// published, unless this takes noticeably long.
   bool keepView = false;
 };
-/// Turns likelihood maps in snapshots on or off (TargetSnapshot::maps).
+/// Turns likelihood maps on or off in snapshots, the copies of the results that the tracking thread
+/// publishes for display.
 struct ShowMaps {
   bool shown = false;
 };
@@ -94,12 +95,13 @@ struct SetBackgroundImages {
 struct SetVolumeOfInterest {
   std::optional<WorldBox> volume;
 };
-/// Turns masks in snapshots on or off (TrackSnapshot::masks). A mask marks the pixels that have the
-/// color of a target, or that are moving.
+/// Turns masks on or off in snapshots, the copies of the results that the tracking thread publishes
+/// for display. A mask marks the pixels that have the color of a target, or that are moving.
 struct ShowMasks {
   bool shown = false;
 };
-/// Turns the body shapes of people in snapshots on or off (TargetSnapshot::shape).
+/// Turns the body shapes of people on or off in snapshots, the copies of the results that the
+/// tracking thread publishes for display.
 struct ShowBodyShapes {
   bool shown = false;
 };
@@ -112,8 +114,8 @@ struct SetThreads {
 struct SetPace {
   Pace pace;
 };
-/// Sets whether a calibration board is being shown to live cameras. As long as this is so, no
-/// camera is reported as moved (CameraMotionWatch::setPaused()).
+/// Sets whether a calibration board is being shown to live cameras. While a board is being shown,
+/// no camera is reported as moved.
 struct ShowCalibrationBoard {
   bool shown = false;
 };
@@ -129,8 +131,8 @@ struct SetPersonCorrections {
 struct SetCorrections {
   std::vector<PositionCorrection> corrections; ///< ordered by frame
 };
-/// Requests a snapshot of one frame for the sender alone. The snapshot is not published, and
-/// neither the run nor the frame that is shown changes.
+/// Requests a snapshot (copy of the results) of one frame for the sender alone. The snapshot is not
+/// published, and neither the run nor the frame that is shown changes.
 struct DescribeFrame {
   std::int64_t frame = 0;
   /// Receives the snapshot or an error: Canceled, NotFound, or an error of reading the frame.

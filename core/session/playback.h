@@ -77,15 +77,18 @@ public:
   /// Starts playing if the head (the current frame of the run) is shown, and replaying if another
   /// frame is shown. Resumes a rerun that is on hold.
   void play();
-  void pause(); ///< abandons the rest of a rerun
-  void hold();  ///< like pause(), but a rerun can be resumed
+  /// Pauses. The remaining frames of a rerun (past frames that are being tracked again) are not
+  /// tracked.
+  void pause();
+  /// Pauses, but a rerun (past frames that are being tracked again) can be resumed.
+  void hold();
   /// Shows a frame and stops playing. If `frame` is empty or equal to `head`, shows the head (the
   /// current frame of the run).
   void show(std::optional<std::int64_t> frame, std::int64_t head);
   /// Shows the head (the current frame of the run) instead of a past frame.
   void returnToNewestFrame();
-  /// Shows the frame `next` while replaying. If `next` is empty, there is no further frame, and
-  /// replaying ends.
+  /// Shows the frame `next` while replaying. Replaying ends if `next` is `head` (the current frame
+  /// of the run), or if `next` is empty because there is no further frame.
   void advance(std::optional<std::int64_t> next, std::int64_t head);
   /// Starts tracking the frames in `range` again (a rerun). If another rerun is in progress, the
   /// new one continues to the later of the two last frames. `viewAfterwards` is the frame to show

@@ -31,7 +31,7 @@ public:
 
   /// Iterations per second while they are shown one by one.
   static constexpr double kSlowIterationsPerSecond = 5.0;
-  /// Time during which the particles are shown before the first iteration.
+  /// Time in seconds during which the initial particles are shown before the first iteration.
   static constexpr Seconds kFirstIterationDelay{1.5};
   /// Number of iterations after which a run plays at normal speed even if a target is not held
   /// (confirmed by the cameras): the target may not be in the scene yet.
@@ -45,10 +45,10 @@ public:
     bool isAtFullSpeed = false;
     bool isReplaying = false;    ///< shows frames that were already tracked
     std::int64_t iterations = 0; ///< number of iterations in the current run
-    bool isHeld = false;         ///< every target is held
+    bool isHeld = false;         ///< the cameras confirm every target
   };
   struct Step {
-    Seconds period{};         ///< time since the previous step
+    Seconds period{};         ///< time from the previous step to this one
     bool isIteration = false; ///< true: one iteration; false: a frame with all its iterations
 
     bool operator==(const Step&) const = default;

@@ -32,7 +32,7 @@ ParticleSample particlesOf(const TrackingRun& run, std::size_t target, int limit
 /// Results of a run, kept in memory.
 struct RecordedRun {
   Trajectory trajectory; ///< trajectory as written by `dewpoint-cli track`; empty for image targets
-  BoxTrack boxes;        ///< boxes, for methods that track boxes
+  BoxTrack boxes;        ///< bounding boxes; empty unless the method tracks boxes
   /// Particles by frame and target index. Contains only the particles that were requested.
   std::map<std::pair<std::int64_t, std::size_t>, ParticleSample> particles;
   std::vector<std::string> targets; ///< target names, by target index

@@ -20,7 +20,8 @@ std::string boxStudyHtml(const BoxStudy& study);
 std::string perturbedBoxesCsv(const std::vector<BoxPerturbationRow>& rows);
 
 /// Writes sugandi-rmse.txt, .csv and .html with its images, and tracks.csv into an existing folder.
-/// Also writes sloppy-boxes.csv if BoxStudy::perturbedRows is not empty.
+/// Also writes sloppy-boxes.csv, the results for inexact first boxes, if BoxStudy::perturbedRows is
+/// not empty.
 Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder);
 
 } // namespace dewpoint::experiment

@@ -15,15 +15,16 @@
 
 namespace dewpoint::experiment {
 
-/// Display names of the methods that the report plots.
+/// Display names of the methods in the plots of the report: `sugandi` with few (100) and many (300)
+/// particles, and `histogram`.
 inline constexpr const char* kSugandiFew = "sugandi, 100 particles";
 inline constexpr const char* kSugandiMany = "sugandi, 300 particles";
 inline constexpr const char* kHistogram = "histogram, 300 particles";
 /// File name of the study's HTML page.
 inline constexpr const char* kBoxReport = "sugandi-rmse.html";
 
-/// Results of one method on one clip, started with the true box of the first frame. Values are
-/// means over the seeds.
+/// Results of one method on one clip (short image sequence of one camera), started with the true
+/// box of the first frame. Values are means over the seeds.
 struct BoxStudyRow {
   std::string clip;
   std::string method;  ///< display name: "sugandi, 100 particles", "csrt"
@@ -31,24 +32,26 @@ struct BoxStudyRow {
   bool exactBoxes = true;
   int seeds = 1;
   BoxMetrics metrics;
-  double worstPrecision = 0.0; ///< worst precision over the seeds
-  double milliseconds = 0.0;   ///< time per frame with one thread, ms
+  /// Lowest precision over the seeds. Precision is the fraction of frames in which the found center
+  /// is near the true one (BoxMetrics).
+  double worstPrecision = 0.0;
+  double milliseconds = 0.0; ///< time per frame with one thread, ms
   /// Boxes for the first seed, one per frame, beginning with the first frame, whose box is given.
   /// An entry is empty after the method has given up.
   std::vector<std::optional<ImageBox>> boxes;
 };
 
-/// Requirement of the study, and whether it is met.
+/// Requirement that the study checks, and whether the results meet it.
 struct BoxRequirement {
   std::string description;
   bool reached = false;
 };
 
-/// Data for the figures of a clip.
+/// Data for the figures (pictures and plots) that the report shows for one clip.
 struct BoxClipFigures {
   std::string clip;
   std::vector<ImageBox> truth;
-  cv::Mat frames; ///< image from drawBoxFrames()
+  cv::Mat frames; ///< image of some frames with the found and the true boxes
   /// Color histogram of the first box, which was given to the method (boxHistogram()). Empty if the
   /// box is outside the image.
   std::vector<double> referenceHistogram;
@@ -58,20 +61,21 @@ struct BoxClipFigures {
   std::size_t candidateFrame = 0;
 };
 
-/// Results of the box study.
+/// Results of the study that compares methods for tracking a bounding box in one camera.
 struct BoxStudy {
   std::vector<BoxStudyRow> rows; ///< grouped by clip
   std::vector<BoxRequirement> requirements;
   std::vector<BoxClipFigures> figures; ///< one per clip
-  std::vector<BoxPerturbationRow>
-      perturbedRows; ///< results of studyPerturbedBoxes(); empty unless requested
+  /// Results with inexact first boxes, from studyPerturbedBoxes(); empty unless this part was
+  /// requested.
+  std::vector<BoxPerturbationRow> perturbedRows;
   std::uint64_t firstSeed = kFirstTuningSeed;
   int seeds = 1; ///< number of seeds for Dewpoint's own methods
 };
 
-/// Follows every clip with `sugandi` (100 and 300 particles), `histogram` and OpenCV's four
-/// trackers. Dewpoint's own methods run with `seeds` seeds from `firstSeed` on. `report` receives
-/// each row when it is finished, and returns false to stop.
+/// Follows the box of the target through every clip with `sugandi` (100 and 300 particles),
+/// `histogram` and OpenCV's four trackers. Dewpoint's own methods run with `seeds` seeds from
+/// `firstSeed` on. `report` receives each row when it is finished, and returns false to stop.
 Result<BoxStudy> studyBoxes(const std::vector<BoxClip>& clips, int seeds,
                             const std::function<bool(const BoxStudyRow&)>& report,
                             std::uint64_t firstSeed = kFirstTuningSeed);

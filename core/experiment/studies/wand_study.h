@@ -11,12 +11,14 @@
 
 namespace dewpoint::experiment {
 
-/// Case of the study: error of the initial rig, and synchronization of the cameras.
+/// Case of the study of wand calibration: how wrong the camera poses are before the calibration,
+/// and whether the cameras are synchronized.
 enum class WandCase {
   Near,     ///< every camera is off by 10 cm and 3 degrees
   Far,      ///< every camera is off by 30 cm and 10 degrees
   Unsynced, ///< like Near, with every clock off by up to 16 ms
-  /// Like Near, but with one ball, whose diameter determines the scale; there is no requirement.
+  /// Like Near, but with one ball, whose diameter determines the scale; the study requires no
+  /// accuracy in this case.
   OneBall,
 };
 
@@ -30,12 +32,12 @@ struct WandRecording {
 struct WandTrial {
   std::uint64_t seed = 0;
   WandCase kind = WandCase::Near;
-  std::string failure;       ///< error message if the calibration failed; otherwise empty
-  double cameraRms = 0.0;    ///< RMS error of the camera positions, after the best rigid alignment
-  double pointRms = 0.0;     ///< RMS error of the ball positions, with the same alignment
-  double scaleError = 0.0;   ///< relative scale error
-  double offsetError = 0.0;  ///< largest clock offset error relative to the first camera, seconds
-  double medianPx = 0.0;     ///< median length of the residuals, pixels
+  std::string failure;      ///< error message if the calibration failed; otherwise empty
+  double cameraRms = 0.0;   ///< RMS error of the camera positions, after the best rigid alignment
+  double pointRms = 0.0;    ///< RMS error of the ball positions, with the same alignment
+  double scaleError = 0.0;  ///< relative error of the scale of the calibrated rig
+  double offsetError = 0.0; ///< largest clock offset error relative to the first camera, seconds
+  double medianPx = 0.0; ///< median distance of ball images from their predicted positions, pixels
   double solveSeconds = 0.0; ///< duration of the calibration without the search for balls
   std::size_t views = 0;     ///< number of ball images that were detected
   bool passed = false;       ///< true if the requirement of the case is met
@@ -49,7 +51,7 @@ std::vector<WandTrial> studyWand(std::uint64_t seed, const WandRecording& record
                                  const std::function<bool(const WandTrial&)>& report);
 
 /// Returns the largest value of `cameraRms` and `pointRms` that the requirement of a case allows,
-/// meters. It is infinite if there is no requirement.
+/// meters. Returns infinity if the study requires no accuracy in this case.
 double wandRmsLimit(WandCase kind);
 /// Returns the name of a case in reports.
 std::string wandCaseName(WandCase kind);

@@ -30,7 +30,8 @@ using RequirementMeasure =
 /// Column of runs.csv that a measure reads.
 using ResultColumn = SuiteRow::Value SuiteRow::*;
 
-/// Returns a measure that computes a quantile of a column over the runs. `fraction` is in [0, 1].
+/// Returns a measure that computes a quantile of a column over the runs. `fraction` (0 to 1)
+/// selects the quantile: 0.5 is the median.
 RequirementMeasure quantileOverRuns(ResultColumn column, double fraction);
 /// Returns a measure that computes the largest value of a column over the runs (the value of the
 /// worst run).
@@ -43,16 +44,17 @@ RequirementMeasure meanOverRuns(ResultColumn column, double factor = 1.0);
 /// Returns a measure that computes the percentage of runs whose value in a column is at most
 /// `limit`.
 RequirementMeasure percentWithin(ResultColumn column, double limit);
-/// Returns a measure that counts the runs in which the event of a column, such as convergence,
-/// never happened.
+/// Returns a measure that counts the runs in which the event that a column describes, such as
+/// convergence, never happened.
 RequirementMeasure failureCount(ResultColumn column);
 
-/// Computes the 95th percentile of all errors after convergence.
+/// Computes the 95th percentile of all position errors of our runs after convergence.
 RequirementValue pooledP95(const MeasuredRuns& ours, const MeasuredRuns& others);
-/// Computes the expected calibration error of the reported P(exists), over all frames of all runs.
+/// Computes the expected calibration error of the reported P(exists), over all frames of all our
+/// runs.
 RequirementValue pooledEceOfRuns(const MeasuredRuns& ours, const MeasuredRuns& others);
-/// Computes the absolute value of the mean, over runs, of the depth bias (the mean error along the
-/// viewing direction).
+/// Computes the absolute value of the mean, over our runs, of the depth bias (the mean error along
+/// the viewing direction).
 RequirementValue depthBias(const MeasuredRuns& ours, const MeasuredRuns& others);
 /// Computes the ratio of the median RMSE of our runs to the median RMSE of triangulation.
 RequirementValue rmseRatioToTriangulation(const MeasuredRuns& ours, const MeasuredRuns& others);

@@ -24,21 +24,23 @@ namespace dewpoint::experiment {
 /// may look the same.
 class PixelRecorder {
 public:
-  /// Creates a recorder for a run. It records nothing if the run has no marks.
+  /// Creates a recorder for a run. It records nothing if the run has no marks (true target centers
+  /// in the images).
   explicit PixelRecorder(const ScenarioRun& run);
 
-  /// Adds the estimates for one frame of the run. Frames without marks are skipped.
+  /// Adds the estimates for one frame of the run. Frames without marks (true target centers) are
+  /// skipped.
   void add(std::int64_t frame, const std::vector<SphereEstimate>& estimates);
 
-  /// Returns the RMS distance of the projections from the marks, pixels. For each target, the marks
-  /// from the convergence of its estimate on are used, or all marks if the estimate never
-  /// converges. Frames in which the target is not declared present are left out. Returns nothing if
-  /// no marks remain.
+  /// Returns the RMS distance of the projected estimates from the marks (true target centers),
+  /// pixels. For each target, the marks from the convergence of its estimate on are used, or all
+  /// marks if the estimate never converges. Frames in which the target is not declared present are
+  /// left out. Returns nothing if no marks remain.
   SuiteRow::Value rmsePx() const;
 
-  /// Returns the result of a run that has marks but no true positions. It contains convergence,
-  /// lost frames and the reliability of P(exists), all determined with the marks. It contains no
-  /// lengths in meters.
+  /// Returns the result of a run that has marks (true target centers in the images) but no true
+  /// positions in the room. It contains convergence, lost frames and the reliability of P(exists),
+  /// all determined with the marks. It contains no lengths in meters.
   SuiteResult result(RunKey key, double usPerFrame) const;
 
 private:
@@ -53,10 +55,11 @@ private:
 
   std::vector<TargetFrame> framesOf(std::size_t target) const;
 
-  std::map<std::int64_t, std::vector<MarkedCenter>> marks_; ///< by frame
+  /// Marks (true target centers in the images), by frame.
+  std::map<std::int64_t, std::vector<MarkedCenter>> marks_;
   std::vector<Projector> cameras_;
   double gate_ = 0.0;
-  std::vector<std::vector<Sample>> samples_; ///< per target
+  std::vector<std::vector<Sample>> samples_; ///< one list per target, in frame order
 };
 
 } // namespace dewpoint::experiment

@@ -14,12 +14,12 @@ namespace dewpoint::experiment {
 
 /// Run that was skipped for all methods because its scenario could not create it: the random draws
 /// found no position at which everything that must be visible is visible. This depends only on
-/// scenario, grade and seed.
+/// scenario, grade (level of realism) and seed.
 struct SkippedRun {
   std::string scenario;
   Grade grade = Grade::Ideal;
   std::uint64_t seed = 0;
-  std::string reason; ///< text without a line break
+  std::string reason; ///< why the run could not be created; a text without a line break
 
   // clang-tidy 14 mistakes the 0 that a defaulted <=> compares with for a pointer.
   auto operator<=>(const SkippedRun&) const = default; // NOLINT(modernize-use-nullptr)
@@ -28,7 +28,7 @@ struct SkippedRun {
 /// Skipped runs, ordered by scenario, grade and seed.
 using SkippedRuns = std::set<SkippedRun>;
 
-/// Returns whether the run was skipped.
+/// Returns whether the run of this scenario, grade and seed is in the list `skipped`.
 bool isSkipped(const SkippedRuns& skipped, const std::string& scenario, Grade grade,
                std::uint64_t seed);
 

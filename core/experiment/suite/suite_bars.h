@@ -12,17 +12,18 @@ namespace dewpoint::experiment {
 /// Value of SuiteRequirement::low if a requirement has no lower limit.
 inline constexpr double kNoLowerLimit = -std::numeric_limits<double>::infinity();
 
-/// Requirement for the `dewpoint` method in one grade.
+/// Requirement for the results of the `dewpoint` method in one grade (level of realism).
 struct SuiteRequirement {
   int number = 0;          ///< number of the requirement in the list
   std::string description; ///< what is measured, and in which scenarios
   std::string unit;
-  double low = 0.0; ///< lower limit of the value
+  double low = 0.0; ///< lower limit of the measured value
   double high = 0.0;
   /// Names or families of the evaluated scenarios. If empty, all scenarios are evaluated.
   std::vector<std::string> scenarios;
   RequirementMeasure measure;
-  /// Name of the grade, as in gradeName(). Nothing is measured if no run has this grade.
+  /// Grade (level of realism) of the evaluated runs, by name. Nothing is measured if no run has
+  /// this grade.
   std::string grade = "ideal";
   /// True if this is an aim for the next version, which the current version may miss.
   bool isAim = false;
@@ -35,13 +36,13 @@ const std::vector<SuiteRequirement>& suiteRequirements();
 struct RequirementResult {
   const SuiteRequirement* requirement = nullptr;
   std::size_t runs = 0;      ///< number of measured runs; 0: not measured
-  double value = 0.0;        ///< NaN if the runs have no such value
+  double value = 0.0;        ///< measured value; NaN if the runs do not contain it
   std::string scenario = {}; ///< scenario that determines the value, if a single one does
   /// Returns whether there are runs and a value for this requirement.
   bool isMeasured() const;
-  /// Returns whether the value is within [low, high].
+  /// Returns whether the measured value is within the limits [low, high].
   bool isMet() const;
-  double shortfall() const; ///< returns the distance from [low, high]; 0 inside
+  double shortfall() const; ///< returns the distance of the value from [low, high]; 0 inside
 };
 
 /// Measures all requirements with the runs of the `dewpoint` method in `cells`. For each

@@ -15,22 +15,23 @@ struct BeliefMetric {
   const char* name;        ///< name in files, for example "coverage95_percent"
   const char* headerHtml;  ///< column header in a table, as HTML
   const char* description; ///< description of the metric, in one sentence
-  /// Computes the value for the runs of one method in one scenario. Returns NaN if the runs have no
-  /// such value.
+  /// Computes the value for the runs of one method in one scenario. Returns NaN if the runs do not
+  /// contain the required data.
   double (*compute)(std::span<const SuiteResult* const> runs);
-  /// True if the worst scenario is the one with the largest value. Otherwise it is the one with the
-  /// smallest value.
+  /// True if small values of the metric are good, so that the worst scenario is the one with the
+  /// largest value; false if large values are good.
   bool lessIsBetter;
 };
 
-/// Returns all belief metrics in table order.
+/// Returns all belief metrics (metrics for the quality of the reported confidence) in table order.
 std::span<const BeliefMetric> beliefMetrics();
-/// Returns the belief metric with this name, which must exist.
+/// Returns the belief metric (for the quality of the reported confidence) with this name, which
+/// must exist.
 const BeliefMetric& beliefMetric(const std::string& name);
 
 /// Summary of a metric that has one value per scenario: the median and the worst value.
 struct ScenarioSummary {
-  double median = 0.0; ///< NaN without a value
+  double median = 0.0; ///< median of the values; NaN if there are none
   double worst = 0.0;
   std::string worstScenario; ///< scenario with the worst value (the first if several have it);
                              ///< empty if there is no value
@@ -39,12 +40,12 @@ struct ScenarioSummary {
 /// Value of a metric in one scenario.
 struct ScenarioValue {
   std::string scenario;
-  double value = 0.0; ///< NaN: ignored
+  double value = 0.0; ///< value of the metric; NaN (no value) is ignored
 };
 /// Computes the median and the worst of values per scenario. NaN values are ignored.
 ScenarioSummary summarizeScenarios(std::span<const ScenarioValue> values, bool lessIsBetter);
 
-/// Belief metrics of a method over all scenarios of one grade.
+/// Belief metrics of a method over all scenarios of one grade (level of realism).
 struct BeliefSummary {
   Grade grade = Grade::Ideal;
   std::string method;

@@ -14,15 +14,16 @@ namespace dewpoint::experiment {
 std::string plotStyleOfMethod(const std::string& method);
 
 /// Returns a plot of the error in each frame: the median over runs and targets, and a band from the
-/// 10th to the 90th percentile. Here and in the next two functions, `cells` contains the methods of
-/// one scenario in one grade.
+/// 10th to the 90th percentile. `cells` contains the methods of one scenario in one grade (level of
+/// realism).
 Plot errorOverTime(std::span<const SuiteCell> cells);
 /// Returns a plot of the distribution of the errors: for each x, the fraction of all frames in
 /// which the target is declared present with an error of at most x. Frames before convergence are
-/// included. A curve ends below 100 % if the method does not declare the target present in some
-/// frames.
+/// included. There is one curve per method in `cells`; it ends below 100 % if the method does not
+/// declare the target present in some frames.
 Plot errorDistribution(std::span<const SuiteCell> cells);
-/// Returns a plot of the fraction of estimates that are on the target, over the reported P(exists).
+/// Returns a plot, for the methods in `cells`, of the fraction of estimates that are on the target
+/// against the reported P(exists).
 Plot reliabilityDiagram(std::span<const SuiteCell> cells);
 
 } // namespace dewpoint::experiment

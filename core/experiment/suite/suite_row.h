@@ -24,8 +24,9 @@ inline constexpr double kQuickFrames = 5.0;
 /// Number of bins in the reliability diagram.
 inline constexpr int kReliabilityBins = 10;
 
-/// Returns the grades with these names, without duplicates, easiest first. The name "both" stands
-/// for ideal and room. Returns nothing if a name is unknown or the list is empty.
+/// Returns the grades (levels of realism) with these names, without duplicates, easiest first. The
+/// name "both" stands for the grades "ideal" and "room". Returns nothing if a name is unknown or
+/// the list is empty.
 std::optional<std::vector<Grade>> gradesFromNames(const std::vector<std::string>& names);
 
 /// Identifies a run of the suite.
@@ -82,7 +83,7 @@ struct SuiteRow {
   Value frames;
 };
 
-/// Column of runs.csv after the four key columns.
+/// Describes a column of runs.csv after the first four, which identify the run.
 struct SuiteColumn {
   const char* name;
   SuiteRow::Value SuiteRow::*value;

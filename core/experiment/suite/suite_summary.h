@@ -26,8 +26,8 @@ struct SuiteCell {
   /// 95th percentile of the errors after convergence, over all frames of all runs, with its
   /// bootstrap interval. Whole runs are resampled for this interval.
   Interval p95ErrorMm;
-  Proportion quick;     ///< runs that converged within kQuickFrames
-  Proportion converged; ///< runs that converged
+  Proportion quick;     ///< fraction of the runs that converged within kQuickFrames frames
+  Proportion converged; ///< fraction of the runs that converged
 };
 
 /// Groups the runs with the keys `order` into cells (scenario, grade and method), in this order.
@@ -39,8 +39,9 @@ std::vector<SuiteCell> summarizeSuite(const SuiteResults& results,
 /// left out, and infinite values come last.
 std::vector<double> columnValues(std::span<const SuiteResult* const> runs,
                                  SuiteRow::Value SuiteRow::*column);
-/// Return a quantile (`fraction` in [0, 1]) and the mean of columnValues(); NaN if there are no
-/// values. A quantile that lies between a finite and an infinite value is infinite.
+/// Return a quantile (`fraction` in [0, 1]) and the mean of a column of runs.csv over the runs; NaN
+/// if the column has no values. A quantile that lies between a finite and an infinite value is
+/// infinite.
 double columnQuantile(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column,
                       double fraction);
 double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow::*column);
@@ -49,8 +50,8 @@ double meanOf(std::span<const SuiteResult* const> runs, SuiteRow::Value SuiteRow
 /// never converged, its errors begin with the start of the run.
 std::vector<std::vector<double>> errorsAfterConvergence(std::span<const SuiteResult* const> runs);
 
-/// Returns how well the reported P(exists) agrees with the outcomes, over all estimates of all
-/// runs.
+/// Returns how well the reported P(exists) agrees with how often the estimates were on a target,
+/// over all estimates of all runs.
 Reliability pooledReliability(std::span<const SuiteResult* const> runs);
 
 } // namespace dewpoint::experiment

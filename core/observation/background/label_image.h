@@ -25,8 +25,8 @@ enum class PixelLabel : std::uint8_t {
 };
 inline constexpr std::size_t kPixelLabelCount = 5;
 
-/// Image of one camera with a label for each pixel. Labels are computed only where they are
-/// required.
+/// Image of one camera with a label (PixelLabel: target, background, ...) for each pixel. Labels
+/// are computed only where they are required.
 class LabelImage {
 public:
   /// Starts with a new image (CV_8UC3), without any labels. The image, background and classifiers
@@ -44,7 +44,8 @@ public:
   bool empty() const { return image_.empty(); }
   cv::Size size() const { return image_.size(); }
 
-  /// Computes the labels for an area, clipped to the image. Existing labels are not computed again.
+  /// Computes the labels of the pixels in an area, clipped to the image. Existing labels are not
+  /// computed again.
   void ensureLabels(const cv::Rect& area);
   void ensureAllLabels() { ensureLabels({0, 0, image_.cols, image_.rows}); }
   /// Returns the part of the image whose labels have been computed, pixels.
@@ -92,9 +93,10 @@ private:
   /// where matched_ is 0.
   void matchInReferenceLight(const std::uint8_t* row, int count);
 
-  std::vector<std::uint8_t> matched_; ///< scratch, one row
-  std::vector<std::uint8_t> relit_;   ///< scratch, one row of three bytes per pixel
-  std::vector<std::uint8_t> again_;   ///< scratch, one row
+  std::vector<std::uint8_t> matched_; ///< working memory, one row
+  /// Working memory: colors of one row after conversion to the reference light.
+  std::vector<std::uint8_t> relit_;
+  std::vector<std::uint8_t> again_; ///< working memory, one row
 };
 
 } // namespace dewpoint::observation

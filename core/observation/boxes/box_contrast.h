@@ -30,7 +30,7 @@ private:
     Shares counts{};
     double pixels = 0.0;
   };
-  /// Adds the colors in a rectangle, which is rounded to whole pixels.
+  /// Adds the colors of the pixels in a rectangle, which is rounded to whole pixels, to `colors`.
   void add(double left, double top, double right, double bottom, Colors& colors) const;
   Colors colorsInOval(const ImageBox& box) const;
   const int* integralAt(int x, int y) const {
@@ -42,7 +42,7 @@ private:
   cv::Size size_;
   ColorPalette palette_;
   std::vector<int> sums_; ///< integral images: (rows + 1) x (columns + 1) x colors
-  Colors known_;          ///< colors at the known pixel
+  Colors known_;          ///< colors at the pixel passed to the constructor
 };
 
 } // namespace dewpoint::observation

@@ -16,10 +16,10 @@ inline double kernelProfile(double rSquared) {
   return rSquared < 1.0 ? 1.0 - rSquared : 0.0;
 }
 
-/// Weights g(|y - x_j| / a) of the pixels x_j of a rectangle with center y. The weights are
-/// integers with a common scale, so their sums are exact and do not depend on the order. `a` is
-/// half the diagonal of the rectangle, so every pixel has a positive weight. Sugandi et al. 2009
-/// call `a` the normalization factor without giving its value.
+/// Weights g(|y - x_j| / a) of the pixels x_j of a rectangle with center y, where g is
+/// kernelProfile(). The weights are integers with a common scale, so their sums are exact and do
+/// not depend on the order. `a` is half the diagonal of the rectangle, so every pixel has a
+/// positive weight. Sugandi et al. 2009 call `a` the normalization factor without giving its value.
 class BoxKernel {
 public:
   /// Creates a kernel for a rectangle of this size in pixels, at least 1 x 1.

@@ -17,17 +17,21 @@ void motionLikelihood(const cv::Mat& mask, double sigma, double floor, cv::Mat& 
 /// Color likelihood of a pixel for a person with a given hue and saturation (Mohedano et al. 2009,
 /// equations 10 to 13).
 struct ColorCue {
-  double hueSigma = 0.04;               ///< sigma_h, for a hue in [0, 1]
-  double saturationSigma = 0.08;        ///< sigma_s
-  double minHueLikelihood = 0.3;        ///< h_B
-  double minSaturationLikelihood = 0.3; ///< s_B
+  /// Standard deviation of the hue, which is in [0, 1]; sigma_h in the paper.
+  double hueSigma = 0.04;
+  /// Standard deviation of the saturation, which is in [0, 1]; sigma_s in the paper.
+  double saturationSigma = 0.08;
+  /// Lowest likelihood of a hue; h_B in the paper.
+  double minHueLikelihood = 0.3;
+  /// Lowest likelihood of a saturation; s_B in the paper.
+  double minSaturationLikelihood = 0.3;
 
   /// Returns the log likelihood log(p(H | h) p(S | s)) of a pixel (BGR) with hue H and saturation
-  /// S, where h is `hue` and s is `saturation`. A gray pixel has no hue. For such a pixel, p(H) is
-  /// the mean over all hues: h_B + (1 - h_B) = 1.
+  /// S, where h is `hue` and s is `saturation`. A gray pixel has no hue. For such a pixel, p(H | h)
+  /// is replaced by its mean over all hues, h_B + (1 - h_B) = 1, where h_B is `minHueLikelihood`.
   double logLikelihood(const unsigned char* bgr, double hue, double saturation) const;
-  /// Returns the smallest value of logLikelihood(), which is log(h_B s_B) for a color that does not
-  /// match at all.
+  /// Returns the smallest value of logLikelihood(), which is the value for a color that does not
+  /// match at all: the logarithm of the product of the two lowest likelihoods.
   double minLogLikelihoodPerPixel() const;
 };
 

@@ -14,7 +14,7 @@ namespace dewpoint::observation {
 /// Number of color bins for clothes: 8 x 8 chromaticity cells (fractions of red and green) for each
 /// of three intensity levels, and one bin for all colors that are too dark to have a hue.
 inline constexpr std::size_t kClothesBins = 8 * 8 * 3 + 1;
-/// Returns the bin of a pixel (BGR).
+/// Returns the number of the clothes color bin of a pixel (BGR).
 std::size_t clothesBin(const std::uint8_t* bgr);
 
 /// Log ratio log(p(color | one person) / p(color | other person)) for each color bin, limited to
@@ -34,7 +34,8 @@ public:
   /// Ends a frame. All images that were learned since the last call, usually one per camera, count
   /// as one update.
   void finishFrame();
-  /// Returns whether enough frames have been learned.
+  /// Returns whether enough frames have been learned to compare the colors with those of other
+  /// people.
   bool known() const { return updateCount_ >= kEnoughUpdates; }
   /// Returns the log ratio of this person's colors against the colors of another person.
   ClothesRatio logRatioAgainst(const ClothesModel& other) const;

@@ -15,7 +15,7 @@ struct EllipsoidPrior {
   Ellipsoid ellipsoid; ///< start of the fit
   /// Information matrix (inverse covariance) of the center, 1/m²; zero if nothing is known.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< m/s
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< velocity of the target, m/s
   /// Standard deviation of each element of the extent matrix, as a fraction of the trace of the
   /// matrix.
   double extentSigma = 1.0;
@@ -32,8 +32,8 @@ struct EllipsoidFit {
   /// Information matrix of the center from the images alone, 1/m². Singular if only one camera sees
   /// the target.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  /// Measurements, one per camera, near the outline that was expected before the last step of the
-  /// fit.
+  /// Measurements of the target, one per camera, near the outline that was expected before the last
+  /// step of the fit.
   std::vector<RegionMeasurement> views;
   int seeingCameraCount = 0; ///< number of cameras that see the target
   /// Disagreement between the cameras: the sum of the squared residuals of the center, each divided
@@ -57,9 +57,10 @@ inline constexpr double kShapeShare = 0.15;
 /// then gets less weight, and the covariance of the region is not used.
 EllipsoidFit fitEllipsoid(RegionObservation& observation, const EllipsoidPrior& prior);
 
-/// Returns the extent (m²) whose outlines best match the covariances of the fully visible regions.
-/// The prior extent is changed no more than necessary, because two cameras leave one of the six
-/// numbers of the extent undetermined.
+/// Returns the extent matrix (m²) of the ellipsoid whose outlines best match the covariances of the
+/// fully visible regions. `before` is the current ellipsoid of the fit. The prior extent is changed
+/// no more than necessary, because two cameras leave one of the six numbers of the extent
+/// undetermined.
 Eigen::Matrix3d fitExtent(const RegionObservation& observation,
                           const std::vector<RegionMeasurement>& views, const Ellipsoid& before,
                           const EllipsoidPrior& prior);

@@ -12,8 +12,9 @@ namespace dewpoint::observation {
 
 /// Measurement of a target of any shape in one image, near its expected outline. Pixels.
 struct RegionMeasurement {
-  bool inView = false;   ///< the camera has an image that contains the outline's center
-  EllipseImage expected; ///< expected outline
+  bool inView = false; ///< the camera has an image that contains the outline's center
+  /// Outline that is expected for the target.
+  EllipseImage expected;
   std::optional<ColorRegion>
       region; ///< region assigned to the target; empty if the target is not seen
   /// Fraction of the expected outline's area, 0 to 1, in which the target color could be seen:
@@ -42,8 +43,8 @@ RegionMeasurement measureRegion(LabelImage& labels, const EllipseImage& expected
 /// expected outline" against "the target is not there". The ratio depends on which fraction of the
 /// pixels inside the expected outline have the target color, and which fraction of the pixels in a
 /// ring around the outline. `fill` is the fraction to expect inside the outline if the target is
-/// visible. The largest ratio equals the largest ratio of SphereEvidence, so that an image has the
-/// same influence for a target of any shape as for a ball.
+/// visible. The largest ratio equals the largest ratio that SphereEvidence computes for a ball, so
+/// that an image has the same influence for a target of any shape as for a ball.
 double regionEvidence(const RegionMeasurement& measurement, double fill);
 /// Returns the value of regionEvidence() for an image that shows the whole target.
 double fullRegionEvidence();

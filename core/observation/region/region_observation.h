@@ -17,7 +17,7 @@ public:
   struct View {
     EllipsoidProjector projector;
     Unprojector unprojector;
-    LabelImage labels;       ///< empty if the camera has no image
+    LabelImage labels;       ///< labels of the image; empty if the camera has no image
     double timeOffset = 0.0; ///< image time relative to the frame time, seconds
   };
 
@@ -32,8 +32,9 @@ public:
   std::vector<View>& views() { return views_; }
   const std::vector<View>& views() const { return views_; }
 
-  /// Sets the image of a camera, taken `timeOffset` seconds after the frame's time. The arguments
-  /// have the same meaning as for SphereObservation::setImage().
+  /// Sets the image of a camera, taken `timeOffset` seconds after the frame's time. The image is
+  /// empty if the camera has none. `classifier` tests for the target color in the light of the
+  /// image, `usual` in the reference light (BackgroundModel::light()).
   void setImage(std::size_t camera, const cv::Mat& image, double timeOffset,
                 const BackgroundModel& background, const ColorClassifier& classifier,
                 const ColorClassifier& usual) {

@@ -28,7 +28,9 @@ struct OutlineView {
 struct CameraInformation {
   /// Inverse covariance of the center, 1/m²; zero if the camera does not show the outline.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d vector = Eigen::Vector3d::Zero(); ///< 1/m
+  /// Product of `information` and the displacement (meters, world) that this camera alone suggests
+  /// for the center; 1/m.
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
 };
 
 /// Sphere fitted jointly to its outlines in all cameras.
@@ -44,18 +46,20 @@ struct OutlineFit {
   /// positions from `center`. The disagreement is `degreesOfFreedom` on average if the edge errors
   /// are as assumed, and much larger if a camera was moved.
   double disagreement = 0.0;
-  int degreesOfFreedom = 0; ///< 0 if only one camera sees the outline
+  /// Value that `disagreement` has on average; 0 if only one camera sees the outline.
+  int degreesOfFreedom = 0;
   /// Deviation of the outlines from their expected size: the mean offset of all edges in a camera,
   /// squared and divided by its variance, summed over the cameras.
   double sizeDeviation = 0.0;
-  std::vector<CameraInformation> pulls; ///< per camera
+  /// Information from each camera alone, one entry per camera.
+  std::vector<CameraInformation> pulls;
 };
 
 /// Prior knowledge about the sphere, for the fit. World frame.
 struct OutlinePrior {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< start of the fit, meters
   double radius = 0.0;
-  double logRadiusVariance = 0.0; ///< 0: the radius is known and fixed
+  double logRadiusVariance = 0.0; ///< variance of log(radius); 0: the radius is known and fixed
   /// Information matrix (inverse covariance) of the center, 1/m²; zero if nothing is known.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };

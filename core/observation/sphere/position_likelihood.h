@@ -16,7 +16,8 @@ namespace dewpoint::observation {
 /// equally likely.
 struct PositionLikelihood {
   std::optional<Eigen::Vector3d> measured;
-  double sigma = 0.1; ///< meters
+  /// Standard deviation of the Gaussian along each axis, meters.
+  double sigma = 0.1;
 
   /// Adds the log likelihood of each state, except for a constant term, to `logLikelihood`.
   void addLogLikelihood(ConstStateRows rows, LogWeightSegment logLikelihood) const {

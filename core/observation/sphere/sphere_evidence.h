@@ -18,7 +18,8 @@ namespace dewpoint::observation {
 /// which an object may hide the target (PixelLabel::Unknown) are not used as evidence.
 class SphereEvidence {
 public:
-  /// Distance of the outermost samples from the center, in radii.
+  /// Distance of the outermost color samples from the center of the outline, in radii of the
+  /// outline.
   static constexpr double kReach = 1.3;
   /// Factor by which the radius of an outline is enlarged to include the blurred rim. Chosen by
   /// judgment (docs/method-dewpoint.md, section 2).
@@ -31,8 +32,8 @@ public:
   /// image. The labels around the outline must have been computed. The ratio is lower for outlines
   /// of few pixels, where several samples fall on the same pixel.
   static double logLikelihoodRatio(const LabelImage& labels, const SphereImage& outline);
-  /// Returns the amount by which logLikelihoodRatio() of an outline would increase if the ring
-  /// samples inside the outlines `others` did not count against the target.
+  /// Returns the amount by which logLikelihoodRatio() of an outline would increase if the samples
+  /// in the ring around it that lie inside the outlines `others` did not count against the target.
   static double explainedRingGain(const LabelImage& labels, const SphereImage& outline,
                                   const std::vector<SphereImage>& others);
   /// Returns the fraction of the visible spokes, 0 to 1, on which the target color ends at the
@@ -40,7 +41,8 @@ public:
   /// neither matches nor is labeled Explained. Returns 0 if more than two thirds of the spokes are
   /// hidden.
   static double rimShare(const LabelImage& labels, const SphereImage& outline);
-  /// Returns the fraction of the samples inside the outline that match, 0 to 1.
+  /// Returns the fraction of the color samples inside the outline that match the target color, 0 to
+  /// 1.
   static double matchShare(const LabelImage& labels, const SphereImage& outline);
 };
 

@@ -15,7 +15,7 @@
 
 namespace dewpoint::observation {
 
-/// Sphere that covers pixels in the images, for SphereObservation::explainedRingGain().
+/// Sphere other than the target that may cover pixels next to the target in the images.
 struct OutlineSphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world
   double radius = 0.0;                              ///< meters
@@ -56,8 +56,8 @@ public:
   void setRadius(double radius) { radius_ = radius; }
   double radius() const { return radius_; }
 
-  /// Computes the labels that addLogLikelihood() needs for these states. Must not be called while
-  /// other threads use the model.
+  /// Computes the pixel labels (target, background, ...) that addLogLikelihood() needs for these
+  /// states. Must not be called while other threads use the model.
   void ensureLabelsFor(ConstStateRows rows);
   /// Adds the log likelihood ratio (SphereEvidence) of each state, summed over the cameras, to
   /// `logLikelihood`.
@@ -67,14 +67,15 @@ public:
   /// team.
   Eigen::ArrayXd logLikelihoods(ConstStateRows rows, ThreadTeam& team);
 
-  /// Returns the log likelihood ratio of one position (meters, world), summed over the cameras.
-  /// Labels are computed as needed.
+  /// Returns the log likelihood ratio of one position (meters, world), summed over the cameras. The
+  /// labels of the pixels are computed as needed.
   double logLikelihoodRatio(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
-  /// Returns the amount by which logLikelihoodRatio() would increase if ring samples that are
-  /// covered by other spheres were not counted. In each camera, only spheres whose projected center
-  /// lies outside the outline of this target are considered. A sphere whose center lies inside the
-  /// outline is the same object, at a position that was computed from wrongly paired rays. The
-  /// labels around the position must have been computed.
+  /// Returns the amount by which logLikelihoodRatio() would increase if color samples that are
+  /// covered by other spheres, in the ring around the target's outline, were not counted. In each
+  /// camera, only spheres whose projected center lies outside the outline of this target are
+  /// considered. A sphere whose center lies inside the outline is the same object, at a position
+  /// that was computed from wrongly paired rays. The labels around the position must have been
+  /// computed.
   double explainedRingGain(const Eigen::Vector3d& center,
                            const std::vector<OutlineSphere>& others) const;
   /// Returns the log likelihood ratio for the ideal case that the complete target is visible in
@@ -86,8 +87,8 @@ public:
   bool isRimVisible(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity);
   /// Returns the number of cameras with an image into which the position projects.
   int countCamerasInView(const Eigen::Vector3d& center, const Eigen::Vector3d& velocity) const;
-  /// Returns the evidence from each camera for one position: SphereEvidence, and the fraction of
-  /// the outline with the target color.
+  /// Returns the evidence from each camera for a target at one position: the log likelihood ratio
+  /// (SphereEvidence), and the fraction of the area inside the outline that has the target color.
   std::vector<CameraEvidence> evidence(const Eigen::Vector3d& center,
                                        const Eigen::Vector3d& velocity);
   /// Returns the number of cameras in which at least the fraction kSeenShare of the sphere's
@@ -108,7 +109,8 @@ private:
     std::vector<SphereImage> outlines; ///< scratch; radius 0: not visible
   };
 
-  /// Returns the outline for a state, with radius 0 if this camera provides no evidence.
+  /// Returns the outline of the target in the image of a camera for the state in row `row`. The
+  /// radius is 0 if this camera provides no evidence.
   SphereImage outlineOf(const View& view, ConstStateRows rows, Eigen::Index row) const;
 
   std::vector<View> views_;

@@ -11,15 +11,15 @@
 
 namespace dewpoint::observation {
 
-/// Number of matching pixels in the 5x5 window around every pixel of an image, 0 to 25. Pixels
-/// outside the image do not match. The counts are computed once per frame. Each particle then
-/// requires a single look-up.
+/// For every pixel of an image, the number of pixels (0 to 25) in the 5x5 window around it that
+/// match the target color. Pixels outside the image do not match. The counts are computed once per
+/// frame. Each particle then requires a single look-up.
 class WindowCounts {
 public:
   static constexpr int kRadius = 2;
   static constexpr int kWindowPixelCount = 25;
 
-  /// Computes the counts for a whole image (CV_8UC3).
+  /// Computes the counts of matching pixels for a whole image (CV_8UC3).
   void build(const cv::Mat& bgr, const ColorClassifier& classifier);
   void clear() { counts_.clear(); }
   bool empty() const { return counts_.empty(); }
@@ -36,14 +36,16 @@ private:
 /// Maximum number of windows per call of countWindows().
 inline constexpr int kMaxWindows = 64;
 
-/// Counts the matching pixels in `windowCount` windows of 5x5 pixels. counts[i] is the count for
-/// the window around the pixel at column pixels[i] % columns and row pixels[i] / columns of `bgr`
-/// (CV_8UC3). For pixels[i] = rows * columns, which means a position outside the image, the count
-/// is zero. The pixels of the windows are placed side by side and classified together.
+/// Counts the pixels that match the target color in `windowCount` windows of 5x5 pixels. counts[i]
+/// is the count for the window around the pixel at column pixels[i] % columns and row pixels[i] /
+/// columns of `bgr` (CV_8UC3). For pixels[i] = rows * columns, which means a position outside the
+/// image, the count is zero. The pixels of the windows are placed side by side and classified
+/// together.
 void countWindows(const cv::Mat& bgr, const ColorClassifier& classifier, int windowCount,
                   const std::int32_t* pixels, std::uint8_t* counts);
 
-/// Returns the number of matching pixels in the 5x5 window around one pixel of `bgr` (CV_8UC3).
+/// Returns the number of pixels that match the target color in the 5x5 window around one pixel of
+/// `bgr` (CV_8UC3).
 int countWindow(const cv::Mat& bgr, const ColorClassifier& classifier, int column, int row);
 
 } // namespace dewpoint::observation

@@ -16,16 +16,18 @@ namespace dewpoint::session {
 /// Views use Workbench::connectView, which delivers only the newest snapshot.
 using FrameTap = std::function<void(const FrameSetPtr&)>;
 
-/// Holds a frame tap, which any thread may set.
+/// Holds a frame tap (function that receives every frame set taken from the source). Any thread may
+/// set the tap.
 class FrameTapSlot {
 public:
-  /// Sets the tap; an empty function removes it. After this call returns, the former tap is not
-  /// called again.
+  /// Sets the frame tap, the function that receives every frame set; an empty function removes the
+  /// tap. After this call returns, the former tap is not called again.
   void set(FrameTap tap) {
     const std::lock_guard lock(mutex_);
     tap_ = std::move(tap);
   }
-  /// Passes a frame set to the tap, if there is one.
+  /// Passes a frame set to the frame tap (the function that receives every frame set), if there is
+  /// one.
   void deliver(const FrameSetPtr& frames) {
     const std::lock_guard lock(mutex_);
     if (tap_) {

@@ -22,7 +22,7 @@ struct Latency {
 /// Returns the median, the 99th percentile and the maximum of the durations, in seconds.
 Latency latencyOf(const DurationHistogram& durations);
 
-/// Number of values of TimeOrigin.
+/// Number of values of TimeOrigin, which says where the capture time of an image comes from.
 inline constexpr std::size_t kTimeOriginCount = 3;
 
 /// Latency of live images, from the capture to the estimate and to the display, divided into
@@ -40,7 +40,7 @@ struct LiveLatency {
   std::array<std::int64_t, kTimeOriginCount> images{};
 };
 
-/// Collects the durations summarized in LiveLatency.
+/// Collects the durations from which LiveLatency, the latency of live images, is computed.
 class LatencyStages {
 public:
   using Clock = std::chrono::steady_clock;

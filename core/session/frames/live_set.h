@@ -12,12 +12,15 @@ namespace dewpoint::session {
 /// Identifies the images of live cameras that a run tracked in one frame.
 struct LiveFrameRecord {
   struct Image {
-    std::int64_t stamp = -1; ///< CaptureInstant::stamp
-    TimeStamp captureTime{}; ///< Frame::captureTime
+    /// Number that identifies the image within the connection of its camera; -1 if there is no such
+    /// number.
+    std::int64_t stamp = -1;
+    /// Capture time of the image by the camera's own clock.
+    TimeStamp captureTime{};
   };
 
-  std::int64_t index = 0;                   ///< FrameSet::index
-  TimeStamp time{};                         ///< FrameSet::time
+  std::int64_t index = 0;                   ///< number of the frame
+  TimeStamp time{};                         ///< time of the frame
   std::vector<std::optional<Image>> images; ///< one per camera; empty if the camera had no image
 };
 

@@ -17,11 +17,16 @@ namespace dewpoint::session {
 
 /// Status of a target, shown as one word.
 enum class TargetStatus {
-  Searching, ///< not held, and either never held before or last held less than kLostAfter ago
-  Held,      ///< the cameras confirm the estimate
-  Ambiguous, ///< held or nearly held, but another object is about as likely to be the target
-  Lost,      ///< was held, but not in the last kLostAfter seconds
-  Gone,      ///< removed or not yet created, so there is nothing to search for
+  /// The cameras do not confirm the target now. They never did before, or they last did less than
+  /// kLostAfter seconds ago.
+  Searching,
+  Held, ///< the cameras confirm the estimate of the target
+  /// The cameras confirm the target, or nearly do, but another object is about as likely to be the
+  /// target.
+  Ambiguous,
+  /// The cameras confirmed the target earlier, but not in the last kLostAfter seconds.
+  Lost,
+  Gone, ///< the target was removed or not yet created, so there is nothing to search for
 };
 /// Time in seconds after which a target that is not held (confirmed by the cameras) counts as lost.
 inline constexpr double kLostAfter = 1.0;
@@ -29,13 +34,14 @@ inline constexpr double kLostAfter = 1.0;
 /// Estimate and state of one target in one frame.
 struct TrackedTarget {
   TrackEstimate estimate;
-  Eigen::ArrayXXf particles; ///< rows of x, y, z; meters
-  Eigen::ArrayXf weights;    ///< one per row, linear
+  Eigen::ArrayXXf particles; ///< one row per particle: x, y, z in meters
+  Eigen::ArrayXf weights;    ///< weights of the particles, linear
   std::vector<CandidatePosition> positionCandidates;
   std::vector<CameraReport>
       cameraReports; ///< per camera: whether it confirms the target, or why not
   TargetStatus status = TargetStatus::Searching;
-  BoxParticles boxParticles; ///< particles of a BoxEstimate
+  /// Particles in the image, if the target is a bounding box.
+  BoxParticles boxParticles;
   /// Time, in seconds, at which the target was last held (confirmed by the cameras); the time of
   /// this frame if the target is held now.
   double lastHeldTime = -std::numeric_limits<double>::infinity();
@@ -44,7 +50,7 @@ struct TrackedTarget {
 /// Results of one tracked frame, without its images.
 struct TrackedFrame {
   std::int64_t frame = 0;
-  double time = 0.0;                ///< seconds
+  double time = 0.0;                ///< time of the frame, seconds
   int iterations = 0;               ///< number of iterations on this frame
   std::int64_t totalIterations = 0; ///< number of iterations since the start or restart
   std::shared_ptr<const std::vector<Target>>
@@ -62,10 +68,12 @@ struct FrameRecord {
   struct Entry {
     TargetStatus status = TargetStatus::Searching;
     float existenceProbability = 0.0F;
-    std::vector<CameraReport> cameraReports; ///< empty while held
+    /// What each camera reports about the target; empty while the target is held (confirmed by the
+    /// cameras).
+    std::vector<CameraReport> cameraReports;
   };
   std::int64_t frame = 0;
-  double time = 0.0; ///< seconds
+  double time = 0.0; ///< time of the frame, seconds
   std::uint64_t missingCameraBits =
       0; ///< bit k: camera k delivered no image (the first 64 cameras)
   /// Problems of live cameras at the time of the frame; null if there were none. Consecutive frames

@@ -44,20 +44,23 @@ public:
   /// Counts a finished frame. `sinceArrival` is the time in seconds since this frame arrived,
   /// `sinceFirst` the time since the first frame of the run arrived.
   void countFrame(double sinceArrival, double sinceFirst);
-  /// Adds the latency of the images of a live frame; see LatencyStages::addFrames().
+  /// Adds the latency of the images of a live frame. `taken` is when the tracking thread took the
+  /// images, `estimated` when their estimate was finished.
   void countLiveFrame(const FrameSet& frames, LatencyStages::Clock::time_point taken,
                       LatencyStages::Clock::time_point estimated);
   /// Stores which live images a tracked frame has. Only the first kMaxLiveFrameRecords frames of
   /// the run are stored. A frame that is tracked again is not stored again.
   void addLiveFrameRecord(const FrameSet& frames);
   static constexpr std::size_t kMaxLiveFrameRecords = 500000;
-  /// Returns which images each live frame has, in ascending frame order.
+  /// Returns, for each frame from live cameras, which images were tracked in it, in ascending frame
+  /// order.
   std::vector<LiveFrameRecord> liveFrameRecords() const;
   /// Adds the time from a live estimate until a view has painted it, in seconds.
   void addDrawingTime(double seconds);
   /// Sets whether the end of the input was reached.
   void setFinished(bool finished);
-  /// Sets the notices that the run has now; `time` is in seconds of the run.
+  /// Sets the notices (messages for the user) that apply to the run now. `time` is the current time
+  /// of the run, seconds.
   void setNotices(const std::vector<Error>& notices, double time);
   /// Sets the number of filter threads.
   void setThreads(int threads);
@@ -72,8 +75,9 @@ public:
   /// records: when there are more, every second one of the older half is removed.
   LogUpdate<IterationRecord> since(std::uint64_t& generation, std::size_t& position) const;
   static constexpr std::size_t kMaxFrames = 50000;
-  /// Returns the records of tracked frames, as since() does for iterations. At most kMaxFrames are
-  /// kept.
+  /// Returns the records of tracked frames from `position` on, and moves `position` past them.
+  /// `generation` identifies the log that the reader knows; if the log was cleared or went back
+  /// since then, all records are returned. The log keeps at most kMaxFrames records of frames.
   LogUpdate<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Appends the record of one frame. If this frame is already the last one in the log, its former
   /// record is replaced.
@@ -90,13 +94,17 @@ public:
   Trajectory trajectory() const;
   /// Returns the samples added to the trajectory since the last call. `position` is the index of
   /// the first sample in the last frame that the reader knows. This frame is returned again,
-  /// because it may have been replaced. `generation` is as in since().
+  /// because it may have been replaced. `generation` identifies the log that the reader knows; if
+  /// the log was cleared or went back since then, all samples are returned.
   LogUpdate<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Returns all bounding boxes so far; empty unless the method tracks boxes.
   BoxTrack boxTrack() const;
-  /// Returns the bounding boxes added since the last call, as samplesSince() does for samples.
+  /// Returns the bounding boxes added since the last call, and again those of the last frame that
+  /// the reader knows, because they may have been replaced. `position` is the index of the first
+  /// box in that frame. `generation` identifies the log that the reader knows; if the log was
+  /// cleared or went back since then, all boxes are returned.
   LogUpdate<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Sets which results so far came from settings other than the current ones.
+  /// Sets which of the results so far are old: they came from settings other than the current ones.
   void setOldResults(OldResults old);
   OldResults oldResults() const;
   Latency latency() const;

@@ -30,7 +30,8 @@ public:
   void goBack(std::int64_t frame) { settings_.goBack(frame); }
   /// Restarts the measurement of the frame rate after an interruption.
   void noteInterruption() { frameTimes_.clear(); }
-  /// Notes that a frame is about to be taken, for the statistics of the work per frame.
+  /// Notes the time at which work on a frame begins (the frame is about to be taken), for the
+  /// statistics of the time per frame.
   void begin() { begun_ = Clock::now(); }
   /// Notes that a frame was taken. `isLive` is true if the frame has just come from live cameras.
   void noteArrival(bool isLive);

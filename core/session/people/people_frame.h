@@ -20,12 +20,12 @@ namespace dewpoint::session {
 struct PeopleFrame {
   struct Person {
     PersonEstimate estimate;
-    Eigen::ArrayXXf points; ///< rows of x, y, z; meters
-    Eigen::ArrayXf weights; ///< one per row, linear
+    Eigen::ArrayXXf points; ///< one row per point: x, y, z in meters
+    Eigen::ArrayXf weights; ///< weights of the points, linear
     BodyCloud body() const { return {points.cast<double>(), weights.cast<double>()}; }
   };
   std::int64_t frame = 0;
-  double time = 0.0; ///< seconds
+  double time = 0.0; ///< time of the frame, seconds
   std::vector<Person> people;
 };
 using PeopleFramePtr = std::shared_ptr<const PeopleFrame>;

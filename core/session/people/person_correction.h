@@ -15,8 +15,10 @@ namespace dewpoint::session {
 /// Change to the people that a method tracks: adds a person that it has not found, or removes one
 /// that does not exist.
 struct PeopleChange {
-  std::optional<Eigen::Vector3d> newPersonPosition; ///< PersonPlacing::addPerson
-  std::optional<int> removedPersonId;               ///< PersonPlacing::removePerson
+  /// Position of a person to add: the center of the body, meters, world frame.
+  std::optional<Eigen::Vector3d> newPersonPosition;
+  /// Identity of a person to remove.
+  std::optional<int> removedPersonId;
 };
 
 /// Returns the effect of a user's correction in its frame: a person to add, or one to remove. A

@@ -17,10 +17,12 @@ namespace dewpoint::session {
 /// Memory limits, in bytes, for the parts of a run's history (the data needed to go back to past
 /// frames).
 struct HistoryLimits {
-  std::size_t frames = 0;        ///< images
-  std::size_t trackedFrames = 0; ///< particles and estimates
-  std::size_t checkpoints = 0;   ///< copies of the tracker, from which tracking can continue
-  /// Returns limits that sum to `total` bytes. With live cameras, most of the memory is for images.
+  std::size_t frames = 0;        ///< memory for images
+  std::size_t trackedFrames = 0; ///< memory for particles and estimates
+  /// Memory for checkpoints: copies of the tracker, from which tracking can continue.
+  std::size_t checkpoints = 0;
+  /// Returns memory limits that sum to `total` bytes. With live cameras, most of the memory is for
+  /// images.
   static HistoryLimits of(std::size_t total, bool live);
   std::size_t sum() const { return frames + trackedFrames + checkpoints; }
 };
@@ -37,7 +39,7 @@ class History {
 public:
   explicit History(const HistoryLimits& limits) : limits_(limits) {}
 
-  /// Removes everything, for a new run.
+  /// Removes all results and checkpoints (saved states), for a new run.
   void clear();
   /// Stores a checkpoint (the state of the run) if the last one is far enough back. Must be called
   /// before the run begins `frame`.
@@ -70,10 +72,11 @@ public:
   /// Largest number of positions in a tail (drawn recent path) of a target.
   static constexpr std::size_t kTailLength = 256;
   /// Returns the tail (recent path) of a target up to and including frame `end`: the last
-  /// kTailLength values of tailPosition(), oldest first. The tail begins no earlier than the last
-  /// frame passed to startTailsAt() that is not after `frame`. `frame` is the frame shown: `end`
-  /// itself, or the next one if its results are not recorded yet. Empty for targets that are boxes
-  /// and for targets that are gone.
+  /// kTailLength values of tailPosition(), oldest first. `frame` is the frame shown: `end` itself,
+  /// or the frame after it if the results of that frame are not recorded yet. startTailsAt() may
+  /// have set frames at which all tails begin; no position before the latest such frame up to
+  /// `frame` is included. The tail is empty for targets that are boxes and for targets that are
+  /// gone.
   std::vector<Eigen::Vector3d> tail(std::size_t target, std::int64_t frame, std::int64_t end) const;
 
   /// Saved state of the run, from which a later frame can be reached by tracking.
@@ -81,7 +84,8 @@ public:
     std::int64_t frame = 0; ///< frame that the run begins next from this state
     TrackingRun::State state;
   };
-  /// Returns the last checkpoint at or before this frame; null if there is none.
+  /// Returns the last checkpoint (saved state of the run) at or before this frame; null if there is
+  /// none.
   const Checkpoint* checkpointFor(std::int64_t frame) const;
   /// Returns the frame at which the method began from scratch, and the run's definition at that
   /// time. The returned state contains no tracker. Empty before the first frame.

@@ -20,7 +20,7 @@ public:
   /// this object; its position changes. `bytes` limits the total memory.
   TimeTravel(FrameSetSource& source, std::size_t bytes);
 
-  /// Removes everything, for a new run.
+  /// Removes all images, results and saved states of past frames, for a new run.
   void clear();
   /// Stores the images of a frame set. Must be called before the run begins this frame set.
   void noteFrameBegin(const FrameSetPtr& frames, const TrackingRun& run);

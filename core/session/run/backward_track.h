@@ -14,7 +14,7 @@ namespace dewpoint::session {
 
 /// Request to track a target backward in time, starting at a correction made by the user.
 struct BackwardRequest {
-  RunDefinition definition; ///< definition of the run
+  RunDefinition definition; ///< settings of the run in which the correction was made
   PositionCorrection from;  ///< correction to start from, one of the run's corrections
   /// Estimates of all targets in the run up to and including the frame of the correction.
   std::vector<TrajectorySample> estimates;
@@ -40,9 +40,9 @@ Result<std::vector<PositionCorrection>> trackBackwards(FrameSetSource& source,
                                                        const BackwardProgress& progress);
 
 /// Returns the project with the corrections found by trackBackwards() from each correction made by
-/// the user. They replace all earlier corrections that came from tracking backward. The recording
-/// is tracked up to each correction to get the estimates before it. `backgroundImages` has one
-/// image per camera, as returned by loadBackgroundImages(), or is empty.
+/// the user. These corrections replace all earlier ones that came from tracking backward. The
+/// recording is tracked up to each correction to get the estimates before it. `backgroundImages`
+/// has one image per camera, as returned by loadBackgroundImages(), or is empty.
 Result<Project> withBackwardCorrections(const Project& project, FrameSetSource& source,
                                         const std::vector<cv::Mat>& backgroundImages, int threads,
                                         const BackwardProgress& progress);

@@ -22,7 +22,8 @@ struct BoxSample {
 
 /// Bounding boxes of a run, frame by frame.
 struct BoxTrack {
-  std::vector<std::pair<std::string, std::string>> header; ///< method, seed, parameters
+  /// Settings of the run: method, seed, parameters.
+  std::vector<std::pair<std::string, std::string>> header;
   std::vector<BoxSample> samples;
 };
 

@@ -22,19 +22,22 @@ namespace dewpoint::session {
 /// Every change creates a new definition.
 struct RunDefinition {
   std::string method;
-  ParameterValues parameters; ///< parameters in use; see adaptParametersToCameras()
+  ParameterValues parameters; ///< parameters of the method, as used in the run
   /// Targets in the project; methods for people find their targets themselves.
   std::vector<Target> targets;
-  std::shared_ptr<const CameraRig> rig;  ///< never null; in project order
-  std::vector<cv::Mat> backgroundImages; ///< per camera, from loadBackgroundImages(); may be empty
-  std::vector<std::string> backgroundImageFiles; ///< per camera, as named in the project
-  std::vector<PersonCorrection> people;        ///< ordered by frame; applied by methods for people
-  std::optional<WorldBox> volumeOfInterest;    ///< the search for targets is limited to it
-  std::vector<PositionCorrection> corrections; ///< ordered by frame; applied by methods that can
+  std::shared_ptr<const CameraRig> rig;          ///< all cameras, in project order; never null
+  std::vector<cv::Mat> backgroundImages;         ///< one per camera; may be empty
+  std::vector<std::string> backgroundImageFiles; ///< files of the background images, one per
+                                                 ///< camera, as named in the project
+  /// Corrections for people, ordered by frame; used only by methods that track people.
+  std::vector<PersonCorrection> people;
+  std::optional<WorldBox> volumeOfInterest; ///< volume in which targets are searched for
+  /// Corrections of target positions, ordered by frame; ignored by methods that cannot apply them.
+  std::vector<PositionCorrection> corrections;
   std::uint64_t seed = 1;
 
-  /// Returns the definition given by a project. `backgroundImages` has one image per camera, as
-  /// returned by loadBackgroundImages(), or is empty.
+  /// Returns the definition (settings) of a run of this project. `backgroundImages` has one image
+  /// per camera, as returned by loadBackgroundImages(), or is empty.
   static RunDefinition of(const Project& project, std::vector<cv::Mat> backgroundImages = {});
   /// Returns the project with its settings replaced by those of this definition.
   Project appliedTo(Project project) const;
