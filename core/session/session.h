@@ -71,7 +71,7 @@ public:
   LogUpdate<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Returns all bounding boxes of the run so far; empty unless the method tracks boxes.
   BoxTrack boxTrack() const;
-  /// Returns which results came from settings other than those of the newest snapshot.
+  /// Returns which results of the run came from settings other than those of the newest snapshot.
   OldResults oldResults() const;
   /// Returns the trajectory so far.
   Trajectory trajectory() const;
@@ -81,7 +81,8 @@ public:
   RunRecord record() const;
   /// Returns which images of live cameras the run has tracked since its last start or restart.
   std::vector<LiveSet> liveSets() const;
-  /// Writes the results of the run so far to a folder; see RunRecord.
+  /// Writes the results of the run so far (trajectory.csv, run.json and others) to a folder, as
+  /// RunRecord::save() does.
   Status saveRun(const std::filesystem::path& folder) const;
   /// Returns the trajectory so far and, if the method tracks people, the people of its frames.
   PeopleRecord peopleRecord() const;
@@ -117,8 +118,7 @@ public:
   void showFrame(std::int64_t frame) { send(command::ShowFrame{frame}); }
   void returnToNewestFrame() { send(command::ReturnToNewestFrame{}); }
   void rerunFrom(std::int64_t frame) { send(command::Rerun{frame}); }
-  /// Tracks again from this frame on, like rerunFrom(), but without changing the frame that is
-  /// shown.
+  /// Tracks again from this frame on. The frame that is shown does not change.
   void rerunKeepingView(std::int64_t frame) { send(command::Rerun{frame, true}); }
   /// Requests a snapshot of any frame that can be shown, without changing what is shown. Exports
   /// use this.

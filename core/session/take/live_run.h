@@ -20,7 +20,7 @@ namespace dewpoint::session {
 struct LiveRun {
   Project project;           ///< the project with the settings at the end of the run
   Trajectory trajectory;     ///< trajectory since the run's last start or restart
-  std::string report;        ///< text of run.json
+  std::string report;        ///< text of run.json, the report about the run
   std::vector<LiveSet> sets; ///< the images of each frame of the run
   /// Frames that were tracked with other settings than those at the end.
   std::vector<ResultRange> otherSettings;
@@ -42,8 +42,8 @@ struct StoredSet {
 };
 
 /// Finds the images of a live run in the videos of a take, and returns their locations, frame by
-/// frame. `stamps` has, for each camera, the stamps (CaptureInstant::stamp) of the images in its
-/// video. Frames at the end of the run that have no image in the take are left out.
+/// frame. `stamps` has, for each camera, the stamps (CaptureInstant::stamp) that identify the
+/// images in its video. Frames at the end of the run that have no image in the take are left out.
 std::vector<StoredSet> storedSets(const std::vector<LiveSet>& sets,
                                   const std::vector<std::vector<std::int64_t>>& stamps);
 

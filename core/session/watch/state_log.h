@@ -10,7 +10,8 @@
 namespace dewpoint::session {
 
 /// CSV table of the states of a run's targets over time, with the reason for each state other than
-/// `held`. The table has one row for every change of a target's state or of its reason.
+/// `held` (confirmed by the cameras). The table has one row for every change of a target's state or
+/// of its reason.
 class StateLog {
 public:
   explicit StateLog(const CameraRig& rig);
