@@ -45,7 +45,7 @@ struct RunStatistics {
   double seconds = 0.0;
   std::int64_t droppedFrames = 0;
   int threads = 1;              ///< number of threads that run the particle filters
-  bool finished = false;        ///< the end of the input was reached
+  bool finished = false;        ///< true if the end of the input was reached
   DurationHistogram iterations; ///< duration of one filter iteration, per target
   /// Latency of live images, from the capture to the display, divided into stages.
   LatencyStages live;

@@ -56,11 +56,12 @@ inline constexpr const char* kLiveProject = "live.toml";
 /// each camera K image_K and time_K_ns. image_K is the number of the image in the video, `lost` if
 /// the image is not in the take, or empty if the camera had none.
 std::string storedSetsText(const std::vector<StoredSet>& sets);
-/// Writes the table of storedSetsText() to a file. Returns an error if the file cannot be written.
+/// Writes the CSV table of the images of a live run (storedSetsText()) to a file. Returns an error
+/// if the file cannot be written.
 Status writeStoredSets(const std::vector<StoredSet>& sets, const std::filesystem::path& file);
-/// Reads the table of storedSetsText() for a number of cameras. Returns the errors of
-/// readTextFile(), and NotParsed with the line number of a row that is invalid or has numbers out
-/// of range.
+/// Reads the CSV table of the images of a live run (storedSetsText()) from a file, for this number
+/// of cameras. Returns the errors of readTextFile(), and NotParsed with the line number of a row
+/// that is invalid or has numbers out of range.
 Result<std::vector<StoredSet>> readStoredSets(const std::filesystem::path& file,
                                               std::size_t cameras);
 

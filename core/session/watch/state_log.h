@@ -19,7 +19,9 @@ public:
   /// Adds the states of the targets in one frame; `targets` are in the order of the record.
   void append(const FrameRecord& record, const std::vector<Target>& targets);
   /// Returns the table with columns time_s, frame (from 0), target, state (held, searching, lost,
-  /// gone) and reason. The reason is the text of describeUnconfirmedCameras(), empty while held.
+  /// gone) and reason. The reason says why cameras do not confirm the target
+  /// (describeUnconfirmedCameras()); it is empty while the target is held (confirmed by the
+  /// cameras).
   const std::string& csv() const { return csv_; }
 
 private:

@@ -23,7 +23,8 @@ struct ItemStatus {
   std::optional<CalibrationOrigin> origin = {};
   /// Error of this part; its meaning and unit differ from part to part; empty if unknown.
   std::optional<double> error = {};
-  bool isPoor = false; ///< measured, but with such low accuracy that it should be measured again
+  /// True if this part was measured, but with such low accuracy that it should be measured again.
+  bool isPoor = false;
 
   bool operator==(const ItemStatus&) const = default;
 };

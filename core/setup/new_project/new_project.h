@@ -83,7 +83,7 @@ Status guessMissingCameras(Project& project);
 bool hasGuessedPose(const Project& project);
 /// Returns whether one camera has the pose guessed by createNewProject().
 bool hasGuessedPose(const Project& project, std::size_t camera);
-/// Returns whether the lens of a camera is the one guessed by createNewProject().
+/// Returns whether the intrinsics of a camera are those guessed by createNewProject().
 bool hasGuessedLens(const Project& project, std::size_t camera);
 /// Guesses the calibration of a camera again, for images of this size in pixels. This is needed for
 /// live cameras, because their image size is known only after the first image.

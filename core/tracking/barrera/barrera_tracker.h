@@ -13,7 +13,7 @@ namespace dewpoint::tracking {
 
 /// The `barrera` method: the 3D color particle filter of Barrera, Cañas and Matellán (2005), with
 /// an isotropic random walk, a color window in every camera, and multinomial resampling at every
-/// iteration. The class is a TargetFilter.
+/// iteration. The class is a TargetFilter (it tracks one target).
 class BarreraTracker final : public RandomWalkTracker {
 public:
   BarreraTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);
@@ -25,7 +25,7 @@ public:
   void beginFrame(FrameSetPtr frames);
   SphereEstimate iterate(ThreadTeam& team);
   /// Draws the particles again from a Gaussian given by the user (world frame, m, m²). Returns the
-  /// new estimate, with the evidence of each camera (SphereEstimate::cameras).
+  /// new estimate, with the values for each camera filled in (SphereEstimate::cameras).
   SphereEstimate correct(const Gaussian3& position);
   /// Returns the approximate size of a copy of this tracker in bytes.
   std::size_t memoryBytes() const;
