@@ -33,9 +33,9 @@ public:
   RunDriver(const RunDriver&) = delete;
   RunDriver& operator=(const RunDriver&) = delete;
 
-  /// Returns whether both a source and a run exist.
+  /// Returns whether both a source of frames and a run (which tracks targets in the frames) exist.
   bool isReady() const { return current_.exists() && input_.exists(); }
-  /// Takes the first frame and shows it without tracking it.
+  /// Takes the first frame from the source and shows it, without tracking targets in it.
   void start();
   const Playback& playback() const { return playback_; }
   /// Returns the frame rate of the input, which must exist.
@@ -51,9 +51,10 @@ public:
   void pause() { playback_.pause(); }
   /// Shows the next frame, after tracking it if necessary, and pauses.
   void stepFrame();
-  /// Runs one iteration on the frame that the run is at.
+  /// Runs one filter iteration on the current frame of the run, and pauses.
   void stepIteration();
-  /// Restarts the run. Returns false if there is nothing to track.
+  /// Restarts the run from the first frame, with the previous seed if `seed` is empty. Returns
+  /// false if the source has no first frame or cannot go back to it.
   bool restart(std::optional<std::uint64_t> seed);
   /// Takes the next step of the current activity: tracks a frame (with `oneIteration`, only its
   /// next iteration), or shows the next past frame.
@@ -68,18 +69,21 @@ public:
 
   // Changes. Tracks continue as far as possible.
   /// Applies a definition (all settings of the run). Returns false, and changes nothing, if the run
-  /// does not accept it; see TrackingRun::accepts().
+  /// cannot continue with it, for example because of another method or image size
+  /// (TrackingRun::accepts()).
   bool change(RunDefinition wanted);
   void setMethod(const command::SetMethod& request);
   void setTargets(const std::vector<Target>& targets);
   void setCameras(const CameraRig& rig);
   void setBackgroundImages(const command::SetBackgroundImages& request);
-  /// Sets whether a calibration board is being shown to live cameras. As long as this is so, no
-  /// camera is reported as moved.
+  /// Sets whether the user is showing a calibration board to live cameras. Meanwhile, no
+  camera is
+  /// reported as moved, because a moving board can look like a camera motion.
   void setCalibrationBoardShown(bool shown) { watches_.setPaused(shown); }
   void setPersonCorrections(const std::vector<PersonCorrection>& people);
   void setCorrections(const std::vector<PositionCorrection>& corrections);
-  /// Sets the number of filter threads from the next iteration on; see SessionInputs::threads.
+  /// Sets the number of filter threads from the next iteration on; 0 means the default number. The
+  /// result does not depend on it.
   void setThreads(int wanted);
 
   /// Returns the definition (all settings) with which new frames are tracked.
@@ -96,7 +100,8 @@ public:
   void addMaps(const SnapshotBuilder& builder, TrackSnapshot& snapshot,
                const TimeTravel::ShouldContinue& shouldContinue);
   /// Fills in a snapshot of any frame that can be shown, without changing the frame that is shown.
-  /// Returns the errors of SnapshotBuilder::fillFromAnyFrame().
+  /// Returns NotFound, Canceled (if `shouldContinue` returned false), or an error of reading the
+  /// frame.
   Status describe(const SnapshotBuilder& builder, std::int64_t frame,
                   const TimeTravel::ShouldContinue& shouldContinue, TrackSnapshot& snapshot) {
     SnapshotBuilder::fillFromDefinition(definition(), snapshot);

@@ -30,19 +30,20 @@ public:
 
   /// Returns the next frame set of live cameras (FrameSetSource::next()).
   Result<FrameSetPtr> next() { return source_->next(); }
-  /// Goes to the first frame.
+  /// Goes back to the first frame of the source, and resets time() to 0.
   Status restart() {
     time_ = 0.0;
     return source_->seek(0);
   }
-  /// Notes that a frame set was taken from the source.
+  /// Updates time() after a frame set was taken from the source.
   void noteTaken(const FrameSet& taken) { time_ = std::max(time_, seconds(taken.time)); }
   /// Returns the latest time of the frames taken since the last start or restart, in seconds.
   double time() const { return time_; }
 
   /// Returns the current problems of live cameras.
   std::vector<Error> notices() const { return source_->notices(); }
-  /// Returns whether the problems of live cameras have changed since the last call of show().
+  /// Returns whether the problems of live cameras have changed since they were last stored in a
+  /// snapshot (fillSourceFields()).
   bool haveNoticesChanged() const { return notices() != shownNotices_; }
   /// Stores the current problems, the number of frames, the frame rate and the number of dropped
   /// frames in a snapshot.

@@ -16,8 +16,8 @@ namespace dewpoint::session {
 /// bit-identical results. Used by the tracking thread only.
 class RunWithHistory {
 public:
-  /// Creates an object without a run. `threads` is the number of filter threads. There is no run
-  /// before replace(), and no history before keepHistory().
+  /// Creates an object without a run. `threads` is the number of filter threads. replace() creates
+  /// the run, and keepHistory() the history.
   RunWithHistory(RunDefinition definition, int threads);
 
   /// Starts a new run from scratch with another definition. Iterations are counted from
@@ -41,19 +41,20 @@ public:
   /// Returns the number of the current frame of the run; -1 before the first frame.
   std::int64_t head() const { return run_ && run_->frames() ? run_->frames()->index : -1; }
 
-  /// Begins a frame of the run and records its images in the history.
+  /// Begins the next frame of the run with these images, and records the images in the history.
   void begin(const FrameSetPtr& frames);
   /// Records the results of the current frame in the history and returns them.
   const TrackedFrame& record() { return travel_->record(*run_); }
-  /// Applies another definition from the next iteration on; tracks continue as far as possible.
-  /// Returns false if the run does not accept it and a new run is needed.
+  /// Applies another definition (all settings of the run) from the next iteration on; tracks
+  /// continue as far as possible. Returns false if the run cannot continue with this definition, so
+  /// that a new run is needed.
   bool change(RunDefinition wanted);
   /// Applies a correction of people, or of a position, in the current frame.
   void change(const RunChange& runChange);
   /// Restores the state that the run had right before it began a frame. Recorded results are kept.
-  /// There is one exception: if a recording is tracked again from before the first iteration of the
-  /// run, a new run with the current definition is created, so that the result is the same as after
-  /// opening the recording again.
+  /// There is one exception: if a recording (`isLive` is false) is tracked again from before the
+  /// first iteration of the run, a new run with the current definition is created, so that the
+  /// result is the same as after opening the recording again.
   Status goBack(std::int64_t frame, bool isLive);
   /// Applies, after goBack(), the changes that were made to the run after the restored state. They
   /// take effect in the next frame.

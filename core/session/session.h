@@ -60,18 +60,21 @@ public:
   /// `generation` is updated, all iterations are returned, and `restarted` is set in the result.
   LogUpdate<IterationRecord> iterationsSince(std::uint64_t& generation,
                                              std::size_t& position) const;
-  /// Returns the records of tracked frames (status, existence probability, missing cameras), as
-  /// iterationsSince() does for iterations.
+  /// Returns the records of the frames tracked since `position` (status, existence probability,
+  /// missing cameras), and moves `position` past them. Returns all records, with a new
+  /// `generation`, if the run has restarted or gone back. Both arguments start at 0.
   LogUpdate<FrameRecord> framesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Returns the samples added to the trajectory since `position`. Both arguments start at 0 and
-  /// are updated as in iterationsSince().
+  /// Returns the samples added to the trajectory since `position`, and moves `position` past them.
+  /// Returns all samples, with a new `generation`, if the run has restarted or gone back. Both
+  /// arguments start at 0.
   LogUpdate<TrajectorySample> samplesSince(std::uint64_t& generation, std::size_t& position) const;
-  /// Returns the bounding boxes added since `position`, as samplesSince() does for samples; empty
-  /// unless the method tracks boxes.
+  /// Returns the bounding boxes added since `position`, and moves `position` past them. Returns all
+  /// boxes, with a new `generation`, if the run has restarted or gone back. Empty unless the method
+  /// tracks boxes.
   LogUpdate<BoxSample> boxesSince(std::uint64_t& generation, std::size_t& position) const;
   /// Returns all bounding boxes of the run so far; empty unless the method tracks boxes.
   BoxTrack boxTrack() const;
-  /// Returns which results came from settings other than those of the newest snapshot.
+  /// Returns which results of the run came from settings other than those of the newest snapshot.
   OldResults oldResults() const;
   /// Returns the trajectory so far.
   Trajectory trajectory() const;
@@ -81,7 +84,8 @@ public:
   RunRecord record() const;
   /// Returns which images of live cameras the run has tracked since its last start or restart.
   std::vector<LiveFrameRecord> liveFrameRecords() const;
-  /// Writes the results of the run so far to a folder; see RunRecord.
+  /// Writes the results of the run so far (trajectory.csv, run.json and others) to a folder, as
+  /// RunRecord::save() does.
   Status saveRun(const std::filesystem::path& folder) const;
   /// Returns the trajectory so far and, if the method tracks people, the people of its frames.
   PeopleRecord peopleRecord() const;
@@ -105,11 +109,11 @@ public:
   void setVolumeOfInterest(const std::optional<WorldBox>& volume) {
     send(command::SetVolumeOfInterest{volume});
   }
-  /// Changes the method and starts again from the first frame.
+  /// Changes the tracking method and starts again from the first frame.
   void setMethod(const std::string& method, const ParameterValues& parameters) {
     send(command::SetMethod{method, parameters, std::nullopt});
   }
-  /// Changes the method from this frame on. The results of earlier frames are kept.
+  /// Changes the tracking method from this frame on. The results of earlier frames are kept.
   void setMethodFrom(std::int64_t frame, const std::string& method,
                      const ParameterValues& parameters) {
     send(command::SetMethod{method, parameters, frame});
@@ -117,8 +121,7 @@ public:
   void showFrame(std::int64_t frame) { send(command::ShowFrame{frame}); }
   void returnToNewestFrame() { send(command::ReturnToNewestFrame{}); }
   void rerunFrom(std::int64_t frame) { send(command::Rerun{frame}); }
-  /// Tracks again from this frame on, like rerunFrom(), but without changing the frame that is
-  /// shown.
+  /// Tracks again from this frame on. The frame that is shown does not change.
   void rerunKeepingView(std::int64_t frame) { send(command::Rerun{frame, true}); }
   /// Requests a snapshot of any frame that can be shown, without changing what is shown. Exports
   /// use this.

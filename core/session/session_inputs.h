@@ -26,8 +26,8 @@ namespace dewpoint::session {
 struct SessionInputs {
   Project project;
   std::unique_ptr<FrameSetSource> source;
-  Trajectory truth; ///< empty when unknown
-  /// Background image of each camera (loadBackgroundImages()); may be empty.
+  Trajectory truth; ///< true positions of the targets; empty if unknown
+  /// Background image of each camera, which shows the scene without targets; may be empty.
   std::vector<cv::Mat> backgroundImages = {};
   /// Memory limit, in bytes, for the data needed to go back in the run: images, particles, and
   /// copies of the tracker. 0: 1 GB for live cameras, half of that for recordings.

@@ -13,9 +13,10 @@ namespace dewpoint::session {
 
 /// Optional contents of snapshots; each takes computing time.
 struct SnapshotOptions {
-  bool withMasks = false;  ///< TrackSnapshot::masks
-  bool withMaps = false;   ///< TargetSnapshot::maps
-  bool withShapes = false; ///< TargetSnapshot::shape
+  /// True to fill TrackSnapshot::masks: the pixels with the color of each target.
+  bool withMasks = false;
+  bool withMaps = false;   ///< true to fill TargetSnapshot::maps: the likelihood around each target
+  bool withShapes = false; ///< true to fill TargetSnapshot::shape: the shapes of people
 };
 
 /// Builds snapshots of one frame: the current frame of the run, or a past one. Both kinds have the
@@ -27,8 +28,9 @@ public:
   SnapshotOptions& options() { return options_; }
   const TruthTable& truth() const { return truth_; }
 
-  /// Fills `snapshot` with the current frame of the run. `history` is null if none is kept;
-  /// `isRecorded` is true if it contains the current estimates.
+  /// Fills `snapshot` with the current frame of the run. `history` is the history of the run, or
+  /// null if none is kept. `isRecorded` is true if the history already contains the current
+  /// estimates.
   void fillFromCurrentFrame(const TrackingRun& run, const History* history, bool isRecorded,
                             TrackSnapshot& snapshot) const;
   /// Fills `snapshot` with a frame other than the current one. If `quickly` is true, the images may

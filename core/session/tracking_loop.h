@@ -91,7 +91,8 @@ private:
   Clock::time_point published_;
   PlaybackPace pace_;
   Clock::time_point nextStepDue_ = Clock::now();
-  Clock::time_point viewKeptUntil_; ///< a rerun publishes nothing before this time
+  /// Nothing is published before this time while past frames are tracked again.
+  Clock::time_point viewKeptUntil_;
 };
 
 } // namespace dewpoint::session

@@ -11,8 +11,9 @@ namespace dewpoint::setup {
 /// method, and values derived from its cameras.
 ParameterValues defaultParameters(const Project& project);
 
-/// Returns whether a parameter in use differs from defaultParameters(). For a parameter derived
-/// from the cameras, the declared default also counts as unchanged.
+/// Returns whether a parameter in use (`used`) differs from its default in the project (`defaults`,
+/// from defaultParameters()). For a parameter derived from the cameras, the declared default also
+/// counts as unchanged.
 bool isChanged(const ParameterValues& used, const ParameterValues& defaults,
                const ParameterDeclaration& declaration);
 
@@ -21,7 +22,7 @@ bool isChanged(const ParameterValues& used, const ParameterValues& defaults,
 /// keep the values in use. If all of these parameters then equal the derived values, they are no
 /// longer marked as given in the project.
 void resetParameter(Project& project, std::string_view key);
-/// Resets all parameters for which isChanged() is true.
+/// Resets all parameters of a project that differ from their defaults.
 void resetParameters(Project& project);
 
 } // namespace dewpoint::setup

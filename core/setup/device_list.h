@@ -16,7 +16,8 @@ namespace dewpoint::setup {
 /// Connected device, with its controls, for a list of devices.
 struct ListedDevice {
   CameraDevice device;
-  std::optional<std::vector<DeviceControl>> controls = {}; ///< empty: controls are not listed
+  /// Controls of the device; not set: controls are not listed.
+  std::optional<std::vector<DeviceControl>> controls = {};
 };
 
 /// Returns a human-readable list of devices, with several lines per device. Empty if there are no

@@ -15,10 +15,10 @@ namespace dewpoint::setup {
 struct MissingFile {
   enum class Kind { Video, Images, BackgroundImage, Calibration, Truth, Scene };
   Kind kind = Kind::Video;
-  /// Index of the camera to which it belongs; -1 if it belongs to the whole project.
+  /// Index of the camera to which the file belongs; -1 if it belongs to the whole project.
   int camera = -1;
   std::string cameraName;     ///< name of this camera; empty if it belongs to the whole project
-  std::filesystem::path path; ///< absolute path
+  std::filesystem::path path; ///< absolute path of the missing file or folder
 
   bool isFolder() const { return kind == Kind::Images; }
   bool operator==(const MissingFile&) const = default;

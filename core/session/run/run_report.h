@@ -15,7 +15,7 @@
 
 namespace dewpoint::session {
 
-/// Notice of a run, and the period for which its cause lasted.
+/// Notice (warning for the user) of a run, and the period for which the cause of the notice lasted.
 struct NoticePeriod {
   std::string text;
   double from = 0.0; ///< time when the cause was first noticed, in seconds of the run
@@ -44,16 +44,18 @@ struct RunStatistics {
   /// Wall-clock time from the arrival of the first frame to the last estimate.
   double seconds = 0.0;
   std::int64_t droppedFrames = 0;
-  int threads = 1;              ///< number of filter threads
-  bool finished = false;        ///< the end of the input was reached
+  int threads = 1;              ///< number of threads that run the particle filters
+  bool finished = false;        ///< true if the end of the input was reached
   DurationHistogram iterations; ///< duration of one filter iteration, per target
-  LatencyStages live;           ///< latency of live images, by stage
-  DurationHistogram latency;    ///< time from the arrival of a frame set to its estimate
+  /// Latency of live images, from the capture to the display, divided into stages.
+  LatencyStages live;
+  DurationHistogram latency; ///< time from the arrival of a frame set to its estimate
   /// Clock error of each camera; empty if the method estimates none.
   std::vector<ClockEstimate> clocks;
   std::vector<std::string>
-      notices;         ///< every notice so far, once, including those whose cause is over
-  NoticeLog noticeLog; ///< periods of the notices, except those about cameras that moved
+      notices; ///< every notice so far, once, including those whose cause is over
+  /// Periods in which the notices applied; notices about moved cameras are left out.
+  NoticeLog noticeLog;
 };
 
 /// Returns the text of run.json: statistics, method, seed, parameters and corrections of a run.

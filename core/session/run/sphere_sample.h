@@ -9,8 +9,8 @@
 
 namespace dewpoint::session {
 
-/// Returns the estimate of a colored target as a row of a trajectory; `time` in seconds. The caller
-/// must set whether the estimate was corrected.
+/// Returns the estimate of a colored target as a row of a trajectory; `time` in seconds. Does not
+/// set whether the user corrected the estimate; the caller must set this.
 TrajectorySample sampleOf(const SphereEstimate& sphere, const std::string& target,
                           std::int64_t frame, double time);
 

@@ -28,7 +28,7 @@ TrajectoryHeader trajectoryHeader(const Project& project);
 /// Returns the header of a box track: method, seed, parameters, and a description of each target.
 std::vector<std::pair<std::string, std::string>> boxTrackHeader(const Project& project);
 
-/// Replacement of the settings of a run, `before`, by others, `after`.
+/// Change of the settings of a run, from `before` to `after`.
 struct DefinitionChange {
   RunDefinitionPtr before;
   RunDefinitionPtr after;
@@ -41,57 +41,63 @@ using RunChange = std::variant<DefinitionChange, PeopleChange, PositionCorrectio
 /// thread and the command line use this class. Not thread-safe.
 class TrackingRun {
 public:
-  /// Creates a run with `threadCount` threads; the result does not depend on their number. Returns
-  /// NotFound for an unknown method.
+  /// Creates a run with `threadCount` threads. The tracking result does not depend on the number of
+  /// threads. Returns NotFound for an unknown method.
   static Result<TrackingRun> create(RunDefinitionPtr definition, int threadCount);
   /// Creates the run of a project. `backgroundImages` has one image per camera, as returned by
   /// loadBackgroundImages(), or is empty. Returns NotFound for an unknown method.
   static Result<TrackingRun> create(const Project& project, int threadCount,
                                     std::vector<cv::Mat> backgroundImages = {});
-  /// Creates a run with a given tracker, which need not belong to a method in the catalog.
+  /// Creates a run with a given tracker, which need not be one of the program's own tracking
+  /// methods.
   static TrackingRun of(std::unique_ptr<Tracker> tracker, RunDefinitionPtr definition,
                         int threadCount);
 
   /// Returns the current definition (all settings of the run); never null.
   const RunDefinitionPtr& definition() const { return definition_; }
-  /// Returns whether this run can continue with another definition. The other definition must have
-  /// the same method and image sizes, and the same number of targets unless the method can change
-  /// this number. Otherwise, a new run is needed.
+  /// Returns whether this run can continue with another definition (all settings of the run). The
+  /// other definition must have the same method and image sizes, and the same number of targets
+  /// unless the method can change this number. Otherwise, a new run is needed.
   bool accepts(const RunDefinition& definition) const;
   /// Discards all tracks and starts to track from scratch, with this random seed.
   void restart(std::uint64_t seed);
-  /// Applies another definition from the next iteration on; tracks continue. accepts() must return
-  /// true for this definition. A new seed takes effect at the next restart().
+  /// Applies another definition (all settings of the run) from the next iteration on; tracks
+  /// continue. The run must be able to continue with this definition: accepts() must return true. A
+  /// new seed takes effect at the next restart().
   void apply(const RunDefinitionPtr& definition);
   void apply(const RunChange& change);
 
   /// Complete state of the run between two frames, from which the run can continue with
   /// bit-identical results.
   struct State {
-    std::shared_ptr<const Tracker> tracker; ///< null if the method cannot be copied
+    /// Copy of the tracker; null if the tracker cannot be copied.
+    std::shared_ptr<const Tracker> tracker;
     RunDefinitionPtr definition;
     std::int64_t iterations = 0;
     std::size_t bytes = 0;
   };
   /// Returns the current state, from which restore() continues. The state has no tracker if the
-  /// method cannot be copied.
+  /// method does not support copies of its tracker.
   State save() const;
   /// Restores a saved state, which must have a tracker.
   void restore(const State& state);
-  /// Returns whether the method can be copied, so that states returned by save() contain a tracker.
+  /// Returns whether the method's tracker can be copied. Only then do states returned by save()
+  /// contain a tracker.
   bool canBeCopied() const;
-  /// Returns whether the user may correct positions (PositionCorrecting) or add and remove people
-  /// (PersonPlacing).
+  /// Returns whether the method supports the corrections by the user that `Correcting` describes:
+  /// corrected positions (PositionCorrecting), or people added and removed (PersonPlacing).
   template <class Correcting> bool supportsCorrections() const {
     return capability<Correcting>() != nullptr;
   }
-  /// Sets the number of iterations counted so far.
+  /// Sets the number of iterations counted so far, so that a new run can continue the count of a
+  /// previous one.
   void setIterationCount(std::int64_t iterations) { iterations_ = iterations; }
   /// Sets the number of threads from the next iteration on; it never changes the result.
   void setThreadCount(int threadCount) { team_ = std::make_unique<ThreadTeam>(threadCount); }
   int threadCount() const { return team_->threadCount(); }
 
-  /// Begins a frame set, on which the next calls of iterateTimed() work.
+  /// Begins a new frame with these images. The next calls of iterateTimed() run filter iterations
+  /// on them.
   void beginFrame(FrameSetPtr frames);
   int iterationsPerFrame() const;
   /// Runs one filter iteration for every target and returns its duration in microseconds, averaged
@@ -142,7 +148,7 @@ public:
   /// `previous` is the record of the previous frame, null for the first frame; it tells when each
   /// target was last held (confirmed by the cameras).
   TrackedFrame trackedFrame(int particleLimit, const TrackedFrame* previous) const;
-  /// Returns the number of iterations on the current frame.
+  /// Returns how many filter iterations have run on the current frame.
   int frameIterationCount() const { return frameIterationCount_; }
   /// Returns the number of targets being tracked or, for methods that find people, of people
   /// present.

@@ -19,7 +19,7 @@ struct SelfTestLine {
   std::string text;
 };
 
-/// Inputs of the self-test.
+/// Inputs of the self-test, which tests whether this computer is suitable for tracking.
 struct SelfTestInputs {
   /// Opens a simulated scene with known ground truth. The self-test tracks its first
   /// kSelfTestSeconds. If empty, this test is omitted.
@@ -32,7 +32,7 @@ struct SelfTestInputs {
   std::function<bool()> shouldContinue = [] { return true; };
 };
 
-/// Duration of the tracked part of the scene, in seconds.
+/// Duration, in seconds, of the part of the simulated scene that the self-test tracks.
 inline constexpr double kSelfTestSeconds = 5.0;
 
 /// Tests whether this computer is suitable for tracking: versions, processor and memory, disk,
@@ -43,7 +43,7 @@ std::vector<SelfTestLine> runSelfTest(const SelfTestInputs& parts);
 /// Returns a line of the self-test as text, for example "ok       codec FFV1: ..."
 std::string selfTestText(const SelfTestLine& line);
 
-/// Returns the worst level of all lines; Ok if there are no lines.
+/// Returns the worst level (result) of all lines of a self-test; Ok if there are no lines.
 FindingLevel worstLevelOf(const std::vector<SelfTestLine>& lines);
 
 } // namespace dewpoint::session

@@ -18,12 +18,13 @@ using DisplayColor = Eigen::Vector3d;
 enum class DisplayBackground {
   Light, ///< light window
   Dark,  ///< dark window
-  Image, ///< camera image; colors are lighter than learned, because the target itself may be in it
+  Image, ///< camera image; colors are lighter than the target, so that they stand out from it
 };
 
 /// Inputs that determine the display color of a target.
 struct DisplayColorSource {
-  ColorRanges learnedColors{}; ///< empty: the method does not identify targets by color
+  /// Learned colors of the target; empty: the method does not identify targets by color.
+  ColorRanges learnedColors{};
   std::optional<DisplayColor> fixedColor{}; ///< color for a person's identity, used unchanged
 
   bool operator==(const DisplayColorSource&) const = default;
@@ -49,7 +50,7 @@ const std::vector<DisplayColor>& displayPalette(DisplayBackground background);
 /// background. Some targets get the color at their index in `displayPalette()` (used cyclically)
 /// instead, or the next one that no other target has: targets with similar colors, targets without
 /// a clear color, and all targets after the first `kMaxOwnColors`. A target has the same hue on
-/// every ground.
+/// every background.
 std::vector<DisplayColor> displayColors(const std::vector<DisplayColorSource>& sources,
                                         DisplayBackground background);
 /// Number of targets that can be displayed in their learned color. More could not be distinguished,

@@ -18,7 +18,8 @@ public:
   /// unchanged.
   TrackSnapshotPtr withMissingImages(const TrackSnapshotPtr& snapshot);
 
-  static constexpr double kMaxImageAgeSeconds = 0.5; ///< seconds
+  static constexpr double kMaxImageAgeSeconds =
+      0.5; ///< largest age of an image that is shown again
 
 private:
   std::vector<FramePtr> frames_; ///< last image of each camera

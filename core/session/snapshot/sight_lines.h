@@ -13,7 +13,7 @@ namespace dewpoint::session {
 
 /// Line of sight from a camera to the estimated position of a target, in meters, world frame.
 struct SightLine {
-  int camera = 0; ///< index in the rig
+  int camera = 0; ///< index of the camera in the rig
   Eigen::Vector3d from = Eigen::Vector3d::Zero();
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
   /// True if the camera confirms at least a part of the target. Otherwise, the target is hidden

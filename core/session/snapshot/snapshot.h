@@ -29,23 +29,25 @@ namespace dewpoint::session {
 struct TargetSnapshot {
   Target target;
   TrackEstimate estimate;
-  Eigen::ArrayXXd particles; ///< up to 10,000 rows of x, y, z; meters
-  Eigen::ArrayXd weights;    ///< one per row, linear
+  Eigen::ArrayXXd particles; ///< positions of up to 10,000 particles: rows of x, y, z; meters
+  Eigen::ArrayXd weights;    ///< weight of each row's particle, linear (not logarithmic)
   /// Positions in the last frames, which are drawn as a tail, in meters, oldest first; NaN where
   /// the target was not held (confirmed by the cameras).
   std::vector<Eigen::Vector3d> tail;
   std::optional<Eigen::Vector3d> truth;
   TargetStatus status = TargetStatus::Searching;
   TrackingState stateWhileAbsent = TrackingState::Gone; ///< state shown while the target is absent
-  BoxParticles boxParticles;                            ///< particles of a BoxEstimate
-  /// Color histograms of a BoxEstimate; null if there is no image.
+  BoxParticles boxParticles; ///< particles, if the target is tracked as a box in an image
+  /// Color histograms of a target that is tracked as a box in an image (BoxEstimate); null if there
+  /// is no image.
   std::shared_ptr<const ColorHistograms> histograms;
   /// Per camera: whether it confirms the target, and the reason if it does not
   /// (describeUnconfirmedCameras()); may be empty.
   std::vector<CameraReport> cameraReports;
-  /// Candidate positions of this frame; may be empty.
+  /// Candidate positions of the target in this frame; may be empty.
   std::vector<CandidatePosition> positionCandidates;
-  std::vector<LikelihoodMap> maps;          ///< per camera; empty unless requested
+  /// Log likelihood around the target in each camera's image; empty unless requested.
+  std::vector<LikelihoodMap> maps;
   std::shared_ptr<const PersonShape> shape; ///< shape of a person; null unless requested
 
   /// Return the estimate as a box or as a person; null if the estimate is of another kind or
@@ -92,7 +94,7 @@ struct TrackSnapshot {
   /// Per camera, CV_8UC1: pixels with the value 255 - k have the color of target k. Empty unless
   /// requested.
   std::vector<cv::Mat> masks;
-  bool masksShowMotion = false; ///< masks mark moving pixels (255) instead of colors
+  bool masksShowMotion = false; ///< true if `masks` mark moving pixels (255) instead of colors
   /// Likelihood of motion at each pixel, per camera, for methods that compute it; empty unless
   /// requested.
   std::vector<LikelihoodMap> motionMaps;
@@ -100,8 +102,8 @@ struct TrackSnapshot {
   /// State of each camera, only for methods for people; empty for other methods.
   std::vector<PeopleCameraState> peopleCameras;
   std::int64_t frame = -1; ///< number of the frame shown
-  bool isPast = false;     ///< the frame shown is not the current frame of the run
-  bool isTracked = false;  ///< the frame shown was tracked
+  bool isPast = false;     ///< true if the frame shown is not the current frame of the run
+  bool isTracked = false;  ///< true if the frame shown was tracked
   /// True if the images are small previews, scaled up. The full images follow immediately, unless
   /// another frame is requested.
   bool isPreview = false;
@@ -110,10 +112,10 @@ struct TrackSnapshot {
   std::optional<std::int64_t> frameCount;
   std::int64_t iterations = 0;           ///< filter iterations since the (re)start
   double sourceFramesPerSecond = 0.0;    ///< frame rate of the recording or cameras; 0: unknown
-  double framesPerSecond = 0.0;          ///< achieved frame rate
-  double microsecondsPerIteration = 0.0; ///< median of the last iterations, per target
+  double framesPerSecond = 0.0;          ///< frame rate that the run achieves
+  double microsecondsPerIteration = 0.0; ///< median duration of the last iterations, per target
   Latency latency;                       ///< time from the arrival of a frame set to its estimate
-  LiveLatency liveLatency;               ///< all zero for recordings
+  LiveLatency liveLatency; ///< latency of live images, by stage; all zero for recordings
   BudgetStatistics budget;
   std::int64_t droppedFrames = 0;
   std::uint64_t seed = 0;
@@ -146,16 +148,17 @@ struct IterationRecord {
   /// Standard deviations of x, y and z, meters.
   Eigen::Vector3d spreadPerAxis = Eigen::Vector3d::Zero();
   int particleCount = 0;
-  double existenceProbability = 0.0; ///< over all cameras
-  bool isHeld = false;               ///< see isHeld()
-  /// Likelihood, existence probability and visible fraction per camera, in the order of the cameras
-  /// in the rig; empty if the method does not compute them.
+  /// Probability that the target exists, from all cameras together.
+  double existenceProbability = 0.0;
+  bool isHeld = false; ///< whether the target is held (confirmed by the cameras)
+  /// Likelihood, existence probability and visible fraction of the target per camera, in the order
+  /// of the rig; empty if the method does not compute them.
   std::vector<CameraEvidence> cameras = {};
-  /// Similarity of a box (BoxEstimate::similarity), only for methods that track boxes; `spread` is
-  /// then in pixels.
+  /// Similarity of the colors in the box to those of the target, only for methods that track boxes;
+  /// `spread` is then in pixels.
   std::optional<double> similarity = std::nullopt;
-  /// Mean x, y and z in the world frame, meters. For a box, the center in its image in pixels,
-  /// without z. NaN if unknown.
+  /// Estimated position of the target: mean x, y and z in the world frame, meters. For a target
+  /// tracked as a box, the center of the box in its image in pixels, without z. NaN if unknown.
   Eigen::Vector3d position = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   /// True position of the target, meters; NaN if unknown.
   Eigen::Vector3d truth = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());

@@ -20,8 +20,8 @@ TrackingState trackingState(TargetStatus status);
 /// Returns the state that views show for a target. A box can also be hidden or not exist yet.
 TrackingState trackingState(const TargetSnapshot& target);
 /// Returns the worst state of all targets. From worst to best, the states are: lost, searching,
-/// ambiguous, hidden, held. Returns NoImages if there are no images, NoTarget if there are no
-/// targets, and NotTracked for a frame that was not tracked.
+/// ambiguous, hidden, held (confirmed by the cameras). Returns NoImages if there are no images,
+/// NoTarget if there are no targets, and NotTracked for a frame that was not tracked.
 TrackingState trackingState(const TrackSnapshot& snapshot);
 /// Returns the worst state of the targets in the view of one camera. A box counts only for the
 /// camera in which it is tracked.

@@ -18,9 +18,9 @@ namespace dewpoint::session {
 
 /// Results of a live run that tracked targets while a take (a recording of all cameras) was made.
 struct LiveRun {
-  Project project;                   ///< the project with the settings at the end of the run
-  Trajectory trajectory;             ///< trajectory since the run's last start or restart
-  std::string report;                ///< text of run.json
+  Project project;           ///< the project with the settings at the end of the run
+  Trajectory trajectory;     ///< trajectory since the run's last start or restart
+  std::string report;        ///< text of run.json, the report about the run
   std::vector<LiveFrameRecord> sets; ///< the images of each frame of the run
   /// Frames that were tracked with other settings than those at the end.
   std::vector<ResultRange> otherSettings;
@@ -42,8 +42,8 @@ struct StoredSet {
 };
 
 /// Finds the images of a live run in the videos of a take, and returns their locations, frame by
-/// frame. `stamps` has, for each camera, the stamps (CaptureInstant::stamp) of the images in its
-/// video. Frames at the end of the run that have no image in the take are left out.
+/// frame. `stamps` has, for each camera, the stamps (CaptureInstant::stamp) that identify the
+/// images in its video. Frames at the end of the run that have no image in the take are left out.
 std::vector<StoredSet> storedSets(const std::vector<LiveFrameRecord>& sets,
                                   const std::vector<std::vector<std::int64_t>>& stamps);
 
@@ -56,11 +56,12 @@ inline constexpr const char* kLiveProject = "live.toml";
 /// each camera K image_K and time_K_ns. image_K is the number of the image in the video, `lost` if
 /// the image is not in the take, or empty if the camera had none.
 std::string storedSetsText(const std::vector<StoredSet>& sets);
-/// Writes the table of storedSetsText() to a file. Returns an error if the file cannot be written.
+/// Writes the CSV table of the images of a live run (storedSetsText()) to a file. Returns an error
+/// if the file cannot be written.
 Status writeStoredSets(const std::vector<StoredSet>& sets, const std::filesystem::path& file);
-/// Reads the table of storedSetsText() for a number of cameras. Returns the errors of
-/// readTextFile(), and NotParsed with the line number of a row that is invalid or has numbers out
-/// of range.
+/// Reads the CSV table of the images of a live run (storedSetsText()) from a file, for this number
+/// of cameras. Returns the errors of readTextFile(), and NotParsed with the line number of a row
+/// that is invalid or has numbers out of range.
 Result<std::vector<StoredSet>> readStoredSets(const std::filesystem::path& file,
                                               std::size_t cameras);
 

@@ -19,7 +19,7 @@
 
 namespace dewpoint::session {
 
-/// Options for recording a take.
+/// Options for recording a take (a recording of all cameras).
 struct TakeOptions {
   RawStorage rawStorage = RawStorage::Jpeg;
   std::string notes = {}; ///< free text, kept in take.json
@@ -27,7 +27,7 @@ struct TakeOptions {
   std::optional<int> number = std::nullopt;
 };
 
-/// State of a take that is being recorded or has ended.
+/// State of a take (a recording of all cameras) that is in progress or has ended.
 struct TakeStatus {
   struct CameraStatus {
     std::string name;
@@ -61,8 +61,9 @@ public:
   /// Memory limit for the images kept from before the start, for all cameras together: 512 MiB.
   static constexpr std::size_t kPreRollBytes = std::size_t{512} << 20;
 
-  /// Makes feeds keep their images of the last `seconds` seconds for a take that starts later; 0
-  /// keeps none. The cameras share kPreRollBytes of memory equally.
+  /// Makes `feeds`, the streams of encoded images of the cameras, keep their images of the last
+  /// `seconds` seconds for a take that starts later; 0 keeps none. The cameras share kPreRollBytes
+  /// of memory equally.
   static void setPreRoll(const std::vector<EncodedFeedPtr>& feeds, double seconds);
 
   /// Creates the folder of the take in `parent` and starts to record, beginning with the images
@@ -84,10 +85,10 @@ public:
   /// Returns FileUnwritable if take.json cannot be written.
   Status setNotes(const std::string& notes);
   /// Adds the results of the live run to a take that has ended, so that compareReplay() can compare
-  /// them. Writes trajectory.csv, run.json and a list of the images in each frame to the folder
-  /// `live` of the take, and the project with the settings at the end of the run to live.toml. Does
-  /// nothing if nothing was tracked, or if the take has none of the run's images. Returns
-  /// FileUnwritable if a file cannot be written.
+  /// them with the results of tracking the recorded images again. Writes trajectory.csv, run.json
+  /// and a list of the images in each frame to the folder `live` of the take, and the project with
+  /// the settings at the end of the run to live.toml. Does nothing if nothing was tracked, or if
+  /// the take has none of the run's images. Returns FileUnwritable if a file cannot be written.
   Status addLiveRun(const LiveRun& live) const;
   /// Ends the take and completes its files, which takes up to about 1 s. Returns the first error of
   /// writing a file.

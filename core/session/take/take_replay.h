@@ -16,7 +16,7 @@ namespace dewpoint::session {
 /// Comparison of the live trajectory of a take with the trajectory obtained by tracking its
 /// recorded images again, with the same seed and settings.
 struct ReplayComparison {
-  std::int64_t liveFrames = 0; ///< live frames in the take
+  std::int64_t liveFrames = 0; ///< number of frames of the live run that are in the take
   /// Number of live frames before the first one whose images are in the take. If it is not 0,
   /// nothing is compared, because tracking depends on all frames since the start of the run.
   std::int64_t framesBeforeTake = 0;
@@ -27,9 +27,11 @@ struct ReplayComparison {
   double largestDistance = 0.0; ///< largest distance between the two positions of a target, meters
   std::int64_t incompleteFrames = 0; ///< frames that lack an image in the take
   std::optional<std::int64_t> firstIncompleteFrame;
-  std::vector<ResultRange> otherSettings;  ///< frames whose live results came from earlier settings
-  bool hasTimeBudget = false;              ///< results depend on the speed of the computer
-  std::vector<std::string> changedCameras; ///< cameras whose images are stored with changed pixels
+  std::vector<ResultRange> otherSettings; ///< frames whose live results came from earlier settings
+  /// True if iterations had a time budget, so that results depend on the computer's speed.
+  bool hasTimeBudget = false;
+  /// Names of cameras that send uncompressed images, which are stored with slightly other colors.
+  std::vector<std::string> changedCameras;
 
   /// Returns whether all frames were compared and their results are bit-identical.
   bool isSame() const {
@@ -46,9 +48,9 @@ bool hasLiveRun(const std::filesystem::path& take);
 using ReplayProgress = std::function<bool(std::int64_t, std::int64_t)>;
 
 /// Tracks the images of a take again, grouped into the same frames as in the live run, and compares
-/// the results with the live trajectory. `take` is the folder of the take. Returns NotFound if
-/// there are no live results, Canceled if `progress` returned false, and the errors of reading the
-/// files.
+/// the results with the live trajectory. `take` is the folder of the take, and `threads` the number
+/// of filter threads. Returns NotFound if there are no live results, Canceled if `progress`
+/// returned false, and the errors of reading the files.
 Result<ReplayComparison> compareReplay(const std::filesystem::path& take, int threads,
                                        const ReplayProgress& progress);
 

@@ -23,9 +23,11 @@ struct ImageEllipse {
 struct CameraOverlay {
   /// Projections of the particles in front of the camera; an even selection if there are very many.
   std::vector<Eigen::Vector2f> particles;
-  std::vector<float> weights; ///< relative to the largest weight: 0 to 1
+  /// Weights of these particles, relative to the largest weight: 0 to 1.
+  std::vector<float> weights;
   std::optional<Eigen::Vector2d> estimate;
-  /// Ellipse that contains 95 % of the projected Gaussian (chi² 5.991, 2 d.o.f.).
+  /// Projected uncertainty of the position: ellipse that contains the target with a probability of
+  /// 95 % (chi² 5.991, 2 d.o.f.).
   std::optional<ImageEllipse> ellipse;
   std::optional<ImageEllipse> outline; ///< projected outline of a target that is not a ball
   std::optional<Eigen::Vector2d>

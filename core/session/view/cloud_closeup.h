@@ -18,10 +18,11 @@ struct CloudCloseup {
   double metersPerPixel = 0.0;
   /// Particles inside the image, in order of ascending weight.
   std::vector<Eigen::Vector2f> particles;
-  std::vector<float> weights; ///< relative to the largest weight: 0 to 1
+  /// Weights of these particles, relative to the largest weight: 0 to 1.
+  std::vector<float> weights;
   /// Outline of the ellipsoid that contains the target with a probability of 95 %.
   ImageEllipse outline;
-  /// Length of the scale bar, a round number.
+  /// Length of the scale bar of the image, in meters; a round number.
   double scaleBarMeters = 0.0;
 };
 

@@ -41,8 +41,8 @@ public:
     std::vector<Item> items;
   };
 
-  /// Returns the new messages for all reports of a frame, which are in the order of the motions;
-  /// `now` is in seconds of the run.
+  /// Returns the messages that are new in a frame. `reports` are the frame's reports of all moved
+  /// cameras, in the order of their motions; `now` is the time in seconds of the run.
   NewMessages update(const std::vector<CameraMotionReport>& reports, double now);
   /// Forgets earlier messages, because another run begins.
   void clear();

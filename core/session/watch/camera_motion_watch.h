@@ -73,8 +73,8 @@ private:
 };
 
 /// Returns the new pose of a camera that has moved, computed from its measured rotation `turn` and
-/// from the targets that it has seen at or after the time `since` (seconds). Returns an error if
-/// these do not determine the pose.
+/// from the targets that it has seen (`sightings`) at or after the time `since` (seconds). Returns
+/// an error if the rotation and the sightings do not determine the pose.
 Result<MovedCameraPose> estimatePoseAfterMotion(const Camera& camera, const CameraRotation& turn,
                                                 const std::deque<ReprojectionResidual>& sightings,
                                                 double since);

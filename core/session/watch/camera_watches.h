@@ -31,7 +31,7 @@ public:
     motion_.setPaused(paused);
     agreement_.setPaused(paused);
   }
-  /// Discards all measurements.
+  /// Discards all measurements of both checks, for a restart of the run.
   void restart() {
     motion_.restart();
     agreement_.restart();

@@ -43,10 +43,11 @@ Result<ExtrinsicsResult> extrinsicsFromBoards(const Project& project, const Boar
                                               const BoardCalibrationRequest& request,
                                               const CalibrationProgress& progress = {});
 
-/// Returns a sentence like "camera 2 keeps its intrinsics: it never saw the board in 60 images".
+/// Returns a sentence about a camera that keeps its intrinsics, like "camera 2 keeps its
+/// intrinsics: it never saw the board in 60 images".
 std::string keptIntrinsicsText(const Error& kept);
 
-/// Creates the report on the estimated intrinsics.
+/// Creates the report on the intrinsics of cameras that were estimated from views of a board.
 BoardReport reportOf(const BoardDetections& seen, const BoardCalibrationRequest& request,
                      const LensesFromBoards& lenses);
 

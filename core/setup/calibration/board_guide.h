@@ -23,14 +23,16 @@ struct BoardGuideRequest {
   BoardGoal goal;
   GuidanceSettings
       lensGuidance; ///< settings for intrinsics, including the accuracy that is sufficient
-  RigGuidance::Settings rigGuidance;    ///< how often pairs of cameras must see the board together
-  double requiredPositionSigma = 0.002; ///< meters: required CameraFit::centerSigma of each camera
+  RigGuidance::Settings rigGuidance; ///< how often pairs of cameras must see the board together
+  /// Largest accepted standard deviation of each camera position, meters.
+  double requiredPositionSigma = 0.002;
   /// Number of captured frames after which the calibration ends regardless of its accuracy.
   int maxInstants = 60;
-  std::size_t maxOutlines = 100; ///< number of outlines kept per camera
+  /// Maximum number of captured outlines of the board kept for each camera.
+  std::size_t maxOutlines = 100;
 };
 
-/// State of the guidance. Immutable once published.
+/// State of a guided calibration with a board. Immutable once published.
 struct BoardGuideState {
   enum class Phase {
     Lenses,  ///< the board is shown to each camera separately
@@ -43,19 +45,20 @@ struct BoardGuideState {
     /// Width of the images, pixels. 0: this camera has not delivered an image yet.
     int width = 0;
     int height = 0;
-    GuidanceState lens;                      ///< guidance in phase Lenses
-    std::optional<BoardDetection> detection; ///< detection in the newest image
+    GuidanceState lens;                      ///< guidance of the user in phase Lenses
+    std::optional<BoardDetection> detection; ///< detection of the board in the newest image
     Outline outline; ///< outline of the board in the newest image; may be empty
-    std::vector<Outline> capturedOutlines; ///< outlines of the captured views
-    /// Reprojection error of the latest calibration of its intrinsics, pixels.
+    std::vector<Outline> capturedOutlines; ///< outlines of the board in the captured views
+    /// Reprojection error of the latest calibration of this camera's intrinsics, pixels.
     std::optional<double> rmsPx;
     /// Standard deviation of the camera position in the latest calibration of the poses, meters.
     std::optional<double> positionSigma;
-    int pairViewCount = 0; ///< number of views captured together with another camera
+    /// Number of captured views of the board that another camera saw at the same time.
+    int pairViewCount = 0;
   };
 
   Phase phase = Phase::Lenses;
-  std::int64_t frame = -1; ///< last frame set that was searched
+  std::int64_t frame = -1; ///< number of the last frame whose images were searched for the board
   std::vector<PerCamera> cameras;
   RigGuidance::State rig;
   std::optional<std::int64_t> floorFrame; ///< frame in which the board lies on the floor
@@ -65,8 +68,8 @@ struct BoardGuideState {
 using BoardGuideStatePtr = std::shared_ptr<const BoardGuideState>;
 
 /// Returns the options with which calibrateFromBoards() processes the captured views of live
-/// cameras: intrinsics are estimated from all views, and the captured floor defines the world
-/// frame.
+/// cameras: intrinsics are estimated from all views, and the captured view of the board on the
+/// floor defines the world frame.
 BoardCalibrationRequest requestForCapturedViews(const BoardGuideRequest& request,
                                                 const BoardGuideState& state);
 
@@ -87,7 +90,8 @@ public:
   /// Captures the last images that show the board, which must lie on the floor. At least one camera
   /// must have detected the board.
   BoardGuideState captureFloor();
-  /// Ends the phase Lenses, whatever accuracy it has reached, and continues with the poses.
+  /// Ends the phase Lenses, in which intrinsics are calibrated, whatever accuracy it has reached.
+  /// Continues with the camera poses.
   BoardGuideState skipToPoses();
   const BoardGuideState& state() const { return state_; }
 

@@ -21,7 +21,7 @@ public:
   BoardGuideThread(const BoardGuideThread&) = delete;
   BoardGuideThread& operator=(const BoardGuideThread&) = delete;
 
-  /// Starts, or restarts from scratch.
+  /// Starts the guided calibration of a project's cameras, or restarts it from scratch.
   void begin(const Project& project, const BoardGuideRequest& request);
   /// Passes images to the guide, replacing images that are still waiting.
   void offer(FrameSetPtr frames);
@@ -32,7 +32,7 @@ public:
   /// Ends the calibration of the intrinsics, whatever accuracy it has reached, and continues with
   /// the poses.
   void skipToPoses();
-  /// Returns the newest state since begin(); never null.
+  /// Returns the newest state of the guided calibration since begin(); never null.
   BoardGuideStatePtr newest() const;
 
 private:

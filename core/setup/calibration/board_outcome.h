@@ -32,7 +32,8 @@ struct BoardOutcome {
   /// were estimated.
   std::string accuracySummary;
   std::string report; ///< report about the calibration, a single HTML page
-  /// Images in which each camera did not see the board, if intrinsics were requested.
+  /// For each camera, the images in which it did not see the board; set if intrinsics were
+  /// requested.
   std::vector<std::vector<MissedRun>> missedRuns;
 };
 
@@ -45,8 +46,8 @@ Result<BoardOutcome> calibrateFromBoards(const Project& project, const BoardDete
                                          const BoardGoal& goal,
                                          const CalibrationProgress& progress = {});
 
-/// Searches for the board in a recording, and then calibrates as the overload above. Also returns
-/// the errors of findBoards().
+/// Searches for the board in a recording, and estimates intrinsics and then poses from the
+/// detections. Errors are those of the search (findBoards()) and of the calibration.
 Result<BoardOutcome> calibrateFromBoards(const Project& project, FrameSetSource& source,
                                          const BoardCalibrationRequest& request,
                                          const BoardGoal& goal,

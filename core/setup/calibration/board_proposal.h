@@ -9,9 +9,9 @@
 namespace dewpoint::setup {
 
 /// Returns the boards that a recording probably shows, the most likely one first. Only `frames`
-/// evenly spaced frames are searched. `requested` is the board that the user expects; for its use,
-/// see guessBoards(). Errors: NotFound if no board is found; BadValue if the cameras are live;
-/// Canceled; the errors of the source.
+/// evenly spaced frames are searched. `requested` is the board that the user expects. It provides
+/// what images do not show, such as the square size (guessBoards()). Errors: NotFound if no board
+/// is found; BadValue if the cameras are live; Canceled; the errors of the source.
 Result<std::vector<BoardGuess>> proposeBoards(FrameSetSource& source,
                                               const BoardDescription& requested,
                                               int frames = kBoardProposalFrames,

@@ -24,9 +24,10 @@ struct BoardCalibrationRequest {
   int maxViews = 30;    ///< number of images per camera used to estimate intrinsics
   int maxInstants = 60; ///< number of frames used to estimate poses
   int maxSearchedFrames =
-      300; ///< number of frames of a recording in which the board is searched for
-  std::int64_t firstFrame = 0;          ///< first frame in which the board may be searched for
-  std::optional<std::int64_t> endFrame; ///< one past the last such frame; not set: all
+      300; ///< maximum number of frames of a recording that are searched for the board
+  std::int64_t firstFrame = 0; ///< first frame in which the board may be searched for
+  /// One past the last frame in which the board may be searched for; not set: up to the end.
+  std::optional<std::int64_t> endFrame;
   /// Frame in which the board lies on the floor and defines the world frame; not set: the first
   /// camera keeps its pose.
   std::optional<std::int64_t> floorFrame;
@@ -45,7 +46,8 @@ struct MissedImage {
   BoardMiss miss;
 };
 
-/// Numbers of images of a camera that show a board as it is, or only after they are mirrored.
+/// Numbers of images of a camera in which a board is found as it is, or only after the image is
+/// mirrored.
 struct BoardSides {
   int plainCount = 0;    ///< number of images that show the board as it is
   int mirroredCount = 0; ///< number of images that show it after they are mirrored left to right
@@ -63,7 +65,8 @@ struct BoardDetections {
     /// saw the requested board but other cameras did.
     std::optional<BoardGuess> otherBoard = std::nullopt;
     std::vector<MissedImage> missedImages = {}; ///< the images without the board, in order
-    /// Counts from a few images of this camera. Set only if some images show a mirrored board.
+    /// Numbers of images with the board as it is and mirrored, from a few images of this camera.
+    /// Set only if some images show a mirrored board.
     BoardSides sides = {};
   };
   std::vector<PerCamera> cameras;
@@ -91,9 +94,10 @@ Result<BoardDetections> findBoards(const Project& project, FrameSetSource& sourc
                                    const BoardCalibrationRequest& request,
                                    const CalibrationProgress& progress = {});
 
-/// Searches image files from one camera for the board. `suggestBoardFirst` has the same meaning as
-/// in BoardCalibrationRequest. Each view is named after its file. Returns FileUnreadable, Mismatch
-/// if the image sizes differ, or Canceled.
+/// Searches image files from one camera for the board. `effort` is the thoroughness of the search.
+/// With `suggestBoardFirst`, a few of many files are searched first; if they show only another
+/// board than the requested one, the search ends. Each view is named after its file. Returns
+/// FileUnreadable, Mismatch if the image sizes differ, or Canceled.
 Result<BoardDetections> findBoards(const std::vector<std::filesystem::path>& pictures,
                                    const BoardDescription& board, DetectionEffort effort,
                                    const CalibrationProgress& progress = {},

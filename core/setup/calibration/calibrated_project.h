@@ -14,10 +14,10 @@
 
 namespace dewpoint::setup {
 
-/// Sets the calibration of a project's camera. If this changes the calibration of a simulated
-/// camera, ProjectCamera::adjusted is set. Use this function for changes by the user.
-/// (RunDefinition::appliedTo(), which inserts the cameras of a run into a project, does not set
-/// `adjusted`.)
+/// Sets the calibration of a project's camera. Use this function for changes by the user. If it
+/// changes the calibration of a simulated camera, it sets ProjectCamera::adjusted, so that this
+/// calibration is used instead of the scene's. (RunDefinition::appliedTo(), which inserts the
+/// cameras of a run into a project, does not set `adjusted`.)
 void setCalibration(ProjectCamera& camera, const Camera& calibration);
 
 /// Returns the project with the calibration of the cameras in `rig`, which has one entry per camera
@@ -34,10 +34,11 @@ Project withTimeOffsets(Project project, const std::vector<double>& offsets);
 /// camera, its margins and its clicks on measured points are converted accordingly.
 Project withImageSymmetry(Project project, int camera, const ImageSymmetry& symmetry);
 
-/// Returns the project with the images of a camera rotated clockwise by `rotateDegrees` (0, 90, 180
-/// or 270) and then `mirrored`, as the camera delivers them: these replace the values in the
-/// project. The calibration of the camera and its clicks on measured points are converted as by
-/// withImageSymmetry(); a calibration that was only guessed is guessed again.
+/// Returns the project with another orientation of a camera's images: they are rotated clockwise by
+/// `rotateDegrees` (0, 90, 180 or 270) from how the camera delivers them, and then mirrored if
+/// `mirrored` is true. This replaces the orientation in the project. The calibration of the camera
+/// and its clicks on measured points are converted as by withImageSymmetry(); a calibration that
+/// was only guessed by the program is guessed again.
 Project withImageOrientation(Project project, std::size_t camera, int rotateDegrees, bool mirrored);
 
 /// Returns the project with the images of a camera cropped by `crop`, which replaces the margins in

@@ -39,7 +39,7 @@ struct ImportedCamera {
 struct CalibrationImport {
   Project project;
   std::string formatTitle;
-  std::vector<std::string> decisions; ///< full sentences: units, axes, directions
+  std::vector<std::string> decisions; ///< sentences about the decisions: units, axes, directions
   std::vector<ImportedCamera> cameras;
   /// True if no name in the file matched a camera, so that cameras were matched by order.
   bool wasMatchedByOrder = false;
@@ -78,12 +78,13 @@ struct ImportProblem {
 /// can be repeated with the answer. None if the error raises no question.
 ImportProblem importProblem(Error error);
 
-/// Writes the project's cameras in the format of any supported tool.
+/// Writes the calibration of the project's cameras to a file in the format of any supported tool.
+/// `target` describes the file and the format.
 Result<CalibrationConversion> exportCalibration(const Project& project,
                                                 const CalibrationOutput& target);
 
 /// Returns what exportCalibration() would return, including the information that the export would
-/// lose, but creates no file. `written` is empty.
+/// lose, but creates no file. CalibrationConversion::writtenFiles is empty.
 Result<CalibrationConversion> previewExport(const Project& project, CalibrationOutput target);
 
 } // namespace dewpoint::setup

@@ -23,22 +23,23 @@ struct ItemStatus {
   std::optional<CalibrationOrigin> origin = {};
   /// Error of this part; its meaning and unit differ from part to part; empty if unknown.
   std::optional<double> error = {};
-  bool isPoor = false; ///< measured, but with such low accuracy that it should be measured again
+  /// True if this part was measured, but with such low accuracy that it should be measured again.
+  bool isPoor = false;
 
   bool operator==(const ItemStatus&) const = default;
 };
 
 /// Calibration status of one camera.
 struct CameraCalibrationStatus {
-  ItemStatus lens;    ///< status of the intrinsics; the error is LensRecord::error, pixels
-  ItemStatus pose;    ///< status of the pose; the error is PoseRecord::error, meters
+  ItemStatus lens;    ///< status of the intrinsics; the error is in pixels (LensRecord::error)
+  ItemStatus pose;    ///< status of the pose; the error is in meters (PoseRecord::error)
   double delay = 0.0; ///< delay of the images (ProjectCamera::delay), seconds
 };
 
 /// Calibration status of a project.
 struct CalibrationStatus {
   std::vector<CameraCalibrationStatus> cameras; ///< status of each camera, in project order
-  ItemStatus scale;      ///< status of the scale; the error is WorldRecord::scaleError
+  ItemStatus scale;      ///< status of the scale; the error is relative (WorldRecord::scaleError)
   ItemStatus floor;      ///< status of the floor and the upward direction, without an error
   bool isUpright = true; ///< false if the images show that the z axis does not point up
   /// Error, in meters, that 95 % of the positions measured in the calibrated volume do not exceed
@@ -59,12 +60,14 @@ CalibrationStatus calibrationStatus(const Project& project);
 /// "board".
 const char* originText(const ItemStatus& part);
 
-/// Returns the number of cameras with at least this knowledge of a part. A part with `isPoor`
-/// counts as Given, not as Measured.
+/// Returns the number of cameras for which a part of the calibration (intrinsics or pose) is known
+/// at least to the level `least`. A part that was measured with poor accuracy (`isPoor`) counts as
+/// Given, not as Measured.
 std::size_t countKnown(const CalibrationStatus& status, ItemStatus CameraCalibrationStatus::*part,
                        KnowledgeLevel least);
 
-/// Returns the largest error of a part among the cameras; empty if none is known.
+/// Returns the largest error of a part of the calibration (intrinsics or pose) among all cameras;
+/// empty if no error is known.
 std::optional<double> worstError(const CalibrationStatus& status,
                                  ItemStatus CameraCalibrationStatus::*part);
 

@@ -32,8 +32,9 @@ struct FloorFromBoard {
 Result<FloorFromBoard> withFloorFromBoard(const Project& project, const BoardDescription& board,
                                           const FrameSet& frames);
 
-/// Sets the world frame as the overload above does, from the images of frame `frame` (from 0) of a
-/// recording. Also returns BadValue if the recording has no such frame, and the errors of the
+/// Sets the world frame from a board that lies on the floor in frame `frame` (from 0) of a
+/// recording. Returns BadValue if the recording has no such frame, Mismatch if an image does not
+/// have the size that its camera is calibrated for, and the errors of boardInRig() and of the
 /// source.
 Result<FloorFromBoard> withFloorFromBoard(const Project& project, const BoardDescription& board,
                                           FrameSetSource& source, std::int64_t frame);

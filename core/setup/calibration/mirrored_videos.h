@@ -21,12 +21,14 @@ struct MirroredVideos {
     BoardOrVideos, ///< the videos of `cameras` or the board: no camera shows the board as it is
   };
   Cause cause = Cause::None;
-  std::vector<std::size_t> cameras; ///< index of each camera in the project
+  /// Indices, in the project, of the cameras that show a mirrored board.
+  std::vector<std::size_t> cameras;
 
   bool operator==(const MirroredVideos&) const = default;
 };
 
-/// Counts the images (CV_8UC1 or CV_8UC3, BGR) that show a board as it is and mirrored.
+/// Counts the images (CV_8UC1 or CV_8UC3, BGR) that show a board as it is, and those that show it
+/// mirrored.
 BoardSides countSides(const BoardDescription& board, const std::vector<cv::Mat>& images);
 
 /// Returns which videos are mirrored. A camera shows a mirrored board if at least three of its

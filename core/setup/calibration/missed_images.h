@@ -15,11 +15,12 @@ namespace dewpoint::setup {
 /// Collects the images in which a search did not find the board, and finds out why.
 class MissedImages {
 public:
-  /// `explained`: true if explain() is to find reasons, which takes time for each image.
+  /// Creates an empty collection for `cameras` cameras. If `explained` is true, it keeps images so
+  /// that explain() can find the reasons, which takes time for each image.
   MissedImages(std::size_t cameras, bool explained) : images_(cameras), explained_(explained) {}
 
-  /// Adds an image of the camera with index `index` to PerCamera::missedImages of `camera`. `file`
-  /// is empty for a frame of a recording.
+  /// Adds an image in which the board was not found to the missed images of `camera`, whose index
+  /// is `index`. `file` is empty for a frame of a recording.
   void add(std::size_t index, std::string file, std::int64_t instant, const cv::Mat& image,
            BoardDetections::PerCamera& camera);
   /// Stores in `seen` why the board was not found, for the first images that each camera missed.
@@ -41,14 +42,14 @@ struct MissedRun {
   BoardMiss miss;
 };
 
-/// Returns the missed images of a camera. Frames are combined into one run if no frame between them
-/// shows the board.
+/// Returns the images of a camera in which the board was not found, as runs. Consecutive frames are
+/// combined into one run if no frame between them shows the board.
 std::vector<MissedRun> missedRuns(const BoardDetections::PerCamera& camera);
 
 /// Maximum number of runs that a sentence about missed images lists.
 inline constexpr std::size_t kMaxListedRuns = 8;
 
-/// Returns whether the reason of any missed image is known.
+/// Returns whether it is known for any image of a camera why the board was not found.
 bool hasExplainedMiss(const BoardDetections::PerCamera& camera);
 
 /// Returns a clause like "no board was found in left03.jpg (blurred, edges of 9 px), left07.jpg" or

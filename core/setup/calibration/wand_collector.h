@@ -12,7 +12,7 @@
 
 namespace dewpoint::setup {
 
-/// Detections of a wand in the images of one camera.
+/// Detections of the balls of a wand in the images of one camera.
 struct CameraSightings {
   std::size_t count = 0;  ///< number of balls found
   BoardCoverage coverage; ///< number of detections in each region of the image
@@ -31,8 +31,8 @@ public:
   static constexpr std::size_t kMaxWaitingFrameSets = 32;
 
   WandCollector(std::size_t cameraCount, const std::vector<ColorClassifier>& balls);
-  /// Drops all waiting frame sets. Do not call this from the thread of a window, because it waits
-  /// until the search in progress has ended.
+  /// Drops all frame sets that wait to be searched. Do not call this from the thread of a window,
+  /// because it waits until the search in progress has ended.
   ~WandCollector();
   WandCollector(const WandCollector&) = delete;
   WandCollector& operator=(const WandCollector&) = delete;
@@ -44,12 +44,12 @@ public:
   struct State {
     double seconds = 0.0; ///< time from the first frame set to the newest one
     std::int64_t searchedFrameSets = 0;
-    std::int64_t waitingFrameSets = 0; ///< accepted, but not yet searched
+    std::int64_t waitingFrameSets = 0; ///< number of frame sets that still wait to be searched
     std::int64_t droppedFrameSets = 0;
     std::vector<CameraSightings> cameras;
   };
   State state() const;
-  /// Returns all detections so far, for refineFromViews().
+  /// Returns all detections of the balls so far, from which refineFromViews() calibrates.
   std::vector<std::vector<MarkerObservation>> views() const;
 
 private:

@@ -13,7 +13,8 @@
 
 namespace dewpoint::setup {
 
-/// A wand calibration, with everything that the command line and the window report about it.
+/// Calibration with a wand (a colored ball, or a stick with two balls, that is waved), with
+/// everything that the command line and the window report about it.
 struct WandRefinement {
   WandOptions options;
   CameraRig camerasBefore; ///< cameras of the project before the calibration
@@ -74,7 +75,7 @@ struct FarOffCamera {
 /// fewer than three cameras, because two cameras do not show which of them was far off.
 std::vector<FarOffCamera> farOffCameras(const WandRefinement& refinement);
 
-/// Returns a sentence that names the camera. `rig` contains the names.
+/// Returns a sentence that names a camera whose pose was far off. `rig` contains the names.
 std::string farOffText(const FarOffCamera& camera, const CameraRig& rig);
 
 /// Returns whether a known fault, such as exchanged cameras, explains the views better than this
@@ -82,12 +83,14 @@ std::string farOffText(const FarOffCamera& camera, const CameraRig& rig);
 /// before you store the result in the project.
 bool isDoubtful(const WandRefinement& refinement);
 
-/// Runs calibrateFromRecording() and assesses its accuracy. Returns the errors of the calibration.
+/// Calibrates the cameras from a recording of a wand (calibrateFromRecording()), and assesses the
+/// accuracy. Returns the errors of the calibration.
 Result<WandRefinement> refineFromRecording(const Project& project, FrameSetSource& source,
                                            const WandOptions& options,
                                            const WandCalibrationCallback& callback = nullptr);
 
-/// Runs calibrateFromViews() on the views of a WandCollector and assesses its accuracy.
+/// Calibrates the cameras from the wand detections of a WandCollector (calibrateFromViews()), and
+/// assesses the accuracy.
 Result<WandRefinement> refineFromViews(const Project& project,
                                        const std::vector<std::vector<MarkerObservation>>& views,
                                        const WandOptions& options,
@@ -98,10 +101,11 @@ Result<WandRefinement> refineFromViews(const Project& project,
 /// that was calibrated.
 Project withRefinement(Project project, const WandRefinement& refinement);
 
-/// Returns, for each camera, the regions of its image that contain balls used in the result.
+/// Returns, for each camera, the regions of its image that contain ball detections used in the
+/// calibration.
 std::vector<BoardCoverage> coverageOf(const WandResult& result);
 
-/// Returns the report as one self-contained HTML page (htmlText() of wand_report.h).
+/// Returns the report about a wand calibration as one self-contained HTML page.
 std::string htmlText(const WandRefinement& refinement);
 
 } // namespace dewpoint::setup

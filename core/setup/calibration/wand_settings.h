@@ -17,7 +17,8 @@ enum class WandScaleSource {
   Distance  ///< a measured distance between two positions that are touched with the ball
 };
 
-/// The user's choices for a wand calibration, as entered. They may not be valid yet.
+/// The user's choices for a calibration with a wand (a colored ball, or a stick with two balls,
+/// that is waved), as entered. They may not be valid yet.
 struct WandSettings {
   bool usesStick = false; ///< true: two balls on a stick; false: one ball
   std::string
@@ -33,14 +34,16 @@ struct WandSettings {
   bool estimateTimeOffsets = false;
   bool estimateFocalLengths = false;
   bool estimateDistortion = false;
-  bool usesOnlySelectedFrames = false; ///< search only the selected frames
-  double initialPositionError = WandOptions().initialPositionError; ///< see WandOptions, meters
-  double initialRotationError = WandOptions().initialRotationError; ///< see WandOptions, radians
+  bool usesOnlySelectedFrames = false; ///< true to search only the frames that the user selected
+  /// Possible error of the project's camera positions, meters.
+  double initialPositionError = WandOptions().initialPositionError;
+  /// Possible error of the project's camera orientations, radians.
+  double initialRotationError = WandOptions().initialRotationError;
 
   bool operator==(const WandSettings&) const = default;
 };
 
-/// Event at a time that the user marks: something that happens to the ball.
+/// Event that the user marks in a recording: something that happens to the ball of the wand.
 enum class WandEvent { Floor, DistanceFrom, DistanceTo, FallBegins, FallEnds };
 constexpr int kWandEventCount = 5;
 
@@ -58,8 +61,8 @@ struct MarkedInstant {
 /// earlier one.
 void addInstant(std::vector<MarkedInstant>& instants, const MarkedInstant& taken);
 
-/// Returns the names of the balls: those in the settings, or the project's first targets. Returns
-/// two names for a stick, if the project has enough targets.
+/// Returns the names of the targets that are the balls of the wand: those in the settings, or the
+/// project's first targets. Returns two names for a stick, if the project has enough targets.
 std::vector<std::string> selectedTargets(const WandSettings& settings, const Project& project);
 
 /// Reason why a calibration with these settings is not possible.
@@ -83,8 +86,8 @@ struct FrameSpan {
   std::int64_t last = 0;
 };
 
-/// Converts settings to options. obstacleOf() must return None for these settings. `selected` are
-/// the frames for WandSettings::usesOnlySelectedFrames.
+/// Converts the user's settings for a wand calibration to options. obstacleOf() must return None
+/// for these settings. `selected` are the frames for WandSettings::usesOnlySelectedFrames.
 WandOptions toWandOptions(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                           const Project& project, const std::optional<FrameSpan>& selected = {});
 

@@ -26,7 +26,7 @@ public:
   void add(const FrameSet& frames);
   /// Returns the detections of each camera, in the order of the frames.
   const std::vector<std::vector<MarkerObservation>>& views() const { return views_; }
-  /// Returns and removes the detections since the last call.
+  /// Returns the detections since the last call, and removes them from this object.
   std::vector<std::vector<MarkerObservation>> take();
   std::int64_t frameSetCount() const { return frameSets_; }
 
@@ -36,13 +36,15 @@ private:
   std::int64_t frameSets_ = 0;
 };
 
-/// Options of a wand calibration.
+/// Options of a calibration with a wand (a colored ball, or a stick with two balls, that is waved).
 struct WandOptions {
-  /// Names of the targets: one ball, or the two ends of a stick; empty: the only target.
+  /// Names of the targets that are the wand: one ball, or the two ends of a stick; empty: the
+  /// project's only target.
   std::vector<std::string> targets;
   double stickLength = 0.0; ///< for a stick: distance between its two balls, meters
   std::int64_t firstFrame = 0;
-  std::optional<std::int64_t> endFrame; ///< one past the last frame; not set: all
+  /// One past the last frame that is searched; not set: up to the end.
+  std::optional<std::int64_t> endFrame;
   bool estimateTimeOffsets = false;
   bool estimateFocalLengths = false;
   bool estimateDistortion = false;
@@ -55,7 +57,7 @@ struct WandOptions {
   std::optional<std::array<double, 2>> fallSpan;
   /// Possible error of the project's camera positions, meters.
   double initialPositionError = kInitialPositionError;
-  /// Possible error of the camera orientations, radians.
+  /// Possible error of the project's camera orientations, radians.
   double initialRotationError = kInitialRotationError;
 };
 
@@ -71,22 +73,22 @@ Result<std::vector<ColorClassifier>> wandColors(const Project& project, const Wa
 struct WandCalibrationProgress {
   bool isSearching = true; ///< true: searching the images; false: solving
   std::int64_t done = 0;
-  std::int64_t total = 0; ///< 0 if unknown
+  std::int64_t total = 0; ///< number of steps of the search or solution in total; 0 if unknown
   double rms = 0.0;       ///< reprojection error in pixels, while solving
 };
 /// Function that receives the progress of a calibration. It returns false to stop the calibration.
 using WandCalibrationCallback = std::function<bool(const WandCalibrationProgress&)>;
 
-/// Calibrates from collected views, live or from a recording. The command line and the window give
-/// bit-identical results. The given project is not changed. If a known fault, such as exchanged
-/// cameras, explains the views better than the given project does, the result or the error names
-/// the fault.
+/// Calibrates the cameras from collected views of the balls of a wand, live or from a recording.
+/// The command line and the window give bit-identical results. The given project is not changed. If
+/// a known fault, such as exchanged cameras, explains the views better than the given project does,
+/// the result or the error names the fault.
 Result<WandResult> calibrateFromViews(const Project& project,
                                       const std::vector<std::vector<MarkerObservation>>& views,
                                       const WandOptions& options,
                                       const WandCalibrationCallback& callback = nullptr);
 
-/// Searches a recording for the project's balls and calibrates from them.
+/// Searches a recording for the balls of the wand and calibrates the cameras from them.
 Result<WandResult> calibrateFromRecording(const Project& project, FrameSetSource& source,
                                           const WandOptions& options,
                                           const WandCalibrationCallback& callback = nullptr);

@@ -24,9 +24,9 @@ enum class WorldStep {
 /// Project in a new world frame.
 struct WorldStepResult {
   Project project;
-  double rotationAngle = 0.0; ///< angle of the rotation, radians
-  double scale = 1.0;         ///< factor of all lengths
-  /// For WorldStep::Floor: root mean square distance of the points from the plane, meters.
+  double rotationAngle = 0.0; ///< angle of the rotation of the world frame, radians
+  double scale = 1.0;         ///< factor by which all lengths were multiplied
+  /// For WorldStep::Floor: root mean square distance of the points from the floor plane, meters.
   double floorRms = 0.0;
 };
 
@@ -52,7 +52,7 @@ Result<WorldStepResult> withWorldStep(const Project& project, WorldStep step,
 Result<Project> withLengthCheck(Project project, const MeasuredPoint& from, const MeasuredPoint& to,
                                 double meters);
 
-/// Returns whether the step Upright would change the project.
+/// Returns whether WorldStep::Upright would change the project, because its images are not upright.
 bool canTurnUpright(const Project& project);
 
 } // namespace dewpoint::setup

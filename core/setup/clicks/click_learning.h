@@ -21,8 +21,9 @@ namespace dewpoint::setup {
 /// camera without an image.
 struct ClickedImages {
   std::vector<cv::Mat> images;
-  std::vector<cv::Mat> backgroundImages; ///< background images, as for learnColorWithBackground()
-  std::int64_t frame = 0;                ///< frame that the images show
+  /// For each camera, the scene without targets, as for learnColorWithBackground().
+  std::vector<cv::Mat> backgroundImages;
+  std::int64_t frame = 0; ///< number of the frame that the images show
 };
 
 /// Outline of an object found in the image of a camera, in pixels.
@@ -36,7 +37,8 @@ struct ClickLearningResult {
   LearnedColor color;
   std::vector<ColorSample> samples;   ///< the clicked samples, then those found in other images
   std::vector<FoundOutline> outlines; ///< outlines found in the displayed images
-  /// Radius in meters, as Counterparts::radius; empty if nothing was found in the displayed images.
+  /// Radius of the target in meters, derived from its size in the images (Counterparts::radius);
+  /// empty if nothing was found in the displayed images.
   std::optional<double> radius;
   /// Centers of the target in the displayed images, for the first click whose object was also found
   /// in another camera; otherwise empty.
@@ -74,10 +76,11 @@ Result<ClickLearningResult> learnFromClicks(const CameraRig& rig, const ClickedI
                                             const CounterpartLimits& limits = {},
                                             const std::vector<ColorSample>& others = {});
 
-/// Learns the color of a target of a project from samples, as the overload above does. `target` is
-/// an index in Project::targets; if it is out of range, the target is new. The cameras, the volume
-/// of interest, the radius and the samples of other targets come from the project. Also sets
-/// ClickLearningResult::correction, which the overload above leaves empty.
+/// Learns the color of a target of a project from samples that the user clicked, and from samples
+/// found in other cameras. `target` is an index in Project::targets; if it is out of range, the
+/// target is new. The cameras, the volume of interest, the radius and the samples of other targets
+/// come from the project. Also sets ClickLearningResult::correction, which the overload without a
+/// project leaves empty.
 Result<ClickLearningResult> learnFromClicks(const Project& project, int target,
                                             const ClickedImages& shown,
                                             const std::vector<ColorSample>& samples);

@@ -15,7 +15,8 @@ namespace dewpoint::setup {
 
 /// Clicks on a target in a recording, and known properties of the target.
 struct FootageClicks {
-  /// Samples; the first one is on the target. Their colors are not set yet.
+  /// Color samples that the user clicked; the first one is on the target. Their colors are not set
+  /// yet.
   std::vector<ColorSample> samples;
   std::optional<std::string> target; ///< target name; empty: the only target, or "target 1"
   /// Radius of the target, meters; empty: keep the radius in the project.

@@ -41,11 +41,11 @@ inline constexpr double kMaxBoxedFraction = 0.8;
 /// of up to 1.6 (compareRadius()), so the area by a factor of up to 2.6, and 1 / 2.6 is about 0.4.
 inline constexpr double kMaxClickedFraction = 0.4;
 
-/// Position and size of a part in the room.
+/// Position and size, in the world, of a part of an object that the user marked.
 struct MarkedPart {
   Gaussian3 position;             ///< position (m, m²), world frame
   double radius = 0.0;            ///< radius of a ball that fits into the colored region, meters
-  std::vector<PointClick> clicks; ///< centers of the marks
+  std::vector<PointClick> clicks; ///< centers of the user's marks, in pixels of their images
 };
 
 /// Returns the position of the part from its marks, at most one per camera, in images of one frame

@@ -20,12 +20,13 @@ namespace dewpoint::setup {
 /// A clicked object as seen by its camera: its possible positions, and its size at each.
 struct ClickedObject {
   std::size_t camera = 0;
-  Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of its region, pixels
-  Ray ray;                                          ///< ray through the center, world frame
+  /// Center of the object's region in the image, pixels.
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  Ray ray;                    ///< ray from the camera through this center, world frame
   double radiusPx = 0.0;      ///< radius of a circle with the region's area, pixels
   double focalLengthPx = 0.0; ///< focal length of the camera, pixels
 
-  /// Returns the radius in meters at a depth in meters along the ray.
+  /// Returns the radius of the object in meters if it is at a depth in meters along the ray.
   double radiusAt(double depth) const { return radiusPx * depth / focalLengthPx; }
   Eigen::Vector3d positionAt(double depth) const { return ray.origin + depth * ray.direction; }
   double depthOf(const Eigen::Vector3d& position) const {
@@ -40,16 +41,18 @@ struct ClickedObject {
   /// zero because calibrations have an error of `kDirectionSigma`, the object moves between the
   /// exposures, and each camera sees another side of it.
   static double centerSigma(const Camera& camera, double radiusPx);
-  static constexpr double kDirectionSigma = 0.0061; ///< radians: 0.25 degrees for each camera
+  /// Error of two cameras together, radians: 0.25 degrees for each camera.
+  static constexpr double kDirectionSigma = 0.0061;
   /// Part of centerSigma() that is caused by motion and by each camera seeing another side, as a
   /// fraction of the region's radius. Chosen by judgment.
   static constexpr double kCenterSigmaInRadii = 0.35;
-  /// Largest distance, in standard deviations, at which regions are searched for. It covers 99.7 %
-  /// of a normal distribution.
+  /// Largest deviation from the expected position or size, in standard deviations, at which regions
+  /// are searched for. It covers 99.7 % of a normal distribution.
   static constexpr double kSearchSigmas = 3.0;
 };
 
-/// Returns the geometric mean of both focal lengths, in pixels.
+/// Returns the geometric mean of the horizontal and the vertical focal length of a camera, in
+/// pixels.
 double meanFocalLength(const Camera& camera);
 
 /// Returns the object of a sample in its camera's image (CV_8UC3). Returns nothing if no region
@@ -64,7 +67,8 @@ struct RayRegion {
   cv::Mat mask; ///< CV_8UC1 of the image's size, 255 inside the region
   Eigen::Vector2d center = Eigen::Vector2d::Zero(); ///< center of the region, pixels
   double area = 0.0;                                ///< number of pixels in the region
-  double meanLogRatio = 0.0; ///< mean of OtherCameraLikelihood over the pixels of the region, nats
+  /// Mean log likelihood ratio of the pixel colors: target against everything else, nats.
+  double meanLogRatio = 0.0;
 };
 
 /// Returns at most eight regions of another camera's image (CV_8UC3) that may show the object. They

@@ -5,7 +5,8 @@
 
 namespace dewpoint::setup {
 
-/// Checks the camera poses: guessed, in another unit, identical, below the floor, or facing away.
+/// Checks the camera poses for problems: poses that are guessed, in another unit, identical, below
+/// the floor, or facing away.
 void checkCalibration(Examination& examination);
 
 } // namespace dewpoint::setup

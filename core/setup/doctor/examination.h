@@ -38,9 +38,10 @@ struct CameraFootage {
   bool isOpen = false; ///< true if the recording can be read
   std::int64_t frameCount = 0;
   double framesPerSecond = 0.0; ///< frame rate given in the recording; 0: not given
-  cv::Size size;                ///< image size after the rotation
+  cv::Size size; ///< size of the images after rotation as the project specifies, pixels
   std::vector<std::int64_t> sequenceNumbers = {};
-  std::vector<cv::Mat> images = {}; ///< first, middle and last image, CV_8UC3, after the rotation
+  /// First, middle and last image, CV_8UC3, rotated as the project specifies.
+  std::vector<cv::Mat> images = {};
   std::optional<CaptureTimes> times = {};
 };
 
@@ -60,11 +61,11 @@ struct Examination {
   void add(FindingKind kind, std::vector<std::string> values, std::string field = "") {
     findings.push_back({kind, std::move(values), project.file.string(), std::move(field)});
   }
-  /// Adds a finding about another file.
+  /// Adds a finding about a file other than the project file.
   void addForFile(const std::string& file, FindingKind kind, std::vector<std::string> values) {
     findings.push_back({kind, std::move(values), file, ""});
   }
-  /// Returns whether there is a finding of this kind.
+  /// Returns whether the checks so far have a finding of this kind.
   bool hasFinding(FindingKind kind) const;
   bool hasProblem() const { return worstLevelOf(findings) == FindingLevel::Problem; }
   /// Returns the name of a camera for use in sentences: "camera 'left'".

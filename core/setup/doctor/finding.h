@@ -89,7 +89,7 @@ struct FindingTexts {
   std::string_view advice;   ///< recommended action; empty if there is nothing to do
 };
 
-/// Returns all rows, in the order of the kinds.
+/// Returns the texts of all kinds of findings, in the order of FindingKind.
 std::span<const FindingTexts> findingTexts();
 /// Returns the texts of a kind of finding.
 const FindingTexts& textsOf(FindingKind kind);

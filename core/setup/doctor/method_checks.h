@@ -5,8 +5,8 @@
 
 namespace dewpoint::setup {
 
-/// Checks whether the method can work with the project, and checks its other inputs: volume of
-/// interest, corrections, true positions.
+/// Checks whether the project's tracking method can work with its cameras and targets. Also checks
+/// the method's other inputs: volume of interest, corrections, true positions.
 void checkMethod(Examination& examination);
 
 } // namespace dewpoint::setup

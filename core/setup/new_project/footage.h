@@ -16,9 +16,9 @@ namespace dewpoint::setup {
 /// of an image folder, see isBeforeInNaturalOrder().
 bool isBeforeInDisplayOrder(const std::string& name, const std::string& other);
 
-/// Returns files sorted by name (without the folder) with isBeforeInDisplayOrder(). Use it for
-/// files that a user has chosen: their order is arbitrary, but the cameras of a calibration may be
-/// matched to them by order.
+/// Returns files in natural order of their names without the folder ("camera 2" before "camera
+/// 10"). Use this function for files that a user has chosen: their order is arbitrary, but the
+/// cameras of a calibration may be matched to them by order.
 std::vector<std::string> inNaturalOrder(std::vector<std::string> files);
 
 /// Returns whether a file may be a camera's recording, that is, a video or an image. This is

@@ -32,7 +32,7 @@ using PreviewReceiver = std::function<bool(const LivePreview&)>;
 /// sending. Passwords are removed from the locations in errors.
 Status previewLive(const LiveCamera& camera, double interval, const PreviewReceiver& receive);
 /// Opens a live source with a connection created by `factory`, and passes an image to `receive`
-/// every `interval` seconds. In all other respects, it is like the overload above.
+/// every `interval` seconds. In all other respects, it is like the overload without `factory`.
 Status previewLive(const LiveCamera& camera, double interval, const PreviewReceiver& receive,
                    const LiveStreamFactory& factory);
 

@@ -66,9 +66,10 @@ Result<CreatedProject> createNewProject(const NewProject& wanted);
 Result<CreatedProject> withCalibration(Project project, const std::filesystem::path& file,
                                        const CalibrationAdaptation& adaptation = {});
 
-/// Returns the project with the calibration of the cameras in `rig`. These were read from `file`
-/// and already have the names of the project's cameras. For errors, see the overload above; `fit`
-/// describes how the image sizes differ.
+/// Returns the project with the calibration of the cameras in `rig`. The calibrations were read
+/// from `file` and already have the names of the project's cameras. Returns Mismatch if a
+/// calibration is for another image size than that of a recording, unless `fit` describes how the
+/// sizes differ.
 Result<CreatedProject> withCalibration(Project project, const CameraRig& rig,
                                        const std::string& file,
                                        const std::optional<SizeFit>& fit = {});
@@ -82,10 +83,10 @@ Status guessMissingCameras(Project& project);
 bool hasGuessedPose(const Project& project);
 /// Returns whether one camera has the pose guessed by createNewProject().
 bool hasGuessedPose(const Project& project, std::size_t camera);
-/// Returns whether the lens of a camera is the one guessed by createNewProject().
+/// Returns whether the intrinsics of a camera are those guessed by createNewProject().
 bool hasGuessedLens(const Project& project, std::size_t camera);
-/// Guesses the calibration of a camera again, for images of this size in pixels. Needed for live
-/// cameras, because their image size is known only after the first image.
+/// Guesses the calibration of a camera again, for images of this size in pixels. This is needed for
+/// live cameras, because their image size is known only after the first image.
 void guessCalibration(Project& project, std::size_t camera, const cv::Size& size);
 
 /// Returns the proposed file for a project that was not saved yet: named after the project, next to

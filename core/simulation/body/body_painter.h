@@ -19,11 +19,11 @@ struct Body {
   bool isBox = false;
   Vector3f center;
   float radius = 0.0F;                 ///< radius of the ball, or of a sphere around the box
-  Vector3f color;                      ///< BGR in full light, [0, 255]
+  Vector3f color;                      ///< color, BGR in full light, [0, 255]
   Vector3f halfSize{0.0F, 0.0F, 0.0F}; ///< half size of the box along its own axes
   Eigen::Matrix3f axes = Eigen::Matrix3f::Identity(); ///< axes of the box in the world, as rows
-  bool isPresent = true;                              ///< false: not in the scene at this time
-  const LightField* light = nullptr; ///< light field; null: lit only by the room lamp
+  bool isPresent = true;             ///< true if the body is in the scene at this time
+  const LightField* light = nullptr; ///< light on the body; null: lit only by the room lamp
   /// Parts, if the object is made of parts; only the parts are then drawn. The number of parts must
   /// not depend on the time. The object casts the shadow of a ball around `center` that has the
   /// same volume as all parts together.

@@ -32,7 +32,7 @@ std::vector<MovingPart> grippingHand(const Grip& grip, double ballRadius, const 
 
 /// Returns a hand between open and closed: `closed` = 0 gives a flat hand with straight fingers,
 /// and 1 gives a fist. The palm is at the origin, in the plane of X (toward the fingertips) and Y
-/// (toward the thumb). All parts are marked as target.
+/// (toward the thumb). All parts are marked as belonging to the target.
 std::vector<MovingPart> partlyClosedHand(double closed, const Vector3f& color);
 
 /// Skin color of hands in the room, BGR in full light.

@@ -48,9 +48,10 @@ bool contains(const MovingPart& part, const Vector3f& point);
 
 /// First intersection of a ray with one of several parts.
 struct PartHit {
-  float distance = std::numeric_limits<float>::infinity(); ///< along the unit direction, meters
-  Vector3f normal{0.0F, 0.0F, 1.0F};                       ///< world frame, outward
-  const MovingPart* part = nullptr; ///< part that the ray hits; null: no intersection
+  /// Distance from the ray's origin to the intersection, meters.
+  float distance = std::numeric_limits<float>::infinity();
+  Vector3f normal{0.0F, 0.0F, 1.0F}; ///< surface normal at the intersection, world frame, outward
+  const MovingPart* part = nullptr;  ///< part that the ray hits; null: no intersection
 };
 
 /// Replaces `hit` by the intersection of a ray with `part` if the ray enters `part` before the

@@ -20,7 +20,7 @@ MovingPart ellipsoidAt(const Eigen::Vector3d& center, const Eigen::Vector3d& sem
                        const Vector3f& color);
 
 /// Returns a ball (radius in meters) around the origin. The surface is matte with a faint
-/// highlight, as for balls that are not made of parts.
+/// highlight, like that of plain balls, which are drawn without parts.
 MovingPart ballPart(double radius, const Vector3f& color);
 
 /// Returns the part after the rotation `rotation` about the origin and then a translation by

@@ -12,14 +12,15 @@ namespace dewpoint::simulation {
 // forward, Z up, meters). Parts with `color` (BGR in full light) are marked as target. Other parts,
 // such as a head or a hand, wear or hold the target.
 
-/// Returns a peaked cap on a head with a neck. The origin is inside the crown of the cap.
+/// Returns a peaked cap of this color (BGR) on a head with a neck. The origin is inside the crown
+/// of the cap.
 std::vector<MovingPart> capOnHead(const Vector3f& color);
 
-/// Returns a gloved hand on a bare forearm. `closed` ranges from 0 (open) to 1 (closed). The origin
-/// is in the palm.
+/// Returns a hand in a glove of this color (BGR) on a bare forearm. `closed` ranges from 0 (open)
+/// to 1 (closed). The origin is in the palm.
 std::vector<MovingPart> glovedHand(double closed, const Vector3f& color);
 
-/// Returns a forearm in a sleeve, 24 cm long, with a bare hand.
+/// Returns a forearm in a sleeve of this color (BGR), 24 cm long, with a bare hand.
 std::vector<MovingPart> sleevedArm(const Vector3f& color);
 
 /// Returns a cone 18 cm high and 12 cm wide.
@@ -32,7 +33,7 @@ std::vector<MovingPart> stick(const Vector3f& color);
 std::vector<MovingPart> computerMouse(const Vector3f& color);
 
 /// Returns the parts of a walking person at `time` (seconds), in the world frame (meters). Parts
-/// with the shirt color are marked as target.
+/// with the color of the shirt are marked as the target.
 std::vector<MovingPart> shirtOnPerson(const Walker& walker, double time);
 
 } // namespace dewpoint::simulation

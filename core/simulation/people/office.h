@@ -40,20 +40,20 @@ public:
   /// Creates a renderer that takes the views of the office without people from the cache `views`.
   /// Many renderers can share a cache.
   OfficeRenderer(OfficeScene scene, simulation::ViewCache& views);
-  /// Creates a renderer with the given views of the room at rest, one per camera of the scene, in
-  /// camera order.
+  /// Creates a renderer with the given views of the office without people, one per camera of the
+  /// scene, in camera order.
   OfficeRenderer(OfficeScene scene, std::vector<std::shared_ptr<const simulation::RoomView>> views);
 
   const OfficeScene& scene() const { return scene_; }
   /// Renders the image (CV_8UC3, BGR) of a camera in a frame. The result depends only on the scene
-  /// and the arguments. For `who`, see paintPeople().
+  /// and the arguments. If `who` is not null, it is set to the image that visiblePeople() returns.
   cv::Mat render(std::size_t camera, std::int64_t frame, cv::Mat* who = nullptr) const;
-  /// Returns which person is visible at each pixel, in the format of `who` in paintPeople(),
-  /// without rendering the image.
+  /// Returns which person is visible at each pixel, without rendering the image: CV_8UC1, 0 where
+  /// no person is visible, otherwise 1 + the index of the person.
   cv::Mat visiblePeople(std::size_t camera, std::int64_t frame) const;
   /// Returns the complete silhouette of a person as if nothing hid the person: CV_8UC1, 255 on the
   /// body, 0 elsewhere and on a carried object. The image is 0 everywhere while the person is
-  /// absent. For the visible part of the silhouette, see `who` in render().
+  /// absent. visiblePeople() returns only the visible parts of silhouettes.
   cv::Mat silhouette(std::size_t camera, std::int64_t frame, std::size_t person) const;
   /// Returns the image of the office at time 0 without people and without noise (CV_8UC3).
   cv::Mat backgroundImage(std::size_t camera) const;

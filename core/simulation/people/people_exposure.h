@@ -29,8 +29,8 @@ std::vector<ExposureStep> exposureSteps(const Shutter& shutter, int rows);
 
 /// Draws people as a camera with this shutter records them in a frame at `light.field.time`. Each
 /// row collects light during its own exposure, so moving people appear blurred, and also slanted
-/// with a rolling shutter. `image` (CV_32FC3) shows the room at this time. The light is applied as
-/// in paintPeople() with a PeopleLight.
+/// with a rolling shutter. `image` (CV_32FC3) shows the room at this time. `light` illuminates the
+/// people and the shadows that they cast.
 void paintPeopleThroughShutter(const RoomView& view, const PeopleAt& people,
                                const PeopleLight& light, const Shutter& shutter, cv::Mat& image);
 

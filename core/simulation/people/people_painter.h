@@ -31,8 +31,8 @@ struct PeopleLight {
 
 /// Draws people in the light of the room lamp and of the additional lamps. The additional lamps
 /// also illuminate the shadows that people cast. The moving shadow of the illumination
-/// (Illumination::shadow) falls on people too. `image` must come from backgroundAt() with the same
-/// light and time.
+/// (Illumination::shadow) falls on people too. `image` must show the room at rest in the same light
+/// and at the same time, as backgroundAt() returns it.
 void paintPeople(const RoomView& view, const std::vector<std::vector<BodyPart>>& people,
                  const PeopleLight& light, cv::Mat& image);
 

@@ -13,13 +13,13 @@ namespace dewpoint::simulation {
 
 // Room sizes in meters, chosen by judgment.
 
-/// Half the side length of the living room, which is centered on the origin.
+/// Half the side length, in meters, of the living room, which is centered on the origin.
 inline constexpr float kHallHalfSize = 2.25F;
-/// Half the side length of the office, which is centered on the origin.
+/// Half the side length, in meters, of the office, which is centered on the origin.
 inline constexpr float kOfficeHalfSize = 3.5F;
-/// Half the side length of the room with the desk.
+/// Half the side length, in meters, of the room with the desk.
 inline constexpr float kDeskRoomHalfSize = 1.9F;
-/// World x and world y of the center of the room with the desk.
+/// World x, and also world y, of the center of the room with the desk, in meters.
 inline constexpr float kDeskRoomCenter = 0.4F;
 /// Height of the desk top (world z = 0) above the floor, meters. Usual desks are 0.72 to 0.76 m
 /// high.
@@ -50,7 +50,8 @@ float shade(const Vector3f& point, const Vector3f& normal, float lit,
 struct RoomHit {
   float distance = std::numeric_limits<float>::infinity();
   Vector3f normal{0.0F, 0.0F, 1.0F};
-  const Solid* solid = nullptr; ///< the walls if the ray hits nothing else
+  /// Object that the ray hits; the walls if the ray hits nothing else.
+  const Solid* solid = nullptr;
 };
 
 /// Color of the room as a camera sees it at one point of its image.
@@ -83,9 +84,9 @@ public:
 
   /// Returns the first intersection of a ray with the room; `direction` is a unit vector.
   RoomHit castRay(const Vector3f& origin, const Vector3f& direction) const;
-  /// Returns the color of the room at the point `hit`, where a ray hits the room. Whether this
-  /// point is in shadow is tested for one point on the lamp. Different values of `jitter` select
-  /// different points on the lamp.
+  /// Returns the color of the room at the point `hit`, where a ray hits the room. Whether the point
+  /// is in shadow is tested with a ray to one point on the lamp. Different values of `jitter`
+  /// select different points on the lamp.
   ShadedColor shadedColorOf(const Vector3f& origin, const Vector3f& direction, const RoomHit& hit,
                             std::uint32_t jitter) const;
   /// Returns the lamp position (world frame, meters): RoomDesign::lamp if it is set, otherwise

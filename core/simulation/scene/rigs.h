@@ -5,8 +5,8 @@
 
 namespace dewpoint::simulation {
 
-/// Returns the two cameras of the demo and a third camera, to the side and above, that looks at the
-/// same point.
+/// Returns three cameras at the desk: the two cameras of demoRig(), and a third one, to the side
+/// and above, that looks at the same point.
 CameraRig threeCameraDeskRig();
 
 /// Returns the first `count` (2 to 8) of eight 320x240 cameras around the desk, 1.1 m from the
@@ -14,9 +14,9 @@ CameraRig threeCameraDeskRig();
 /// far apart.
 CameraRig deskRingRig(int count);
 
-/// Returns the first `count` (2 to 4) of four 640x480 cameras in the corners of the hall. The
-/// cameras are 1.9 m above the floor, look at the center of the hall, and have focal lengths of 400
-/// px.
+/// Returns the first `count` (2 to 4) of four 640x480 cameras in the corners of the hall (the
+/// simulated living room). The cameras are 1.9 m above the floor, look at the center of the hall,
+/// and have focal lengths of 400 px.
 CameraRig hallRig(int count);
 
 } // namespace dewpoint::simulation

@@ -63,7 +63,8 @@ struct SceneLight {
   double kelvin = kBalancedKelvin;
 };
 
-/// Maximum number of distractors, which is the number of positions for distractors on the desk.
+/// Maximum number of distractors (balls at rest with the color of the first ball), which is the
+/// number of positions for them on the desk.
 inline constexpr int kMaxDistractors = 4;
 
 /// Simulated scene: everything that determines the images and the true positions. Frame f is taken
@@ -99,10 +100,12 @@ Scene demoScene();
 /// Returns the true center of a ball at `time` seconds, world frame, meters.
 Eigen::Vector3d ballPosition(const Scene& scene, int ball, double time);
 
-/// Returns the position of distractor `index`, world frame, meters.
+/// Returns the position of distractor number `index` (a ball at rest with the color of the first
+/// ball), world frame, meters.
 Eigen::Vector3d distractorPosition(const Scene& scene, int index);
 
-/// Returns the center of the occluder at `time` seconds, world frame, meters.
+/// Returns the center of the occluder (a box that hides the first ball from the first camera) at
+/// `time` seconds, world frame, meters.
 Eigen::Vector3d occluderPosition(const Scene& scene, double time);
 
 /// Returns the light at `time` seconds, as a factor per channel (BGR).

@@ -36,8 +36,8 @@ using PartsPath = std::function<std::vector<MovingPart>(double)>;
 struct StageBody {
   std::string name;
   bool isBox = false;
-  /// Radius of the ball, meters. For a body made of parts, this is the radius of the ball that the
-  /// body contains.
+  /// Radius of the ball, meters. A body made of parts is scaled with this radius: its parts have
+  /// the right size if `radius` equals `partsRadius`.
   double radius = kDefaultBallRadius;
   Eigen::Vector3d halfSize =
       Eigen::Vector3d::Zero(); ///< half size of the box along its own axes, meters
@@ -54,8 +54,8 @@ struct StageBody {
   /// parts are scaled.
   double partsRadius = kDefaultBallRadius;
 
-  /// Returns the radius (meters) of a sphere around the object. For a body made of parts, this
-  /// sphere contains only the body's ball.
+  /// Returns the radius (meters) of a sphere around the object. For a body made of parts, this is
+  /// only `radius`, so parts can lie outside the sphere.
   double boundingRadius() const { return isBox ? halfSize.norm() : radius; }
   bool isPresentAt(double time) const { return !present || present(time); }
   /// Returns the scaled parts at a time (seconds), relative to the path. The result is empty if the
@@ -66,7 +66,7 @@ struct StageBody {
 /// Light that one camera receives at one time.
 struct Light {
   Eigen::Vector3d gain = Eigen::Vector3d::Ones(); ///< gain per channel, BGR; 1 is full light
-  bool isDark = false;                            ///< no light at all
+  bool isDark = false;                            ///< true if the camera receives no light at all
 };
 
 /// Camera whose pose changes once, at the time `movedAt`. `view` shows the room at rest from the
@@ -91,16 +91,17 @@ struct RelitView {
 struct Stage {
   std::uint64_t seed = 1; ///< seed of the sensor noise
   std::vector<StageBody> bodies;
-  std::vector<std::shared_ptr<const RoomView>> views; ///< one per camera
+  std::vector<std::shared_ptr<const RoomView>> views; ///< view of the room at rest from each camera
   std::vector<MovedCamera> movedCameras;
-  std::function<Light(std::size_t camera, double time)> light; ///< empty: full light
+  /// Light that each camera receives; empty: full light.
+  std::function<Light(std::size_t camera, double time)> light;
   std::vector<cv::Mat>
       illuminationGains; ///< CV_32FC3 gain per pixel, one per camera; empty: even light
   double noiseSigma = kDefaultNoiseSigma; ///< standard deviation of the sensor noise, gray levels
   double exposureSeconds =
       kDefaultExposureSeconds;      ///< exposure time of cameras without a sensor model, seconds
   int jpegQuality = 0;              ///< 1 to 100: images are compressed as JPEG; 0: no compression
-  std::vector<SensorModel> sensors; ///< one per camera; empty: ideal sensors
+  std::vector<SensorModel> sensors; ///< model of each camera's sensor; empty: ideal sensors
   /// Light of the room, if it differs from the light of the lamp with which `views` were rendered.
   Illumination illumination;
   /// People who walk behind the bodies. Bodies can hide people, but people never hide bodies.

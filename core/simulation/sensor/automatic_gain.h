@@ -42,8 +42,8 @@ struct GainCurve {
   CameraGain gainAt(double time) const;
 };
 
-/// Automatic exposure and white balance of one camera. In the first frame, both are settled for the
-/// light in this frame, except for the errors below.
+/// Automatic exposure and white balance of one camera. In the first frame, both are already settled
+/// for the light, except for the errors that the fields describe.
 struct AutomaticGain {
   ControlLoop exposure;
   ControlLoop whiteBalance;
@@ -52,9 +52,9 @@ struct AutomaticGain {
   /// Amplitude of a periodic error in the measured brightness, stops. The error imitates objects
   /// that enter and leave the image.
   double huntingStops = 0.0;
-  double huntingPeriodSeconds = 4.0; ///< period of this error, seconds
-  double huntingPhaseRadians = 0.0;  ///< phase of this error, radians
-  /// Constant error of blue and red, stops.
+  double huntingPeriodSeconds = 4.0; ///< period of the error `huntingStops`, seconds
+  double huntingPhaseRadians = 0.0;  ///< phase of the error `huntingStops`, radians
+  /// Constant errors of the white balance in blue and red, stops.
   Eigen::Vector2d whiteBalanceStops = Eigen::Vector2d::Zero();
 };
 

@@ -33,12 +33,12 @@ std::vector<RowBand> rowBands(const Shutter& shutter, int rows);
 struct Flicker {
   double frequencyHz = 100.0; ///< frequency of the light, Hz
   double depth = 0.0; ///< amplitude of the oscillation relative to the mean light; 0: steady light
-  double phase = 0.0; ///< radians
+  double phase = 0.0; ///< phase of the oscillation at time 0, radians
 };
 
-/// Returns the light in each row relative to steady light: the mean of the oscillation over the
-/// row's exposure. Rolling shutters show the oscillation as bands. If the exposure is a whole
-/// number of periods, there are no bands.
+/// Returns the light in each image row of a frame at `time` (seconds), relative to steady light:
+/// the mean of the oscillation over the row's exposure. Rolling shutters show the oscillation as
+/// bands. If the exposure is a whole number of periods, there are no bands.
 std::vector<float> rowGains(const Flicker& flicker, const Shutter& shutter, int rows, double time);
 
 } // namespace dewpoint::simulation

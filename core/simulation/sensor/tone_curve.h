@@ -12,18 +12,19 @@ namespace dewpoint::simulation {
 // BT.709. Effects of light and sensor are computed in linear light, where 1 corresponds to level
 // 255.
 
-/// Exponent of the tone curve above its linear segment near black.
+/// Exponent of the tone curve (from linear light to gray levels) above its linear segment near
+/// black.
 inline constexpr double kToneCurveExponent = 0.45;
 
-/// Returns the level (1 corresponds to 255) of `linear` light, which must be at least 0. Levels
-/// above 1 are not clipped.
+/// Returns the gray level (1 corresponds to 255) that the tone curve assigns to `linear` light,
+/// which must be at least 0. Levels above 1 are not clipped.
 double encodedLevel(double linear);
-/// Returns the linear light of a level (1 corresponds to 255). This is the inverse of
+/// Returns the linear light of a gray level (1 corresponds to 255). This is the inverse of
 /// encodedLevel().
 double linearLevel(double encoded);
 
-/// Returns the linear light (CV_32FC3) of an image (CV_32FC3, BGR). Levels are normally 0 to 255.
-/// Levels above kMaxLevel are treated as kMaxLevel.
+/// Returns the linear light (CV_32FC3) of an image (CV_32FC3, BGR). Gray levels of the image are
+/// normally 0 to 255. Levels above kMaxLevel are treated as kMaxLevel.
 cv::Mat linearImage(const cv::Mat& image);
 /// Largest gray level that linearImage() distinguishes; higher levels are limited to this level.
 /// Chosen as four times full scale, which corresponds to 19 times the light at full scale.

@@ -5,8 +5,8 @@ namespace dewpoint::simulation {
 
 // Sampling density for moving bodies. The values were tuned; the reasons for them are not recorded.
 
-/// Number of samples per pixel side on a silhouette or on the border between two colors. Each
-/// sample covers a sixteenth of the pixel area.
+/// Number of samples along each side of a pixel that shows a silhouette or the border between two
+/// colors. Each sample covers a sixteenth of the pixel area.
 inline constexpr int kEdgeSamples = 4;
 /// Maximum number of times at which an exposure is sampled to draw motion blur. A body that moves
 /// by more than 24 pixels during the exposure therefore moves by more than kPixelsPerInstant

@@ -31,7 +31,7 @@ struct Solid {
   Shape shape = Shape::Box;
   Vector3f center;
   Vector3f halfSize; ///< half size along the solid's own axes, meters
-  float yaw = 0.0F;  ///< radians about Z
+  float yaw = 0.0F;  ///< rotation angle about Z, radians
   Material material;
   float cosine = 1.0F;         ///< cosine of `yaw`
   float sine = 0.0F;           ///< sine of `yaw`

@@ -15,6 +15,7 @@ std::uint32_t hashOfIntegers(std::uint32_t x, std::uint32_t y, std::uint32_t z);
 float valueNoise(const Vector3f& position);
 
 /// Returns the color (BGR) of a patterned surface at a point in the solid's own frame, meters.
+/// `color` is the basic color of the surface.
 Vector3f textureColor(Pattern pattern, const Vector3f& color, const Vector3f& position);
 
 } // namespace dewpoint::simulation

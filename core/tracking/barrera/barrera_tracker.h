@@ -13,7 +13,7 @@ namespace dewpoint::tracking {
 
 /// The `barrera` method: the 3D color particle filter of Barrera, Cañas and Matellán (2005), with
 /// an isotropic random walk, a color window in every camera, and multinomial resampling at every
-/// iteration. The class is a TargetFilter.
+/// iteration. The class is a TargetFilter (it tracks one target).
 class BarreraTracker final : public RandomWalkTracker {
 public:
   BarreraTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);
@@ -24,14 +24,15 @@ public:
   void setCameras(const CameraRig& rig);
   void beginFrame(FrameSetPtr frames);
   SphereEstimate iterate(ThreadTeam& team);
-  /// Draws the particles again as RandomWalkTracker::correct() does, and fills in
-  /// SphereEstimate::cameras for the position. Returns the estimate.
+  /// Draws the particles again from a Gaussian given by the user (world frame, m, m²). Returns the
+  /// new estimate, with the values for each camera filled in (SphereEstimate::cameras).
   SphereEstimate correct(const Gaussian3& position);
-  /// Returns the approximate size of a copy in bytes.
+  /// Returns the approximate size of a copy of this tracker in bytes.
   std::size_t memoryBytes() const;
   /// Returns for each camera whether the camera confirms the target, and the reason if not.
   std::vector<CameraReport> cameraReports() const;
-  /// Returns one map per camera around the estimate, up to `reach` pixels in each direction.
+  /// Returns a map of the log likelihood around the estimate for each camera. Each map extends up
+  /// to `reach` pixels in each direction.
   std::vector<LikelihoodMap> likelihoodMaps(int reach) const;
 
 private:

@@ -15,8 +15,8 @@ namespace dewpoint::tracking {
 /// The `dynamics` method: the particle filter with which Barrera, Cañas and Matellán (2005, section
 /// III-C) study how a particle cloud moves. The filter has an isotropic random walk, and a Gaussian
 /// likelihood around a measured position. The caller gives this position, or it is triangulated
-/// from the centroids of the target's pixels in all cameras. The class is a TargetFilter, and
-/// provides no likelihoods for single cameras.
+/// from the centroids of the target's pixels in all cameras. The class is a TargetFilter (it tracks
+/// one target), and provides no likelihoods for single cameras.
 class DynamicsTracker final : public RandomWalkTracker {
 public:
   DynamicsTracker(const ParameterValues& parameters, const CameraRig& rig, const Target& target);

@@ -28,7 +28,7 @@ public:
   /// Limits the positions of the target from the next iteration on. Without a value, positions are
   /// unlimited. If the estimate lies outside the volume, the particles restart inside the volume.
   void setVolumeOfInterest(const std::optional<WorldBox>& volume);
-  /// Discards everything and starts from scratch.
+  /// Discards all particles and estimates, and starts from scratch with this random seed.
   void restart(std::uint64_t seed);
   int iterationsPerFrame() const;
   void beginFrame(FrameSetPtr frames);
@@ -38,11 +38,12 @@ public:
   /// Copies an even selection of at most `limit` particles: rows of x, y, z (meters), with linear
   /// weights that sum to 1 over all particles.
   void copyParticles(int limit, Eigen::ArrayXXd& positions, Eigen::ArrayXd& weights) const;
-  /// Returns the approximate size of a copy in bytes.
+  /// Returns the approximate size of a copy of this tracker in bytes.
   std::size_t memoryBytes() const;
 
 protected:
-  /// `parameters` must declare particles, motion_sigma, iterations_per_frame and the start volume.
+  /// Creates a tracker. `parameters` must declare particles, motion_sigma, iterations_per_frame and
+  /// the start volume.
   explicit RandomWalkTracker(const ParameterValues& parameters);
 
   /// Runs one iteration and returns the estimate. SphereEstimate::cameras and the values derived
@@ -53,7 +54,7 @@ protected:
   bool isInVolumeOfInterest(const Eigen::Vector3d& position) const {
     return !volume_ || volume_->contains(position);
   }
-  /// Returns the image of a camera, or an empty image if the camera has none.
+  /// Returns the image of a camera in the current frame, or an empty image if the camera has none.
   cv::Mat imageOf(std::size_t camera) const;
 
   ParameterValues parameters_;

@@ -15,8 +15,9 @@ namespace dewpoint::tracking {
 /// (2009). See docs/method-sugandi.md. The state is (x, y, vx, vy, s, a) in pixels and pixels per
 /// image; s is the logarithm of the scale, and a is the logarithm of the aspect ratio (width /
 /// height). The color histograms of six parts of the box are compared with the histogram of the
-/// surroundings. Some particles jump to other positions with these colors. The histograms adapt to
-/// slow color changes. A hidden target keeps its position and is found again.
+/// surroundings. Some particles jump to other positions in the image that have the target's colors.
+/// The histograms adapt to slow color changes. A hidden target keeps its position and is found
+/// again.
 class HistogramTracker final {
 public:
   /// Creates a tracker. `parameters` must be declared by the `histogram` method (asserted).
