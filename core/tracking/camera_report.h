@@ -19,7 +19,7 @@ namespace dewpoint::tracking {
 enum class CameraStatus {
   None,         ///< confirmed: the target's color is visible at the estimated position
   NoImage,      ///< the camera delivered no image
-  Covered,      ///< hardly any pixel agrees with the background: covered, moved or blind
+  Covered,      ///< camera covered, moved or blind: hardly any pixel agrees with the background
   Dark,         ///< the image is too dark to distinguish colors
   OutOfView,    ///< the expected position lies outside the image
   PartlyHidden, ///< another object covers a part of the target; the rest is visible

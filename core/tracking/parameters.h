@@ -34,15 +34,15 @@ std::string_view parameterGroupTitle(ParameterGroup group);
 /// Declaration of a parameter, for editors, tooltips, validation, project files, the command line
 /// and the reference page.
 struct ParameterDeclaration {
-  std::string key; ///< "motion_sigma"
+  std::string key; ///< name in files and on the command line, such as "motion_sigma"
   ParameterKind kind = ParameterKind::Real;
-  std::string label;    ///< "Motion sigma"
-  std::string unit;     ///< "m", "" for a count
-  double minimum = 0.0; ///< inclusive
-  double maximum = 0.0; ///< inclusive
+  std::string label;    ///< name shown to the user, such as "Motion sigma"
+  std::string unit;     ///< unit of the value, such as "m"; "" for a count
+  double minimum = 0.0; ///< smallest allowed value
+  double maximum = 0.0; ///< largest allowed value
   double step = 0.0;    ///< step size in editors
   double defaultValue = 0.0;
-  std::string description;           ///< for tooltips and the reference
+  std::string description;           ///< explanation for tooltips and the reference page
   bool hasLogarithmicSlider = false; ///< sliders have a logarithmic scale
   /// If true and the user gives no value, the value is derived from the cameras
   /// (effectiveParameters()), or is the default if the cameras do not determine it.

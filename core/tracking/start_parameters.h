@@ -26,7 +26,7 @@ std::vector<ParameterDeclaration> startParameters(const StartVolume& defaults);
 /// Returns the start volume that `parameters` define. `parameters` must declare startParameters().
 StartVolume startVolume(const ParameterValues& parameters);
 
-/// Returns the part of a start volume inside a box, or the whole box if they do not overlap.
+/// Returns the part of a start volume inside a box, or the whole box if the two do not overlap.
 StartVolume startVolumeWithin(const StartVolume& start, const WorldBox& box);
 
 /// Key of the parameter for the size of the room in which a target may appear. Not all methods have

@@ -24,12 +24,12 @@ double spreadOf(const Eigen::Matrix3d& covariance);
 struct SphereEstimate {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();       ///< weighted mean (MMSE)
   Eigen::Vector3d best = Eigen::Vector3d::Zero();       ///< particle of highest weight (MAP)
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< m²
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< covariance of the position, m²
   double effectiveSampleSize = 0.0;
   int particleCount = 0;
   /// Number of cameras that show the color of the target at the projected mean.
   int seeingCameraCount = 0;
-  bool valid = false; ///< confirmed by at least two cameras, or by the only camera
+  bool valid = false; ///< true if at least two cameras, or the only camera, confirm the target
   /// True if another object is about as likely to be the target, or if the estimate moved to
   /// another object in this frame. The covariance then also covers the other candidates.
   bool ambiguous = false;
@@ -67,7 +67,7 @@ struct BoxEstimate {
 
 /// Estimate of one person after a frame. World frame, meters.
 struct PersonEstimate {
-  int identity = 0;                                     ///< from 1 on, never reused in a run
+  int identity = 0; ///< number of the person, from 1 on, never reused in a run
   Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< mean of the occupied volume
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); ///< covariance of the occupied volume, m²
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();   ///< m/s

@@ -124,7 +124,7 @@ public:
 class ClockEstimating {
 public:
   virtual ~ClockEstimating() = default;
-  /// Returns the current estimates, one per camera of the rig.
+  /// Returns the current estimates of the delays, one per camera of the rig.
   virtual std::vector<ClockEstimate> clockEstimates() const = 0;
 };
 
@@ -140,8 +140,8 @@ public:
 class LikelihoodMapping {
 public:
   virtual ~LikelihoodMapping() = default;
-  /// Returns one map per camera around the estimate of a track, up to `reach` pixels in each
-  /// direction.
+  /// Returns one likelihood map per camera around the estimate of a track, up to `reach` pixels in
+  /// each direction.
   virtual std::vector<LikelihoodMap> likelihoodMaps(std::size_t track, int reach) const = 0;
 };
 
@@ -176,7 +176,7 @@ public:
   virtual BoxParticles boxParticles(std::size_t target, int limit) const = 0;
 };
 
-/// Tracker that stores the colors of a target in the frame in which the target was defined.
+/// Tracker that remembers which colors a target had in the frame in which the target was defined.
 class ReferenceColors {
 public:
   virtual ~ReferenceColors() = default;

@@ -45,15 +45,14 @@ double pathLogLikelihood(std::span<const PathPoint> path, const PathModel& model
 
 /// Returns the squared Mahalanobis distance of each measured position from its prediction by the
 /// preceding ones. A measurement whose squared distance exceeds `gate` is not used to predict later
-/// ones. The result has one entry per point of the path. It is zero for points without a
+/// ones. The result has one entry per point of the path. The entry is zero for points without a
 /// measurement and for the first measurements.
 std::vector<double> normalizedInnovations(std::span<const PathPoint> path, const PathModel& model,
                                           double gate);
 
-/// Computes the same distances as normalizedInnovations(), one by one. It calls
-/// `onInnovation(index, distance)` for each point with a measurement, where `index` is that of the
-/// point in `path`. It ends when a call returns false, so a search for the first outlier can end
-/// early.
+/// Computes the same distances as normalizedInnovations(), one by one. Calls `onInnovation(index,
+/// distance)` for each point with a measurement, where `index` is the index of the point in `path`.
+/// Ends when a call returns false, so a search for the first outlier can end early.
 void forEachNormalizedInnovation(std::span<const PathPoint> path, const PathModel& model,
                                  double gate,
                                  const std::function<bool(std::size_t, double)>& onInnovation);

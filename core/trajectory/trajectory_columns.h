@@ -18,7 +18,8 @@ struct TargetColumns {
   std::vector<double> covariances; ///< 9 values (3 x 3) of each row; m²
   /// x, y and z of the particle of highest weight, for each row; meters.
   std::vector<double> bestParticles;
-  /// One per row; 0 for a trajectory from a file.
+  /// Existence probability of the target in each row. All are 0 if the trajectory comes from a
+  /// file.
   std::vector<double> existenceProbabilities;
   std::vector<double> effectiveSampleSizes;
   std::vector<std::int32_t> cameraCounts; ///< number of cameras that show the target

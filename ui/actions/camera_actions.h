@@ -8,7 +8,7 @@
 namespace dewpoint::ui {
 
 /// Returns the declarations of the actions about the cameras of a project, for
-/// declareWindowActions().
+/// declareWindowActions(), which adds them to the window.
 std::vector<ActionDeclaration> cameraActions();
 
 } // namespace dewpoint::ui

@@ -8,7 +8,7 @@
 namespace dewpoint::ui {
 
 /// Returns the declarations of the actions in the menu Edit, except those about cameras
-/// (cameraActions()), for declareWindowActions().
+/// (cameraActions()), for declareWindowActions(), which adds them to the window.
 std::vector<ActionDeclaration> editActions();
 
 } // namespace dewpoint::ui

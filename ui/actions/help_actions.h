@@ -7,7 +7,8 @@
 
 namespace dewpoint::ui {
 
-/// Returns the declarations of the actions in the menu Help, for declareWindowActions().
+/// Returns the declarations of the actions in the menu Help, for declareWindowActions(), which adds
+/// them to the window.
 std::vector<ActionDeclaration> helpActions();
 
 } // namespace dewpoint::ui

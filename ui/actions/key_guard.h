@@ -17,8 +17,8 @@ class KeyGuard : public QObject {
   Q_OBJECT
 public:
   /// Creates a guard that lives as long as the action. When the shortcut is pressed, `ask` is
-  /// called. `ask` returns true if it asks the user, and the key press is then ignored; it returns
-  /// false if no confirmation is needed, and the action is then triggered.
+  /// called. If the user must confirm the action, `ask` shows the question and returns true, and
+  /// the key press is ignored. Otherwise, `ask` returns false, and the action is triggered.
   KeyGuard(QAction* action, std::function<bool()> ask);
 
 protected:

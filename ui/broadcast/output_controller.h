@@ -26,7 +26,8 @@ namespace dewpoint::ui {
 class OutputController : public QObject {
   Q_OBJECT
 public:
-  /// Opens outputs, in a thread of its own; Broadcaster::open() unless set.
+  /// Function that opens the outputs. It is called in a thread of its own. By default, it is
+  /// Broadcaster::open().
   using Opener = std::function<Result<std::unique_ptr<broadcast::Broadcaster>>(
       const broadcast::BroadcastInputs&)>;
 

@@ -50,7 +50,7 @@ private:
   ManualCalibration* manual_;
   CalibrationDock* pages_;
   ViewDock* dock_;
-  QPointer<ViewDock> dockBefore_; ///< dockInFront() before the panel was opened
+  QPointer<ViewDock> dockBefore_; ///< dock in front before the panel was opened
   bool isReturning_ = false;      ///< true while a change of page switches the mode on again
   QString page_;                  ///< last page that pageShown() was emitted for
 };

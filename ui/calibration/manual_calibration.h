@@ -57,8 +57,9 @@ public:
   QString nameOf(int camera) const;
   /// Returns the project's reference grid, or the standard grid if the project has none.
   ReferenceGrid grid() const;
-  /// Changes the grid in an undoable step of the document. Returns false and changes nothing if the
-  /// grid cannot be drawn.
+  /// Changes the grid in an undoable step of the document, named `step`. Successive steps with the
+  /// same `mergeKey`, such as the moves of a drag, are merged. Returns false and changes nothing if
+  /// the grid cannot be drawn.
   bool setGrid(const QString& step, const ReferenceGrid& grid, const std::string& mergeKey);
 
   // Appearance of the views.
@@ -66,11 +67,12 @@ public:
   void setGridOpacity(double opacity);
   bool areEdgesShown() const { return edges_; }
   void setEdgesShown(bool shown);
-  /// Shows the grid as earlier cameras see it, or, if `earlier` is empty, as the current cameras
-  /// see it.
+  /// Shows the grid as an earlier state of the cameras sees it, or, if `earlier` is empty, as the
+  /// current cameras see it.
   void showEarlierCameras(std::optional<EarlierCameras> earlier);
   bool areEarlierCamerasShown() const { return earlier_.has_value(); }
-  /// Returns which cameras the button and the key of the page "By hand" compare with.
+  /// Returns which earlier state of the cameras is shown for comparison while the user holds down
+  /// the button or the key for it on the page "By hand".
   EarlierCameras comparedCameras() const { return comparison_; }
   void setComparedCameras(EarlierCameras compared);
   /// Stores the current cameras for later comparison, as the state `earlier`.
@@ -105,9 +107,12 @@ public:
   void setNudgeFrame(NudgeFrame frame);
   /// Moves the camera along axis 0, 1 or 2, or rotates it about that axis, by one step times
   /// `factor`. The axes are right, forward and up in the camera frame, or x, y and z in the world
-  /// frame. If `repeated` is true, the key is held down and the step grows.
+  /// frame. If `repeated` is true, the key is held down, and the change becomes part of the same
+  /// undoable step as the previous one.
   void nudge(int axis, double factor, bool repeated);
-  /// Changes the focal length by `percent` percent.
+  /// Changes the focal length of the selected camera by `percent` percent. If `repeated` is true,
+  /// the key is held down, and the change becomes part of the same undoable step as the previous
+  /// one.
   void nudgeFocalLength(double percent, bool repeated);
 
   /// Replaces a camera of the project in an undoable step named `step`. Successive steps with the
@@ -123,7 +128,7 @@ Q_SIGNALS:
   void changed();
   void cameraSelected(int camera);
   void activeChanged(bool active);
-  /// Emitted when the drag or key settings have changed.
+  /// Emitted when the settings of how the mouse and keys change the camera have changed.
   void settingsChanged();
   /// Emitted with a sentence for the user, for example why a drag cannot continue. An empty
   /// sentence withdraws the previous one.
@@ -150,7 +155,8 @@ private:
   const CameraRig& camerasOf(EarlierCameras earlier) const;
   /// Forgets the earlier cameras, because the project is another one.
   void resetEarlier();
-  /// Called after each step, undo and redo.
+  /// Stores the cameras before the last change for comparison. Called after each step, undo and
+  /// redo of the document; `index` is the new index in the undo stack.
   void followHistory(int index);
 
   Document& document_;
@@ -161,13 +167,14 @@ private:
   CameraRig whenOpened_;
   CameraRig beforeRefinement_;
   CameraRig beforeLastChange_;
-  CameraRig lastSeen_;        ///< cameras after the last step
-  int historyIndex_ = 0;      ///< of the undo stack after the last step that changed a camera
+  CameraRig lastSeen_;        ///< cameras of the project after the last step
+  int historyIndex_ = 0;      ///< index in the undo stack after the last step that changed a camera
   ReferenceGrid defaultGrid_; ///< used while the project has no grid
   double gridOpacity_ = 0.8;
   bool edges_ = false;
   EarlierCameras comparison_ = EarlierCameras::PanelOpened;
-  std::optional<EarlierCameras> earlier_; ///< shown now
+  /// Earlier state of the cameras that is shown now; empty: none.
+  std::optional<EarlierCameras> earlier_;
   std::vector<std::vector<Eigen::Vector3d>> pins_;
   std::optional<PointDrag> drag_;
   DragSettings settings_;

@@ -33,7 +33,7 @@ public:
 Q_SIGNALS:
   void busyChanged();
   /// Emitted before locked values are stored in the project, with the device's path and the former
-  /// values of its controls.
+  /// values of its controls, which an undo restores.
   void lockingStarted(const std::string& path, const std::vector<capture::DeviceControl>& before);
   /// Emitted with a sentence that tells which colors were locked and which were not.
   void done(const QString& sentence);
@@ -46,7 +46,7 @@ private:
     QString name;
     std::string path;
   };
-  /// Returns the connected devices of one camera, or of all.
+  /// Returns the connected devices of one camera, or of all cameras if `camera` is -1.
   std::vector<Locked> devices(int camera) const;
   void considerOffer();
   void offer(const QString& cameras);
@@ -55,8 +55,8 @@ private:
   DeviceWatch& watch_;
   CameraEdits& edits_;
   BackgroundJob* job_;
-  BackgroundJob* question_; ///< asks the devices whether anything is automatic
-  std::size_t samples_ = 0; ///< color samples in the project
+  BackgroundJob* question_; ///< asks the devices whether they adjust colors automatically
+  std::size_t samples_ = 0; ///< number of color samples in the project
   bool offered_ = false;
 };
 

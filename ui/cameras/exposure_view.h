@@ -42,7 +42,7 @@ private:
 
   const CameraListModel& cameras_;
   int camera_ = -1;
-  std::vector<Measured> measured_; ///< one per camera
+  std::vector<Measured> measured_; ///< measured exposures, one per camera
   QLabel* title_;
   ExposureBars* bars_;
   QLabel* shares_;

@@ -31,8 +31,8 @@ struct CameraViewOptions {
 /// Returns the frame of a camera in a snapshot, or null if there is none.
 FramePtr frameOf(const TrackSnapshotPtr& snapshot, int camera);
 
-/// Returns the input for drawing a whole camera image in this size (device pixels). The frame of
-/// the input is null if there is no image.
+/// Returns the input for drawing a whole camera image in this size (device pixels) with the layers
+/// that `look` switches on. The frame of the input is null if there is no image.
 CameraImageSource imageSource(const TrackSnapshotPtr& snapshot, int camera,
                               const CameraViewOptions& look, const QSize& size);
 
@@ -45,7 +45,8 @@ struct CameraImageArea {
 
 /// Paints everything over the pixels of a camera view: likelihood maps, the volume of interest,
 /// people, particles and estimates, the inset, the zoom factor and the marker of a moved camera.
-/// `image` must have been drawn from a frame of `snapshot`. May be called from any thread.
+/// `look` selects what is painted, and `place` is the position of the image in the view. `image`
+/// must have been drawn from a frame of `snapshot`. May be called from any thread.
 void paintEstimates(QPainter& painter, const CameraImage& image, const TrackSnapshotPtr& snapshot,
                     const CameraViewOptions& look, const CameraImageArea& place);
 

@@ -56,8 +56,8 @@ public:
   const FramePtr& shownFrame() const { return picture_.source.frame; }
 
   bool isZoomed() const;
-  /// Enlarges the image by `factor` (see `ImageZoom`). The pixel at `position` (widget coordinates)
-  /// stays in place.
+  /// Enlarges the image by `factor`, within the limits of `ImageZoom`. The pixel at `position`
+  /// (widget coordinates) stays in place.
   void zoomBy(double factor, const QPointF& position);
   /// Moves the zoomed image by `offset`, in widget units.
   void panBy(const QPointF& offset);

@@ -23,7 +23,7 @@ namespace dewpoint::ui {
 /// in pixels. A thin line connects the inset with the cloud.
 struct CloudInset {
   const CameraOverlay& overlay; ///< overlay of a tracked target
-  const cv::Mat& image;         ///< CV_8UC3
+  const cv::Mat& image;         ///< camera image, CV_8UC3
   ImagePlacement placement;
   QRectF area; ///< visible part of the image, widget units
   QColor color;

@@ -20,7 +20,7 @@ class CameraView;
 struct ImageMenuEntry {
   QString name; ///< objectName of the action
   QString text;
-  QString hint; ///< one sentence
+  QString hint; ///< one sentence for the tooltip
   bool enabled = true;
   std::function<void()> run;
 };

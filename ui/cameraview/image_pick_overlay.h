@@ -106,9 +106,12 @@ private:
     QPointF pixel;    ///< pixel under the press, which stays valid if the zoom changes meanwhile
   };
   std::optional<Press> pressed_;
-  std::optional<QPointF> panned_;  ///< widget coordinates; set while a press moves the image
-  std::optional<QPointF> pointer_; ///< widget coordinates; set while picking
-  std::optional<QPointF> cross_;   ///< image pixel; moved by keys
+  /// Last mouse position, widget coordinates; set while a press moves the image.
+  std::optional<QPointF> panned_;
+  /// Position of the mouse pointer, widget coordinates; set while picking.
+  std::optional<QPointF> pointer_;
+  /// Image pixel at the cross that the arrow keys move; empty: no cross.
+  std::optional<QPointF> cross_;
   QPointF pointerPosition_;
 };
 

@@ -32,8 +32,8 @@ enum class RunTables {
 };
 
 /// Properties of a family of methods, known before any of its methods runs. Code must read these
-/// properties instead of comparing families, so that a new family needs no changes elsewhere.
-/// tests/architecture counts where a family is named.
+/// properties instead of comparing families, so that a new family needs no changes elsewhere. A
+/// test (tests/architecture) counts the places in the code that name a family.
 struct MethodFamily {
   TargetSource targetSource = TargetSource::Color;
   /// Purpose of these methods, used as the heading of their group in a list.
@@ -46,8 +46,8 @@ struct MethodFamily {
   RunTables tables = RunTables::Trajectory;
   /// True if trajectories have columns for the particle of highest weight.
   bool hasBestParticle = true;
-  /// True if masks and maps show motion, in every frame with images, whether or not the frame is
-  /// tracked.
+  /// True if the masks and maps of these methods show motion instead of targets. They exist for
+  /// every frame with images, whether or not the frame is tracked.
   bool hasMotionMasks = false;
   /// True if targets can be edited in frames that were already tracked. The following frames are
   /// then tracked again immediately, and past frames show the edited targets.
@@ -56,15 +56,16 @@ struct MethodFamily {
   std::string (*describe)(const Target& target) = nullptr;
   /// Returns whether a target of the project has everything required for tracking.
   bool (*isDefined)(const Target& target) = [](const Target&) { return true; };
-  /// Returns a text that explains why nothing can be tracked while lacksTargets() is true.
+  /// Returns a text that explains why nothing can be tracked if the project defines no target that
+  /// the method can track (lacksTargets()).
   std::string (*noTargetsText)(std::string_view method) = nullptr;
   /// Returns the frame, at most `frame`, at which a run must begin so that its result at `frame` is
-  /// correct.
+  /// correct. For example, methods that track boxes must begin at the frame of the first box.
   std::int64_t (*firstFrameFor)(const std::vector<Target>& targets, std::int64_t frame) =
       [](const std::vector<Target>&, std::int64_t frame) { return frame; };
 
   /// Returns whether the method finds its targets automatically. The project then defines no
-  /// targets, and ground truth does not use the names of the targets.
+  /// targets, and the names of the targets found do not occur in the ground truth.
   bool findsTargets() const { return targetSource == TargetSource::Images; }
   /// Returns whether masks show the pixels that have the color of a target.
   bool hasColorMasks() const { return targetSource == TargetSource::Color; }
@@ -148,9 +149,9 @@ std::vector<std::string_view> methodPages();
 std::span<const ParameterDeclaration> methodParameters(std::string_view method);
 /// Returns parameters for `method` that keep the user's changes in `previous`, the parameters of
 /// another method. A value in `previous` that differs from its default is kept if `method` has the
-/// key and allows the value. All other values are the defaults of `method`. If `previous` has its
-/// default as a given value, the default of `method` counts as given too, and is not derived from
-/// the cameras.
+/// key and allows the value. All other values are the defaults of `method`. A value that the user
+/// has set to the default counts as set by the user in the result too, so that it is not derived
+/// from the cameras.
 ParameterValues carryOverParameters(const ParameterValues& previous, std::string_view method);
 /// Checks that `parameters` declare every parameter of the method. Error: MissingKey if one is
 /// missing.

@@ -25,7 +25,7 @@ public:
     const CandidateSearch& candidates;
     TimeBudget& budget;
     BernoulliTrackSettings settings; ///< for the tracks of new distractors
-    RandomKey key;                   ///< key of the run in this frame
+    RandomKey key;                   ///< key of the random numbers of the run in this frame
   };
 
   DistractorSearch() = default;

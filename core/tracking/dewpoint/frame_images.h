@@ -43,20 +43,23 @@ public:
   /// background image. The images take effect at the next resetBackgrounds().
   void setBackgroundImages(const std::vector<cv::Mat>& images);
   void resetBackgrounds();
-  /// Makes the current light the reference for colors.
+  /// Makes the light of the newest images the reference, relative to which later changes of the
+  /// light are measured.
   void resetReferenceLight();
   /// Adapts the backgrounds to the light of the frame. Call it before the images are passed to an
   /// observation.
   void adaptToLight();
-  /// Learns a camera's background from the frame, except inside `hidden`; see
-  /// BackgroundModel::learn(). The camera must have an image.
+  /// Learns a camera's background from the frame, except inside the circles `hidden`. Set
+  /// `noTargetElsewhere` if there certainly is no target outside these circles. The camera must
+  /// have an image.
   void learnBackground(std::size_t camera,
                        const std::vector<BackgroundModel::ExcludedCircle>& hidden,
                        bool noTargetElsewhere);
   /// Discards, for the images of all cameras, which pixels of the background are known to have the
   /// target color (BackgroundModel::forgetFamiliarPixels()).
   void forgetFamiliarPixels();
-  /// Calls BackgroundModel::forgetFamiliarPixels() for a circle in the image of one camera.
+  /// Discards which pixels of the background inside a circle are known to have the target color,
+  /// for the image of one camera.
   void forgetFamiliarPixels(std::size_t camera, const BackgroundModel::ExcludedCircle& circle);
   const BackgroundModel& background(std::size_t camera) const { return backgrounds_[camera]; }
   /// Returns the size of the backgrounds in bytes.

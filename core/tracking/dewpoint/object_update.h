@@ -22,7 +22,7 @@ public:
     const ClockEstimator& clocks;
     const CandidateSearch& candidates;
     TimeBudget& budget;
-    RandomKey key; ///< key of the run in this iteration
+    RandomKey key; ///< key of the random numbers of the run in this iteration
   };
 
   ObjectUpdate(const Context& context, ThreadTeam& team) : in_(context), team_(team) {}

@@ -18,11 +18,13 @@ struct TrackedObject {
   BernoulliTrack track;
   SphereObservation observation;
   AdaptiveColor color;
-  /// Search in progress within a time budget; otherwise null.
+  /// Search for the object that is spread over several frames because of the time budget; null if
+  /// no such search is in progress.
   std::unique_ptr<SlicedSearch> search;
   std::uint32_t stream = 0; ///< separates the random numbers of this object from those of others
   int unseenFrames = 0;     ///< number of frames since the object was last tracked
-  /// Null for distractors, which are assumed to be balls.
+  /// What is known about the shape of the target. Null for distractors, which are assumed to be
+  /// balls.
   std::unique_ptr<ShapeTracking> shape = nullptr;
   double unseenSeconds = 0.0; ///< time in seconds since the object was last tracked
 

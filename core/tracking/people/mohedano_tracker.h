@@ -46,7 +46,7 @@ private:
 
   ParameterValues parameters_;
   bool color_;
-  std::vector<Belief> beliefs_; ///< in the order of `people_`
+  std::vector<Belief> beliefs_; ///< particle filters of the people, in the order of `people_`
   std::vector<cv::Mat> likelihoods_;
 };
 

@@ -70,7 +70,7 @@ private:
   struct View {
     Camera camera; ///< camera of the reduced images
     Projector projector;
-    cv::Mat image; ///< its pixels and those of the mask are never changed afterward
+    cv::Mat image; ///< reduced image; the pixels of `image` and `mask` are never changed afterward
     cv::Mat mask;
     Model model;
     int learnedFrameCount = 0;

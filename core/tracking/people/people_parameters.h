@@ -15,21 +15,23 @@ namespace dewpoint::tracking {
 struct PeopleArea {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   Eigen::Vector2d halfSize{3.5, 3.5};
-  double floorHeight = 0.0; ///< z of the floor
+  double floorHeight = 0.0; ///< z coordinate of the floor
 
   bool contains(const Eigen::Vector2d& position) const {
     return ((position - center).cwiseAbs() - halfSize).maxCoeff() <= 0.0;
   }
 };
 
-/// Lower limit for the mean score of each piece of a body when particles of a person are weighted
-/// (`floor` of bodyScore()). Chosen by judgment.
+/// Lower limit for the mean score of each piece of a body when particles of a person are weighted,
+/// because furniture may hide a piece (`floor` of bodyScore()). Chosen by judgment.
 inline constexpr double kPieceFloor = -0.25;
 
 /// Settings shared by all methods for people.
 struct PeopleSettings {
   PeopleArea area;
-  ForegroundSettings foreground; ///< in frames of 1/30 s until the frame rate is known
+  /// Settings of the foreground detection. They count frames of 1/30 s until the frame rate is
+  /// known.
+  ForegroundSettings foreground;
   /// Time at the start during which only the background is learned, seconds.
   double learningTime = 1.0;
   double backgroundMemory = 40.0; ///< time after which a new object counts as background, seconds

@@ -56,7 +56,7 @@ private:
   bool areNear(std::size_t one, std::size_t other) const;
 
   ParameterValues parameters_;
-  std::vector<Belief> beliefs_; ///< in the order of `people_`
+  std::vector<Belief> beliefs_; ///< particle filters of the people, in the order of `people_`
   std::map<std::pair<int, int>, Meeting> meetings_;
 };
 

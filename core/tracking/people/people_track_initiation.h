@@ -48,8 +48,9 @@ private:
   struct Candidate {
     Eigen::Vector2d position;
     double score = 0.0;
-    double visibleSeconds = 0.0; ///< decreases while not visible
-    bool isVisible = true;       ///< seen in this frame
+    /// Seconds for which the person was visible; decreases while not visible.
+    double visibleSeconds = 0.0;
+    bool isVisible = true; ///< true if the person is visible in this frame
   };
 
   double scoreOf(const Cell& cell, const PeopleCameras& cameras,

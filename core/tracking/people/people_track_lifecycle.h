@@ -13,9 +13,9 @@ namespace dewpoint::tracking {
 
 /// Base class of all methods for people. It handles motion masks, creation and removal of tracks,
 /// visibility, and identities. A derived class adds the belief about each person, such as a
-/// particle filter. The person with identity N is track N - 1; after the track was removed, its
-/// estimate is absent. There is one iteration per frame; further iterations have no effect. A
-/// change of the background model takes effect at the next restart.
+/// particle filter. The person with identity N is track N - 1; after this track was removed, it has
+/// no estimate (AbsentEstimate). There is one iteration per frame; further iterations have no
+/// effect. A change of the background model takes effect at the next restart.
 class PeopleTrackLifecycle : public Tracker,
                              public Configurable,
                              public CameraCalibrated,
@@ -50,11 +50,13 @@ public:
   std::size_t memoryBytes() const override;
 
 protected:
-  PeopleTrackLifecycle(const PeopleTrackLifecycle&) = default; ///< for clone()
+  /// Copies the tracker; used by clone().
+  PeopleTrackLifecycle(const PeopleTrackLifecycle&) = default;
 
-  /// Parameters of motionLikelihood(): the width of g, and p_B, of Mohedano et al. 2009.
+  /// Parameters of the motion likelihood of Mohedano et al. 2009: the width of the Gaussian g that
+  /// smooths the motion mask, and the smallest likelihood p_B.
   struct MotionSmoothing {
-    double sigma = 4.0; ///< pixels of the mask
+    double sigma = 4.0; ///< standard deviation of the Gaussian, pixels of the mask
     double minLikelihood = 0.2;
   };
   /// Visibility of a person in a camera.
@@ -64,9 +66,11 @@ protected:
     double uncoveredFraction = 0.0; ///< fraction of the silhouette that no other person covers
   };
 
-  /// Creates the method's belief about a new person, who is the last of `people_`.
+  /// Creates the method's belief (such as a particle filter) about a new person, who is the last of
+  /// `people_`.
   virtual void createBelief(const PersonEstimate& person, const RandomKey& key) = 0;
-  /// Removes the belief about people_[index]. The person is removed afterward.
+  /// Removes the method's belief (such as a particle filter) about people_[index]. The caller then
+  /// removes the person.
   virtual void removeBelief(std::size_t index) = 0;
   virtual void removeAllBeliefs() = 0;
   /// Returns the approximate size of a copy of a belief in bytes.

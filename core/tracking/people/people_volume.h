@@ -20,12 +20,14 @@ Eigen::ArrayXd densityAtPoints(const BodyCloud& body, double sigma = kBodyKernel
 
 /// Returns the smallest volume that contains the fraction `probability` of a person's occupancy
 /// density: the convex hull of the points of highest density (Mohedano et al. 2009, section 2,
-/// equation 2). Returns an empty hull for an empty body.
+/// equation 2). `sigma` (meters) is the standard deviation of the Gaussian at every point of the
+/// body. Returns an empty hull for an empty body.
 ConvexHull bodyHull(const BodyCloud& body, double probability = kVolumeProbability,
                     double sigma = kBodyKernel);
 
-/// Returns the occupancy density of a person projected onto the ground, per m². The grid has a
-/// spacing of `step` meters and extends three `sigma` beyond the points.
+/// Returns the occupancy density of a person projected onto the ground, per m². `sigma` (meters) is
+/// the standard deviation of the Gaussian at every point of the body. The grid has a spacing of
+/// `step` meters and extends three standard deviations beyond the points.
 GroundGrid groundDensity(const BodyCloud& body, double step = 0.05, double sigma = kBodyKernel);
 
 } // namespace dewpoint::tracking

@@ -49,7 +49,7 @@ struct ExportTable {
   bool hasExtent = false;     ///< at least one cell has an extent
   WorldAxes axes = WorldAxes::ZUp;
   LengthUnit unit = LengthUnit::Meter;
-  bool writesHeader = true; ///< see ExportOptions::writesHeader
+  bool writesHeader = true; ///< true to write metadata even if the format does not require it
   /// Entries of the header: version, project, method, seed, ..., smoothed, date.
   std::vector<std::pair<std::string, std::string>> headerEntries;
 

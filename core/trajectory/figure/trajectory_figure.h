@@ -29,7 +29,8 @@ struct AxisRange {
 /// about five lines.
 double gridStep(double size);
 
-/// Returns the values of the grid lines in a range: multiples of gridStep().
+/// Returns the values of the grid lines in a range. They are multiples of a round spacing
+/// (gridStep()) that gives about five lines.
 std::vector<double> gridLines(const AxisRange& range);
 
 /// Returns both ranges, one of them widened about its center, so that both axes have the same scale

@@ -15,8 +15,8 @@ namespace dewpoint::trajectory {
 struct GatheredJob {
   std::string folder; ///< path of the output folder, as given by the user
   JobRecord record;
-  /// Comparison with the ground truth for each target, without `cameras` and `bias`. Empty if the
-  /// job was not evaluated.
+  /// Comparison with the ground truth for each target. The fields `cameras` and `bias` are not set.
+  /// Empty if the job was not evaluated.
   std::vector<Evaluation> evaluations;
 };
 

@@ -18,8 +18,9 @@ inline constexpr const char* kUnfinishedFile = "unfinished";
 /// done.json is written last, so a killed job is never mistaken for a finished one.
 class JobFolder {
 public:
-  /// Returns the record of a finished job with this key if all its files exist with their recorded
-  /// sizes. Otherwise, and for an empty key, returns nothing.
+  /// Returns the record of a finished job whose key (a checksum of everything that its result
+  /// depends on) is `key`, if all its files exist with their recorded sizes. Otherwise, and for an
+  /// empty key, returns nothing.
   static std::optional<JobRecord> finishedRecord(const std::filesystem::path& folder,
                                                  const std::string& key);
 

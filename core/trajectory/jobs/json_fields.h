@@ -30,8 +30,8 @@ public:
 
   /// Reads a text into `value`. Leaves `value` unchanged after an error.
   void readText(const char* key, std::string& value);
-  /// Reads a number into `value`. It is always finite, because JSON has no other numbers. Leaves
-  /// `value` unchanged after an error.
+  /// Reads a number into `value`. The number is always finite, because JSON has no other numbers.
+  /// Leaves `value` unchanged after an error.
   void readNumber(const char* key, double& value);
   /// Reads a whole number from `low` to `high`, both included, into `value`. Leaves `value`
   /// unchanged after an error.

@@ -47,8 +47,8 @@ public:
 
   // Calibration from a recording.
   void calibrate();
-  /// Calibrates like calibrate(), but searches all frames of the recording, even if those searched
-  /// first show another board than the one in the settings.
+  /// Calibrates from the recording like calibrate(), but searches all frames, even if the first
+  /// frames searched show another board than the one in the settings.
   void searchAllFrames();
   void cancel();
   /// Returns whether a computation is running, either on a recording or on views from live cameras.
@@ -58,12 +58,13 @@ public:
   bool isSearching() const { return *searching_; }
 
   // Any board.
-  /// Determines which board the recording, or the newest live images, show. The result is
-  /// boardProposed(), boardConfirmed(), mirroredVideosFound(), or a sentence in failure().
+  /// Determines which board the recording, or the newest live images, show. The result is reported
+  /// by one of the signals boardProposed(), boardConfirmed() and mirroredVideosFound(), or as a
+  /// sentence in failure().
   void findBoard();
   /// Returns the board that the images show instead of the one in the settings, if one was found.
   const std::optional<BoardGuess>& proposal() const { return proposal_; }
-  /// Sets the board in the settings to the proposed one.
+  /// Sets the board in the settings to the board that the images show (proposal()).
   void useProposal();
   /// Returns the cameras in whose images the last search found the board only mirrored.
   const MirroredVideos& mirroredVideos() const { return mirrored_; }
@@ -72,7 +73,7 @@ public:
   void mirrorImages();
 
   // Live cameras.
-  void startGuidance(); ///< starts or restarts the guidance
+  void startGuidance(); ///< starts or restarts the guidance of the user in front of live cameras
   void stopGuidance();
   bool isGuiding() const { return watching_; }
   void captureNow() { watch_->captureNow(); }
@@ -80,7 +81,7 @@ public:
   void skipToPoses() { watch_->skipToPoses(); }
   /// Calibrates from the views captured so far and ends the guidance.
   void finish();
-  /// Returns the newest state of the guidance; never null.
+  /// Returns the newest state of the guidance in front of live cameras; never null.
   BoardGuideStatePtr guideState() const { return watch_->newest(); }
   /// Returns whether any view has been captured.
   bool hasCapturedViews() const;
@@ -100,16 +101,18 @@ public:
 
 Q_SIGNALS:
   void requestChanged();
-  void changed(); ///< anything except the settings and the guidance has changed
+  void changed(); ///< emitted when anything except the settings and the guidance has changed
   void guideChanged();
-  void progressChanged(double part); ///< 0 to 1; negative if unknown
-  void calibrationEnded();           ///< a calibration has ended, with or without a result
-  /// Emitted when images show the board in proposal() instead of the one in the settings. `stopped`
-  /// is true if a calibration ended early for this reason.
+  void progressChanged(double part); ///< progress of the calibration, 0 to 1; negative if unknown
+  void calibrationEnded(); ///< emitted when a calibration has ended, with or without a result
+  /// Emitted when images show another board than the one in the settings; proposal() returns this
+  /// board. `stopped` is true if a calibration ended early for this reason.
   void boardProposed(bool stopped);
-  void mirroredVideosFound(); ///< some cameras show the board mirrored; see mirroredVideos()
-  void boardConfirmed(int images, int searched); ///< the images show the board in the settings
-  void playRequested();                          ///< live images are needed
+  /// Emitted when some cameras show the board mirrored; see mirroredVideos().
+  void mirroredVideosFound();
+  /// Emitted when `images` of the `searched` images show the board in the settings.
+  void boardConfirmed(int images, int searched);
+  void playRequested(); ///< emitted when live images are needed, so that the run must play
   void boardVisibilityChanged(
       bool shown); ///< whether the board is currently being shown to live cameras
   void saved(const QString& file);
@@ -135,7 +138,7 @@ private:
   using Computation = std::function<Computed(const CalibrationProgress& progress)>;
   void calibrateRecording(bool suggestBoardFirst);
   void setWatching(bool watching);
-  /// Calibrates once the guidance has all the views that it asked for.
+  /// Calibrates if the user has shown all views that the guidance asked for.
   void finishWhenGuided();
   void compute(Computation computation, bool applyIt);
   void applyResult(const std::shared_ptr<Computed>& computed, bool applyIt);
@@ -162,8 +165,8 @@ private:
   std::shared_ptr<std::atomic<bool>> searching_;
   BackgroundJob* job_; ///< child of the calibrator, which deletes it
   BackgroundJob* writer_;
-  JobMailbox mailbox_; ///< results from the thread of `watch_`
-  /// Guide whose thread may outlive the window.
+  JobMailbox mailbox_; ///< receives the states of the guidance from the thread of `watch_`
+  /// Guidance in front of live cameras. It runs in a thread that may outlive the window.
   std::unique_ptr<BoardGuideThread, DetachedDeleter> watch_;
 };
 

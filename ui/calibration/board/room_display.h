@@ -12,8 +12,8 @@ namespace dewpoint::ui {
 
 class BoardCalibrator;
 
-/// Window that shows the person who holds the board, in letters large enough to be read from across
-/// the room, how to hold it next. A sound is played when a view is captured. Esc closes the window.
+/// Window that tells the person who holds the board how to hold it next, in letters large enough to
+/// be read from across the room. A sound is played when a view is captured. Esc closes the window.
 class RoomDisplay : public QWidget {
   Q_OBJECT
 public:

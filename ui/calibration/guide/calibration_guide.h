@@ -31,7 +31,7 @@ public:
   bool isInUse() const { return isInUse_; }
   /// Records that the guide was opened. Has no effect while procedure() is unknown.
   void recordOpened();
-  /// Returns the steps of the chosen way.
+  /// Returns the steps of the chosen way (procedure) to calibrate.
   std::vector<GuideStep> steps() const;
   /// Returns the progress of a step.
   StepProgress progress(GuideStep step) const;

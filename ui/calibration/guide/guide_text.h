@@ -10,16 +10,16 @@ namespace dewpoint::ui {
 /// Texts about a way (procedure) to calibrate.
 struct ProcedureText {
   QString title;
-  QString requirements; ///< what this way requires, and when to use it
+  QString requirements; ///< what this way to calibrate requires, and when to use it
 };
 ProcedureText procedureText(CalibrationProcedure procedure);
 
 /// Texts about a step of the calibration guide.
 struct StepText {
   QString name;           ///< one short word for the row of steps
-  QString title;          ///< what to do, in a few words
-  QString instructions;   ///< how to do it
-  QString openButtonText; ///< the button opens the page for the step
+  QString title;          ///< what to do in this step, in a few words
+  QString instructions;   ///< how to do this step
+  QString openButtonText; ///< text of the button that opens the page for this step
 };
 StepText stepText(GuideStep step);
 

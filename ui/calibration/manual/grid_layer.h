@@ -28,8 +28,8 @@ public:
 
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   int camera() const { return camera_; }
-  /// Returns the text that is shown in the corner while the view shows earlier cameras; otherwise
-  /// an empty string.
+  /// Returns the text that is shown in the corner while the grid is drawn as an earlier state of
+  /// the cameras sees it; otherwise an empty string.
   QString shownLabel() const;
   /// Returns whether the edges drawn over the image come from the newest image. Also true while no
   /// edges are shown.
@@ -82,12 +82,13 @@ private:
   PointCalibrator& points_;
   TrackSnapshotPtr snapshot_;
   enum class Click { None, SetPin, RemovedPin };
-  Click lastClick_ = Click::None;  ///< what the last click did
-  std::optional<QPointF> pressed_; ///< widget coordinates; may still become a click or a drag
-  std::optional<QPointF> pointer_; ///< widget coordinates
-  bool exact_ = false;             ///< Alt is held down: no snapping
-  EdgeSource edgesSource_;         ///< input of `edges_`
-  EdgeSource requestedEdges_;      ///< input that `edgeJob_` is processing or will process
+  Click lastClick_ = Click::None; ///< what the last click did
+  /// Where the mouse was pressed, widget coordinates; empty while it is not pressed.
+  std::optional<QPointF> pressed_;
+  std::optional<QPointF> pointer_; ///< position of the mouse pointer, widget coordinates
+  bool exact_ = false;     ///< true while Alt is held down, so that clicks do not snap to corners
+  EdgeSource edgesSource_; ///< image and size from which `edges_` was computed
+  EdgeSource requestedEdges_; ///< image and size that `edgeJob_` is processing or will process
   QImage edges_;
   LatestJob edgeJob_{LatestJob::SupersededJob::Kept};
 };

@@ -11,7 +11,7 @@ namespace dewpoint::ui {
 
 /// Effect of a key on the selected camera.
 struct KeyNudge {
-  int axis = 0;        ///< axis of `ManualCalibration::nudge()`; -1 for the focal length
+  int axis = 0;        ///< 0, 1 or 2: axis along or about which the camera moves; -1: focal length
   double amount = 1.0; ///< number of steps; percent for the focal length
 };
 

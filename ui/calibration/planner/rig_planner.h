@@ -108,7 +108,7 @@ private:
     bool operator==(const MapRequest&) const = default;
   };
   std::optional<MapRequest> lastRequest_;
-  std::shared_ptr<RigMapper> mapper_; ///< used by one job at a time
+  std::shared_ptr<RigMapper> mapper_; ///< computes the maps; used by one job at a time
   LatestJob mapping_{LatestJob::SupersededJob::Kept};
   BackgroundJob search_;
   std::shared_ptr<const RigMap> map_;

@@ -46,11 +46,13 @@ public:
   // Returns the frames that the user marked because the ball touched the floor, touched one end of
   // a known distance, or fell freely.
   const std::vector<MarkedInstant>& touchedInstants() const { return touchedInstants_; }
-  /// Marks the frame shown as a frame in which the event `role` happens. For an end of the known
-  /// distance or of the fall, the frame replaces the one that was marked before.
+  /// Marks the frame shown as a frame in which the event `role` happens. The ball can touch the
+  /// floor in several frames. Each other event, such as the beginning of a fall, happens once, so
+  /// the frame replaces the one that was marked before.
   void addTouchedInstant(WandEvent role);
   void removeTouchedInstant(std::size_t index);
-  /// Shows the images of the marked frame with this index in touchedInstants().
+  /// Shows the images of one of the frames that the user has marked. `index` is the index in
+  /// touchedInstants().
   void showTouchedInstant(std::size_t index);
   /// Returns whether a frame is shown, so that it can be marked.
   bool canAddTouchedInstant() const { return shownFrame_ >= 0; }

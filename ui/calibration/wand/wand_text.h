@@ -19,11 +19,12 @@ QString wandEventText(WandEvent role);
 QString validationMessage(const WandSettings& settings, const std::vector<MarkedInstant>& instants,
                           const Project& project);
 
-/// Returns the translated text of motionGapText() about a gap. `cameraNames` are the names of all
-/// cameras of the project.
+/// Returns one or two translated sentences about missing motion of the wand and what to do about it
+/// (motionGapText()). `cameraNames` are the names of all cameras of the project.
 QString motionGapMessage(const MotionGap& gap, const QStringList& cameraNames);
 
-/// Returns the translated text of knownBetterText() about a refinement.
+/// Returns a translated sentence that says that the cameras before a refinement are known more
+/// accurately than its result (knownBetterText()).
 QString knownBetterMessage(const WandRefinement& refinement);
 
 } // namespace dewpoint::ui

@@ -37,7 +37,7 @@ public:
 
   int selectedMark() const { return chosen_; }
   void selectMark(int mark);
-  /// Returns whether the next click in an image marks the selected point.
+  /// Returns whether the next click in an image places the selected mark.
   bool clicksPlacePoint() const { return clicking_; }
   void setClicksPlacePoint(bool clicking);
   /// Places the selected mark at a pixel of a camera image.
@@ -45,9 +45,10 @@ public:
   /// Removes all clicks on all marks.
   void clearClicks();
 
-  /// Returns the indices of the marks that a step uses.
+  /// Returns the indices of the marks from which `step`, a change of the world frame, is computed.
   static std::vector<int> marksUsedBy(WorldStep step);
-  /// Returns whether the positions of all marks of a step are known.
+  /// Returns whether the positions of all marks that `step`, a change of the world frame, uses are
+  /// known.
   bool canApply(WorldStep step) const;
   /// Changes the world frame of the project by a step that uses the marks. `meters` is the true
   /// distance between A and B, used only by the step Length.

@@ -15,8 +15,9 @@ namespace dewpoint::tracking {
 /// Possible position of a target, derived from the images alone.
 struct Candidate {
   Eigen::Vector3d center = Eigen::Vector3d::Zero(); ///< meters, world frame
-  double radius = 0.0;                              ///< meters
-  /// Log likelihood ratio (SphereEvidence), summed over all cameras.
+  double radius = 0.0;                              ///< radius of the target, meters
+  /// Logarithm of the likelihood of the images with the target at `center`, relative to their
+  /// likelihood without it, summed over all cameras (SphereEvidence).
   double logLikelihoodRatio = 0.0;
 };
 
@@ -35,14 +36,16 @@ public:
 
   /// Returns at most `limit` candidates, best first. No two candidates are closer than a radius,
   /// and no candidate is outside the bounds. If `radiusKnown` is false, the radius is estimated
-  /// from the images; otherwise it is the radius of the observation. Afterward, the observation has
-  /// an arbitrary radius, and all pixels of its images are labeled.
+  /// from the images; otherwise it is the radius set in `observation`. Afterward, `observation` has
+  /// an arbitrary radius, and every pixel of its images has a label that tells whether it has the
+  /// target's color (PixelLabel).
   std::vector<Candidate> find(SphereObservation& observation, bool radiusKnown, std::size_t limit,
                               const std::optional<WorldBox>& bounds = std::nullopt) const;
-  /// Returns the spots in one camera's image, which must be fully labeled. This is the first step
-  /// of find().
+  /// Returns the round spots of the target's color in one camera's image, all pixels of which must
+  /// be labeled. This is the first step of find(), which searches whole images.
   std::vector<Spot> spotsOf(std::size_t camera, const LabelImage& labels) const;
-  /// Returns the candidates from one list of spots per camera. This is the second step of find().
+  /// Returns the candidates that result from combining `spots`, which has one list per camera. This
+  /// is the second step of find(), which searches whole images.
   std::vector<Candidate> triangulate(const std::vector<std::vector<Spot>>& spots,
                                      SphereObservation& observation, bool radiusKnown,
                                      std::size_t limit,

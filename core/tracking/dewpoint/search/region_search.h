@@ -24,8 +24,8 @@ struct RegionCandidate {
 
 /// Searches whole images for an object of any shape and returns at most `limit` candidates, best
 /// first. Method: pair the regions of the target's color between cameras by their rays and sizes.
-/// `radius` is the approximate size in meters, or 0 if it is unknown. Afterward, all pixels of the
-/// images are labeled.
+/// `radius` is the approximate size in meters, or 0 if it is unknown. Afterward, every pixel of the
+/// images has a label that tells whether it has the target's color.
 std::vector<RegionCandidate> findRegionCandidates(RegionObservation& observation, double radius,
                                                   const std::optional<WorldBox>& bounds,
                                                   std::size_t limit);

@@ -69,7 +69,7 @@ private:
   std::chrono::steady_clock::time_point begin_;
   std::array<History, kStageCount> histories_;
   double optional_ = 0.0;  ///< milliseconds of this iteration spent on deferrable work
-  double particles_ = 0.0; ///< 0: not yet known
+  double particles_ = 0.0; ///< affordable number of particles per target; 0: not yet known
 };
 
 } // namespace dewpoint::tracking

@@ -37,7 +37,7 @@ public:
   const Gaussian6::Matrix& gatingCovariance() const { return gatingCovariance_; }
 
 private:
-  double sigma_ = 0.0;           ///< frame-to-frame acceleration, m/s²; 0: unknown
+  double sigma_ = 0.0;           ///< learned frame-to-frame acceleration, m/s²; 0: unknown
   double most_ = 0.0;            ///< limit in the last step, m/s²
   double interval_ = 0.0;        ///< duration of the last step, seconds
   double lastingVariance_ = 0.0; ///< variance of a persistent acceleration, (m/s²)²

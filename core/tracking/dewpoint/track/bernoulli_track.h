@@ -25,11 +25,12 @@ namespace dewpoint::tracking {
 struct BernoulliTrackSettings {
   Eigen::Index maxParticles = 500;
   Eigen::Index minParticles = 100;
-  double kldError = 0.1; ///< maximum Kullback-Leibler distance; 0: always maxParticles
+  /// Maximum Kullback-Leibler divergence of the particles; 0: use maxParticles.
+  double kldError = 0.1;
   /// Standard deviation of the acceleration, m/s². The caller must set this value.
   double accelerationSigma = 0.0;
-  double survivalTime = 5.0;         ///< seconds
-  double searchSize = 4.0;           ///< meters
+  double survivalTime = 5.0; ///< seconds for which an unseen target still counts as present
+  double searchSize = 4.0;   ///< edge length of the space in which a target may appear, meters
   SystematicErrors systematicErrors; ///< systematic errors included in estimates
 };
 

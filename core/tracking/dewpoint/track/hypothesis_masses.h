@@ -37,8 +37,8 @@ double absenceProbabilityInSharedViews(const std::vector<TrackHypothesis>& hypot
 /// can therefore restore a hypothesis, but not make it more probable than before.
 void limitOneCameraHypotheses(std::vector<TrackHypothesis>& hypotheses);
 
-/// Limits the probability of a hypothesis that may be part of a larger object
-/// (TrackHypothesis::hasRim() is false) to 0.9.
+/// Limits the probability of a hypothesis to 0.9 if no camera has recently shown the rim of the
+/// target (TrackHypothesis::hasRim()), because it may be part of a larger object.
 void capMassWithoutRim(std::vector<TrackHypothesis>& hypotheses);
 
 /// Returns the part of a hypothesis' log likelihood ratio that is not counted: the excess over
@@ -58,7 +58,9 @@ double probabilityOfLargest(std::span<const double> logMasses, double absence);
 bool mustSearch(const std::vector<TrackHypothesis>& hypotheses,
                 const std::vector<double>& logMasses);
 
-/// Sets the probabilities to the masses divided by their sum, including absence.
+/// Sets the probability of each hypothesis to its mass divided by the sum of all masses, including
+/// the mass of the target's absence. `logMasses` are the logarithms of the masses of the
+/// hypotheses.
 void normalizeMasses(std::vector<TrackHypothesis>& hypotheses,
                      const std::vector<double>& logMasses);
 

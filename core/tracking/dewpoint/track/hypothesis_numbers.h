@@ -12,8 +12,8 @@ namespace dewpoint::tracking {
 /// number. The number 0 is never assigned; it means "no hypothesis".
 class HypothesisNumbers {
 public:
-  /// Half for the track of the target as a ball (BernoulliTrack), or as an object of any shape
-  /// (RegionTrack).
+  /// Half of the range of numbers: for the track that treats the target as a ball (BernoulliTrack),
+  /// or for the track that treats it as an object of any shape (RegionTrack).
   enum class Half : std::uint32_t { Ball, Region };
 
   explicit HypothesisNumbers(Half half) : half_(half) {}

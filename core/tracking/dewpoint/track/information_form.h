@@ -10,8 +10,8 @@ namespace dewpoint::tracking {
 /// Measured position in information form: information (inverse covariance) and information vector,
 /// relative to the predicted position.
 struct InformationForm {
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero(); ///< 1/m²
-  Eigen::Vector3d vector = Eigen::Vector3d::Zero();      ///< 1/m
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero(); ///< inverse covariance, 1/m²
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();      ///< information vector, 1/m
 
   /// Returns the measurement that updates the Gaussian `before` (centered on the predicted
   /// position) to `after`, with `variance` (m²) along each axis added to its covariance.

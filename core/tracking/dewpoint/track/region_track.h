@@ -83,8 +83,9 @@ private:
   BernoulliTrackSettings settings_;
   std::optional<WorldBox> bounds_;
   SearchPrior searchPrior_;
-  std::optional<State> state_;     ///< after the last update
-  std::optional<State> predicted_; ///< before the updates of this frame
+  /// State of the hypothesis after the last update; empty: no hypothesis.
+  std::optional<State> state_;
+  std::optional<State> predicted_; ///< state of the hypothesis before the updates of this frame
   HypothesisNumbers numbers_{HypothesisNumbers::Half::Region};
 };
 

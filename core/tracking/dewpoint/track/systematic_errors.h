@@ -28,8 +28,9 @@ Eigen::Matrix3d covarianceFromDirectionErrors(const Eigen::Vector3d& position,
                                               double sigma);
 
 /// Returns the covariance (m²) of a position: `known` plus the `systematic` errors of the images.
-/// If the user has also given a position, with covariance `given`, `known` includes the information
-/// from the user, which the errors of the images do not affect.
+/// If the user has also given a position, its covariance is `given`, and `known` includes this
+/// information. The errors of the images then widen only the part of `known` that comes from the
+/// images.
 Eigen::Matrix3d withSystematicErrors(const Eigen::Matrix3d& known,
                                      const Eigen::Matrix3d& systematic,
                                      const std::optional<Eigen::Matrix3d>& given);

@@ -23,11 +23,11 @@ namespace dewpoint::tracking {
 /// tracking: Vermaak, Doucet and Pérez 2003). World frame, meters, m/s.
 struct TrackHypothesis {
   Eigen::ArrayXXd states;       ///< one row per particle: x y z vx vy vz
-  Eigen::ArrayXd weights;       ///< linear, sum 1
-  Gaussian6 gaussian;           ///< position and velocity
-  double radius = 0.0;          ///< meters
+  Eigen::ArrayXd weights;       ///< weights of the particles, linear, sum 1
+  Gaussian6 gaussian;           ///< Gaussian of position and velocity that summarizes the particles
+  double radius = 0.0;          ///< radius of the target, meters
   double logRadiusVariance = 0; ///< variance of log(radius); 0: the radius is fixed
-  double probability = 0.0;     ///< probability that the target exists and is here
+  double probability = 0.0;     ///< probability that the target exists and is at this position
   /// True if there are several cameras, but only one of them can see the target now.
   bool onlyOneCameraSees = false;
   /// `probability` at the time when more than one camera could last see the hypothesis.
@@ -38,25 +38,28 @@ struct TrackHypothesis {
   bool wasRimSeen = false;
   /// Time in seconds since the rim was last shown or the position was last confirmed.
   double secondsSinceRim = 0.0;
-  double logLikelihoodRatio = 0.0; ///< at the last measurement update, sum over all cameras
+  /// Log likelihood ratio at the last measurement update, sum over all cameras.
+  double logLikelihoodRatio = 0.0;
   /// Log likelihood ratio that would result if every camera with the target in its image saw it
   /// fully.
   double fullyVisibleLogLikelihoodRatio = 0.0;
-  /// OutlineFit::sizeDeviation at the birth if the radius is known; otherwise 0.
+  /// Deviation of the outlines from their expected size when the hypothesis was created, if the
+  /// radius is known (OutlineFit::sizeDeviation); otherwise 0.
   double sizeDeviation = 0.0;
   int updateCount = 0;          ///< frames with a measurement update since the birth
-  bool wasOutlineFound = false; ///< at the last measurement update
+  bool wasOutlineFound = false; ///< true if the last measurement update found the outline
   /// Position (m, m²) from the last measurement update alone, without the prediction. Valid if
   /// `wasOutlineFound` is true.
   Gaussian3 measurement;
   /// Covariance (m²) of a position given by the user in this frame.
   std::optional<Eigen::Matrix3d> givenCovariance;
   AdaptiveProcessNoise processNoise;
-  /// Running mean of OutlineFit::disagreement per degree of freedom: 1 if the cameras disagree as
-  /// much as expected from the assumed edge errors.
+  /// Disagreement between the cameras about the position (OutlineFit::disagreement) per degree of
+  /// freedom, as a running mean. 1 if the cameras disagree as much as expected from the assumed
+  /// edge errors.
   double disagreement = 1.0;
-  /// OutlineFit::disagreement per degree of freedom, and OutlineFit::pulls, of the last measurement
-  /// update with an outline.
+  /// Disagreement between the cameras per degree of freedom, and the information about the position
+  /// from each camera, of the last measurement update that found an outline.
   double lastDisagreement = 1.0;
   std::vector<CameraInformation> cameraInformation;
   /// Predictions not yet applied to the particles. While the outline is found, new particles are
