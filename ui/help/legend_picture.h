@@ -18,8 +18,8 @@ enum class LegendSign {
   Best,     ///< drawn as a triangle
   Ray,
   Mask,
-  Inset, ///< the enlarged cloud in a corner
-  Range  ///< the selected part of the path
+  Inset, ///< enlarged particle cloud in a corner of a view
+  Range  ///< selected part of a target's path
 };
 
 /// Small image of one sign, drawn by the painters of the camera views.

@@ -35,7 +35,8 @@ public:
   void showLinesOfSight(const std::vector<SightLine>& lines);
   /// Shows the path of the mean, oldest first, in meters. An empty path is not shown.
   void showPath(const std::vector<Eigen::Vector3d>& path) { path_.show(path); }
-  /// Highlights the target if it is a selected person.
+  /// Sets whether the target is selected. A selected person is highlighted; other targets look the
+  /// same.
   void setChosen(bool chosen);
   /// Sets whether the highest-weight particle is marked; off by default.
   void setBestParticleShown(bool shown);

@@ -17,7 +17,7 @@ struct OpenRequest {
   /// True if the document's project is opened again with other inputs; the document then stays
   /// unchanged.
   bool keepHistory = false;
-  bool isUnsaved = false;                        ///< no file contains this state of the project
+  bool isUnsaved = false;                        ///< whether the project to open differs from every file
   bool opensCalibrationPage = false;             ///< opens the page for calibration by hand
   bool opensGuide = false;                       ///< opens the calibration guide
   QString message = {};                          ///< message to show once the project is open

@@ -68,7 +68,7 @@ private:
   void showKnown();
   void showKnown(int row);
 
-  std::map<QString, Known> known_; ///< keyed by location
+  std::map<QString, Known> known_; ///< what was found about each source, keyed by its location
   QSet<QString> imageFolders_;     ///< sources that are known to be folders of images
   std::unique_ptr<JobQueue> jobs_; ///< for this project; results for an earlier project are ignored
 };

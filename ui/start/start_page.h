@@ -35,7 +35,7 @@ Q_SIGNALS:
   void videosRequested();
   void camerasRequested();
   void calibrationRequested(); ///< the user wants to calibrate videos with the calibration guide
-  void projectRequested(const QString& file); ///< empty if the user should select a file
+  void projectRequested(const QString& file); ///< the user wants to open this project, or (if empty) to select a file
 
 private:
   void makeScenes();

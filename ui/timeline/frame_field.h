@@ -25,7 +25,7 @@ public:
   void open(qint64 currentFrame);
 
 protected:
-  bool eventFilter(QObject* watched, QEvent* event) override; ///< Esc, and loss of the focus
+  bool eventFilter(QObject* watched, QEvent* event) override; ///< handles Esc and the loss of the focus, which close the field
 
 private:
   void goToEntered();
