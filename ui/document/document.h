@@ -50,7 +50,7 @@ public:
   MethodFamily methodFamily() const;
   QUndoStack* undoStack() const { return undoStack_; }
   /// Replaces the project by another one and clears the history. `unsaved` is true if no file
-  /// contains this state of the project, because it was recovered or just created.
+  /// contains `project`, because it was recovered or just created.
   void replaceProject(Project project, bool unsaved = false);
   /// Returns whether there are changes that no file contains.
   bool isUnsaved() const;
@@ -81,7 +81,8 @@ public:
   /// undoable step.
   void resetParameter(const std::string& key);
   void resetParameters();
-  /// Selects the method in an undoable step. Parameters shared by both methods keep their values.
+  /// Selects the method in an undoable step. Parameters that the previous and the new method share
+  /// keep their values.
   void setMethod(const std::string& method);
   /// Stores the layout of the views. The layout is saved with the project but is neither an edit
   /// nor a step.

@@ -38,8 +38,10 @@ public:
 
 Q_SIGNALS:
   void started();
-  void progressChanged(double part); ///< progress of the work, 0 to 1; emitted at most 20 times a second
-  void ended(bool cancelled);        ///< emitted after the function returned by the work has run
+  /// Emitted with the progress of the work (0 to 1; negative if unknown), at most about 20 times a
+  /// second.
+  void progressChanged(double part);
+  void ended(bool cancelled); ///< emitted after the function returned by the work has run
 
 private:
   void end(const std::function<void()>& finish);

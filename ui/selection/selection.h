@@ -36,8 +36,8 @@ public:
   /// Return the index of the selected target and of the selected camera; -1 if none is selected.
   int target() const { return target_; }
   int camera() const { return camera_; }
-  /// Returns the index of the selected planned camera (one that the user considers adding), or -1
-  /// if none is selected. A selected planned camera is highlighted instead of the selected camera.
+  /// Returns the index of the selected planned camera (a camera that does not exist yet), or -1 if
+  /// none is selected. A selected planned camera is highlighted instead of the selected camera.
   int plannedCamera() const { return plannedCamera_; }
 
   /// Requests a frame that the user points at (in the timeline, a plot or a table).

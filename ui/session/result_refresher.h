@@ -24,7 +24,8 @@ public:
 
   /// Watches a run; null if the run is over.
   void watchSession(Session* session);
-  /// Sets the time limit (seconds) below which tracking again is considered quick.
+  /// Sets the longest expected duration (seconds) for which frames are tracked again without asking
+  /// the user.
   void setQuickLimit(double seconds) { quickSeconds_ = seconds; }
   /// Reports that a setting of the run was changed.
   void onSettingEdited();
@@ -32,7 +33,7 @@ public:
   /// automatically until the next change of the settings.
   void suspend();
   /// Processes the newest snapshot. `wentBack` is true if the run has gone back to an earlier frame
-  /// or restarted since the last one.
+  /// or restarted since the previous snapshot.
   void processSnapshot(const TrackSnapshot& snapshot, bool wentBack);
   /// Tracks frames again, starting at the first frame whose result is from earlier settings. The
   /// frame shown stays the same.

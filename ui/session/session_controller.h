@@ -176,7 +176,8 @@ private:
   bool playWhenRefreshed_ = false;
   std::optional<std::optional<qint64>> showWhenRefreshed_;
   TrackSnapshotPtr shown_;
-  TrackSnapshotPtr filledFrom_; ///< snapshot from which `filled_` (last images of delayed cameras added) was made
+  TrackSnapshotPtr filledFrom_; ///< snapshot to which the last images of delayed cameras were
+                                ///< added to make `filled_`
   TrackSnapshotPtr filled_;
   LogCursor frames_;
   LogCursor iterations_;

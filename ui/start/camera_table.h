@@ -16,8 +16,8 @@
 
 namespace dewpoint::ui {
 
-/// Kind of a location: a file, a folder, a device or an address. It is determined in another
-/// thread, because the disk may be slow.
+/// Location of an image source: a file, a folder, a device or an address. Its kind is determined in
+/// another thread, because the disk may be slow.
 struct FootageLocation {
   std::string location;
   bool canBeImageSource = false; ///< can be used as a camera

@@ -26,8 +26,8 @@ QColor trackingStateColor(TrackingState state, const QPalette& palette);
 /// `displayPalette()` for the index `target`. `targetColors()` (ui/style/target_colors.h) returns
 /// the colors in which the views draw targets.
 QColor targetColor(int target);
-/// Returns the identity color if `name` is the name of a person; otherwise, the palette color for
-/// the index `target`.
+/// Returns the color of a target: the identity color if `name` is the name of a person; otherwise,
+/// the palette color for the index `target`.
 QColor targetColor(const std::string& name, int target);
 
 } // namespace dewpoint::ui

@@ -23,8 +23,10 @@ struct TimelineModel {
   std::vector<DisplayColorSource> colorSources; ///< what determines the color of each target
   QStringList cameraNames;
   std::vector<ProjectMarker> markers;
-  std::vector<PositionCorrection> corrections; ///< positions corrected by the user, in increasing frame order
-  std::vector<ResultRange> oldResults;         ///< frames with results from earlier settings, in increasing frame order
+  /// Positions corrected by the user, in increasing frame order.
+  std::vector<PositionCorrection> corrections;
+  /// Frames with results from earlier settings, in increasing frame order.
+  std::vector<ResultRange> oldResults;
   bool hasOldResult(qint64 frame) const;
   HistoryState history;
   std::optional<RerunState> rerun;

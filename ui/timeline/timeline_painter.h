@@ -20,8 +20,8 @@ struct TimelineRows {
   /// text, in pixels.
   explicit TimelineRows(const QSizeF& size, int targets, int cameras, double fontHeight,
                         double gutter, bool hasFooter);
-  /// Returns the height at which these rows are readable. It does not increase beyond a few
-  /// targets.
+  /// Returns the height at which the rows of a timeline are readable. The height does not increase
+  /// further beyond a few targets.
   static int minimumHeightFor(int targets, int cameras, double fontHeight);
 
   QRectF axis;    ///< time and markers, at the top; a drag here selects a range
