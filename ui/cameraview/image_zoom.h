@@ -29,10 +29,11 @@ public:
   static constexpr double kMaxScale = 32.0;
 
   bool isFitted(const ZoomSizes& sizes) const;
-  /// Enlarges the image by `factor`, but never shrinks it below the fitted size. The pixel at
-  /// `position` (widget units) stays in place.
+  /// Multiplies the scale of the image by `factor`. The image never becomes smaller than the fitted
+  /// image. The pixel at `position` (widget units) stays in place.
   void zoomBy(double factor, const QPointF& position, const ZoomSizes& sizes);
-  /// Moves a zoomed image by `offset` (widget units), within its limits.
+  /// Moves a zoomed image by `offset` (widget units), but not so far that it leaves more of the
+  /// view empty than a fitted image.
   void panBy(const QPointF& offset, const ZoomSizes& sizes);
   /// Moves a zoomed image just far enough to make `pixel` visible.
   void reveal(const QPointF& pixel, const ZoomSizes& sizes);

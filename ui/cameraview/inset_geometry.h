@@ -15,21 +15,22 @@ namespace dewpoint::ui {
 // view, so the same frame always gives the same image. They change rarely, so that the inset does
 // not move with the cloud.
 
-/// Returns whether a cloud of this diameter (widget units) is too small to see without an inset.
+/// Returns whether a particle cloud of this diameter (widget units) is too small to see without an
+/// inset, a square in which it is enlarged.
 bool isTightCloud(double diameter);
 
-/// Returns the side length of the square inset for a view of this area (widget units), or nothing
-/// if an inset would take up too much room.
+/// Returns the side length of the square inset, which shows a particle cloud enlarged, for a view
+/// of this area (widget units), or nothing if an inset would take up too much room.
 std::optional<double> insetSideLength(const QRectF& area);
 
 /// Returns the magnification of an inset: the width of an image pixel in device pixels, a power of
-/// three. The inset has the side length `side` (device pixels), and the cloud a diameter of
-/// `diameter` image pixels. Returns nothing if the cloud is too large for an inset.
+/// three. The inset has the side length `side` (device pixels), and the particle cloud in it a
+/// diameter of `diameter` image pixels. Returns nothing if the cloud is too large for an inset.
 std::optional<int> insetMagnification(double diameter, double side);
 
-/// Returns the square for the inset, in a corner of the view area: the first corner, starting at
-/// the lower left, that is far enough from the target, or else the farthest corner. Corners that
-/// overlap the `taken` rectangles are avoided if possible.
+/// Returns the square for the inset that shows the target enlarged, in a corner of the view area:
+/// the first corner, starting at the lower left, that is far enough from the target, or else the
+/// farthest corner. Corners that overlap the `taken` rectangles are avoided if possible.
 QRectF insetRect(const QRectF& area, double side, const QPointF& target,
                  const std::vector<QRectF>& taken);
 

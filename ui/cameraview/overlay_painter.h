@@ -16,7 +16,8 @@ struct ImageEllipse;
 namespace dewpoint::ui {
 
 /// Draws the particles and estimates of a target over the image of one camera, as thin bright lines
-/// with a dark halo, readable on any image. `ramp` colors the particles by weight.
+/// with a dark halo, readable on any image. The lines have the color `color`; `ramp` colors the
+/// particles by weight.
 void paintOverlay(QPainter& painter, const CameraOverlay& overlay, const ImagePlacement& placement,
                   const QColor& color, const ParticleRamp& ramp);
 

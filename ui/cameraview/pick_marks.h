@@ -27,7 +27,8 @@ void paintPickRegion(QPainter& painter, const QPolygonF& outline, const QString&
 void paintPickCross(QPainter& painter, const QPointF& position);
 /// Draws a thin guide line.
 void paintPickGuide(QPainter& painter, const QPolygonF& line);
-/// Returns the parts of a hint, which are separated by " · ", in as few lines as fit into a width.
+/// Splits a hint at its separators " · " into as few lines as possible, each at most `width` wide
+/// if its parts allow this, and returns the lines.
 QStringList pickHintLines(const QString& hint, const QFontMetricsF& metrics, double width);
 /// Draws the hint that explains what a click does, at the lower edge of the area.
 void paintPickHint(QPainter& painter, const QString& hint, const QRectF& area);

@@ -18,7 +18,7 @@ class ViewDock;
 struct TargetDock;
 
 /// Dock for the color of the selected target. After a color is learned from a click in a camera
-/// image, the dock selects the learned target and allows the run to start.
+/// image, the dock selects the learned target, and the run starts if the target is new.
 class ColorDock : public QObject {
   Q_OBJECT
 public:

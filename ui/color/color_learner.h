@@ -24,7 +24,7 @@ class ColorLearner : public QObject {
 public:
   explicit ColorLearner(Document& document, QObject* parent = nullptr);
 
-  /// Sets the snapshot whose images are shown. Colors are learned from these images.
+  /// Sets the snapshot whose images are shown. The colors are learned from its images.
   void setSnapshot(TrackSnapshotPtr snapshot) { snapshot_ = std::move(snapshot); }
   /// Sets the index of the target whose color is learned; -1 for a new target.
   void setTarget(int target) { target_ = target; }

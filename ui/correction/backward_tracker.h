@@ -21,10 +21,10 @@ struct TrajectorySample;
 
 namespace dewpoint::ui {
 
-/// Tracks a target backward in time from a position that the user corrected. A thread opens and
-/// reads the recording separately. The positions found are added to the document as part of the
-/// correction step. Only the newest request counts. If the work takes long, a message shows its
-/// progress and offers to stop it.
+/// Tracks a target backward in time from a position that the user corrected. For this, the
+/// recording is opened and read a second time, in another thread. The positions found are added to
+/// the document as part of the correction step. A new request replaces one in progress. If the work
+/// takes long, a message shows its progress and offers to stop it.
 class BackwardTracker : public QObject {
   Q_OBJECT
 public:

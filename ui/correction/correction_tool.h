@@ -35,10 +35,10 @@ public:
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Updates the tool after the corrections or the selection have changed.
   void refresh();
-  /// Corrects `preferredTarget()` to a pixel of a camera image in the frame shown, without a drag.
-  /// Pauses the run if it is playing.
+  /// Moves the target `preferredTarget()` (the selected or only target) to a pixel of a camera
+  /// image in the frame shown, without a drag. Pauses the run if it is playing.
   void correctAt(int camera, const QPointF& pixel);
-  /// Returns whether `correctAt()` is currently possible.
+  /// Returns whether a target can currently be corrected without a drag (`correctAt()`).
   bool canCorrect() const;
   /// Returns the target that is moved if the user presses away from all estimates, or -1 if this is
   /// ambiguous.
@@ -57,7 +57,7 @@ private:
     CameraView* view;
     ImagePickOverlay* overlay;
   };
-  /// Drag, tied to the snapshot whose image it started in.
+  /// Drag of a target to its true position, with the snapshot in whose image the drag started.
   struct Drag {
     int target; ///< -1 if there is no target to drag
     TrackSnapshotPtr snapshot;
@@ -68,8 +68,8 @@ private:
   void reportCorrection(const Drag& drag, int camera, const QPointF& pixel);
   /// Returns the current drag, or the drag that the keyboard would start.
   Drag currentDrag() const;
-  /// Returns the target whose estimate is closest to a pixel and close enough, or -1 if there is
-  /// none.
+  /// Returns the target whose estimate is closest to a pixel in the camera view of `layer`, or -1
+  /// if no estimate is close enough.
   int targetAt(const Layer& layer, const QPointF& pixel) const;
   std::optional<Gaussian3> estimateOf(const Drag& drag) const;
   Result<PositionCorrection> correctionOf(const Drag& drag, int camera, const QPointF& pixel) const;

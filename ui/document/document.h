@@ -37,8 +37,8 @@ public:
   std::shared_ptr<const Project> sharedProject() const { return project_; }
   /// Returns the parameters used for tracking, including those derived from the cameras.
   const ParameterValues& usedParameters() const { return usedParameters_; }
-  /// Returns the values of these parameters when the project sets none: the method's defaults and
-  /// those derived from the cameras.
+  /// Returns the values that the tracking parameters have if the project sets none: the method's
+  /// defaults and those derived from the cameras.
   const ParameterValues& defaultParameters() const { return defaultParameters_; }
   /// Returns whether the current value of a declared parameter differs from its default
   /// (`setup::isChanged()`).
@@ -46,11 +46,11 @@ public:
   /// Returns the window options for the current method. They can change whenever `methodChanged()`
   /// or `replaced()` is emitted.
   const MethodPresentation& methodPresentation() const;
-  /// Returns the family of the project's method.
+  /// Returns the properties of the family (the methods of the same kind) of the project's method.
   MethodFamily methodFamily() const;
   QUndoStack* undoStack() const { return undoStack_; }
   /// Replaces the project by another one and clears the history. `unsaved` is true if no file
-  /// contains this state of the project, because it was recovered or just created.
+  /// contains `project`, because it was recovered or just created.
   void replaceProject(Project project, bool unsaved = false);
   /// Returns whether there are changes that no file contains.
   bool isUnsaved() const;
@@ -61,9 +61,9 @@ public:
   /// returned. A change without effect creates no step.
   Status edit(const QString& name, const std::function<void(Project&)>& change,
               const std::string& mergeKey = {});
-  /// Changes the sources of the cameras in a separate undoable step, in the same way as edit().
-  /// After live cameras have been opened with their new sources, completeSources() can add what
-  /// they report to this step.
+  /// Changes the sources of the cameras in a separate undoable step called `name`. Like edit(), it
+  /// changes nothing and returns the error if the new state is invalid. After live cameras have
+  /// been opened with their new sources, completeSources() can add what they report to this step.
   Status editSources(const QString& name, const std::function<void(Project&)>& change);
   /// Changes the project to include what live cameras have reported, such as their image sizes. If
   /// the last step was made by `editSources()`, the change becomes part of this step; otherwise, it
@@ -77,17 +77,19 @@ public:
   /// values. Returns BadValue or UnknownKey, and changes nothing, if the value or the key is
   /// invalid.
   Status setParameter(const std::string& key, double value);
-  /// Resets one declared parameter, or all changed parameters, to the default in an undoable step.
+  /// Reset a parameter, or all changed parameters (`resetParameters()`), to the default in an
+  /// undoable step.
   void resetParameter(const std::string& key);
   void resetParameters();
-  /// Selects the method in an undoable step. Parameters shared by both methods keep their values.
+  /// Selects the method in an undoable step. Parameters that the previous and the new method share
+  /// keep their values.
   void setMethod(const std::string& method);
   /// Stores the layout of the views. The layout is saved with the project but is neither an edit
   /// nor a step.
   void setLayout(const std::string& layout);
 
-  /// Notes that `file` contains this state of the project, and makes it the project file. Changes
-  /// after this state stay unsaved. Called by `ProjectSaver`.
+  /// Notes that `file` contains the project as it was in `state`, and makes it the project file.
+  /// Changes after this state stay unsaved. Called by `ProjectSaver`.
   void markSaved(const Project& state, const std::filesystem::path& file);
 
 Q_SIGNALS:

@@ -19,7 +19,7 @@ namespace dewpoint::ui {
 
 class Document;
 
-/// Function that writes a project to a file, like `saveProject()`.
+/// Function that writes a project to a file, as `saveProject()` does.
 using ProjectWriter =
     std::function<Status(const Project& project, const std::filesystem::path& file)>;
 

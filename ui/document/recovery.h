@@ -24,38 +24,40 @@ class Document;
 class Recovery : public QObject {
   Q_OBJECT
 public:
-  /// Creates `folder` if it is missing. `write` is the function that writes text files;
-  /// `writeTextFile()` by default.
+  /// Creates `folder`, in which the copies of unsaved work are kept, if it is missing. `write` is
+  /// the function that writes text files; `writeTextFile()` by default.
   Recovery(Document& document, std::filesystem::path folder, QObject* parent = nullptr,
            TextWriter write = {});
   ~Recovery() override;
 
-  /// Finds the copies in the folder that belong to closed windows, and passes them to `then`,
-  /// newest first.
+  /// Finds the copies of unsaved work that closed windows left in the folder, and passes them to
+  /// `then`, newest first.
   void findBackups(std::function<void(const std::vector<RecoverableWork>&)> then);
-  /// Reads the project in a copy, and passes it to `then`. The project names the file from which it
-  /// was originally loaded.
+  /// Reads the project in a copy of unsaved work, and passes it to `then`. The project names the
+  /// file from which it was originally loaded.
   void recover(const RecoverableWork& work, std::function<void(const Result<Project>&)> then);
-  /// Notes that the document now contains this recovered work. Its copy is removed once this window
-  /// has written its own copy, or when the work is saved or discarded.
+  /// Notes that the document now contains this recovered work. The copy from which the work was
+  /// read is removed once this window has written a copy of its own, or when the work is saved or
+  /// discarded.
   void adoptBackup(const RecoverableWork& work) { takenOver_.push_back(work); }
-  /// Discards a copy: it is no longer offered, and it is deleted after a week. `restore()` undoes
-  /// the discarding.
+  /// Discards a copy of unsaved work: it is no longer offered to the user, and it is deleted after
+  /// a week. `restore()` undoes the discarding.
   void discard(const RecoverableWork& work);
   void restore(const RecoverableWork& work);
-  /// Removes this window's copy and the copies it has taken over, because the work was saved or
-  /// discarded.
+  /// Removes this window's copy of unsaved work, and the copies that were recovered in this window.
+  /// Call this when the work was saved or discarded.
   void removeBackup();
 
   static std::filesystem::path standardFolder();
 
 Q_SIGNALS:
-  /// Emitted before a copy is written. Receivers must now apply their pending changes to the
-  /// document.
+  /// Emitted before a copy of the unsaved work is written. Receivers must now apply their pending
+  /// changes to the document.
   void backupStarting();
-  /// Emitted when a copy is safely on the disk.
+  /// Emitted when a copy of the unsaved work is safely on the disk.
   void backedUp();
-  /// Emitted with the reason when the copy cannot be written. Each reason is reported once.
+  /// Emitted with the reason when the copy of the unsaved work cannot be written. Each reason is
+  /// reported once.
   void failed(const QString& sentence);
 
 private:

@@ -32,22 +32,24 @@ using TextWriter =
 /// one at a time.
 class RecoveryFolder {
 public:
-  /// Creates the folder if it is missing and locks this window's copy. Deletes stale locks and
-  /// incomplete copies of closed windows.
+  /// Creates the folder if it is missing, and a lock file that shows that this window is running.
+  /// Deletes stale locks and incomplete copies of closed windows.
   RecoveryFolder(std::filesystem::path folder, TextWriter write);
-  ~RecoveryFolder(); ///< releases the lock
+  ~RecoveryFolder(); ///< releases the lock of this window's copy
 
-  /// Returns the copies in the folder that belong to closed windows, newest first.
+  /// Returns the copies of unsaved work that closed windows left in the folder, newest first.
   std::vector<RecoverableWork> orphanedBackups() const;
-  /// Reads the project in a copy. The project names the file from which it was originally loaded.
+  /// Reads the project in a copy of unsaved work. The project names the file from which it was
+  /// originally loaded.
   static Result<Project> readBackup(const RecoverableWork& work);
-  /// Discards a copy: it is no longer offered, and it is deleted after a week. `restore()` undoes
-  /// the discarding.
+  /// Discards a copy of unsaved work: it is no longer offered to the user, and it is deleted after
+  /// a week. `restore()` undoes the discarding.
   static void discard(const RecoverableWork& work);
   static void restore(const RecoverableWork& work);
   static void remove(const RecoverableWork& work);
 
-  /// Writes `project`, which was loaded from `project.file`, to this window's copy.
+  /// Writes `project`, which was loaded from `project.file`, to the copy of this window's unsaved
+  /// work.
   Status writeOwnBackup(const Project& project) const;
   void removeOwnBackup() const;
 

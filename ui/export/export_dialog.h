@@ -48,7 +48,8 @@ public:
   void resetChoices(const QString& file);
 
 Q_SIGNALS:
-  /// Emitted with the result of an export. While the dialog is visible, it shows the result itself.
+  /// Emitted with the result of an export. While the dialog is visible, the dialog also shows this
+  /// result.
   void done(const QString& sentence);
   void failed(const QString& sentence);
   /// Emitted when an export has written this file.

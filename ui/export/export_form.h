@@ -39,8 +39,8 @@ public:
   /// Resets all choices for another project.
   void resetChoices();
   void retranslateUi();
-  /// Return the text and the tooltip of the check box for notes, for all export dialogs that have
-  /// such a check box.
+  /// Return the text and the tooltip of the check box for notes about the run, for all export
+  /// dialogs that have such a check box.
   static QString notesText();
   static QString notesHint();
 

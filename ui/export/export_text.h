@@ -14,7 +14,7 @@ struct ExportSummary;
 
 namespace dewpoint::ui {
 
-/// Returns the translated name of a format.
+/// Returns the translated name of the export format with this id.
 QString exportFormatName(std::string_view id);
 /// Returns a text about the units of an export, for example "Lengths in mm, times in s. Y points
 /// up: ..."

@@ -30,8 +30,8 @@ public:
   void cancelPreview();
   /// Cancels the preview on the user's request and shows a note in its place.
   void stopOnUserRequest();
-  /// Cancels the current preview when an export begins, and requests it again when the export is
-  /// over.
+  /// Cancels the current preview when an export begins (`exporting` is true), and requests the
+  /// preview again when the export is over (false).
   void setExporting(bool exporting);
   /// Drops a pending request for a preview. A preview in progress continues.
   void cancelPendingRequest();

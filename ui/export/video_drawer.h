@@ -28,8 +28,8 @@ class VideoDrawer : public QObject {
 public:
   explicit VideoDrawer(QObject* parent = nullptr);
 
-  /// Sets the session and the composition of the next images. `scene` is the bird's-eye view whose
-  /// appearance is copied; null if the composition contains no bird's-eye view.
+  /// Sets the session and the composition (`look`) of the next images. `scene` is the bird's-eye
+  /// view whose appearance is copied; null if the composition contains no bird's-eye view.
   void beginVideo(Session* session, std::shared_ptr<const VideoLayout> look,
                   const BirdsEyeView* scene);
   /// Drops requests that have not been answered. The session may end after this call.

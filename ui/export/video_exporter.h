@@ -31,7 +31,7 @@ class VideoExporter : public QObject {
   Q_OBJECT
 public:
   explicit VideoExporter(QObject* parent = nullptr);
-  ~VideoExporter() override; ///< cancels
+  ~VideoExporter() override; ///< cancels an export in progress
 
   /// Starts an export. Must not be called while an export is running. `scene` is the bird's-eye
   /// view whose appearance is copied, or null.
@@ -62,16 +62,16 @@ private:
   using StatePtr = std::shared_ptr<State>;
   void open();
   void requestNext();
-  /// Counts images that were written, and ends the export after the last one.
+  /// Adds `images` to the number of written images, and ends the export after the last one.
   void count(const StatePtr& state, std::size_t images);
   void close();
   void end(const StatePtr& state, const Status& closed);
 
   VideoDrawer* drawer_;
   StatePtr state_;          ///< null while no export is running
-  std::size_t next_ = 0;    ///< first image that was not requested
-  std::size_t written_ = 0; ///< images that were written
-  int waiting_ = 0;         ///< requested frames that were not written
+  std::size_t next_ = 0;    ///< index of the first image that has not been requested
+  std::size_t written_ = 0; ///< number of images written so far
+  int waiting_ = 0;         ///< number of requested frames that have not been written yet
   bool closing_ = false;
 };
 

@@ -30,8 +30,8 @@ public:
   void setEncodings(std::vector<VideoEncoding> encodings);
   bool hasEncodings() const { return !encodings_.empty(); }
 
-  /// Returns the composition of the images, without the name of the recording. It contains only the
-  /// checked views.
+  /// Returns the composition of the images, with only the checked views and without the name of the
+  /// recording.
   VideoLayout videoLayout() const;
   /// Returns the speed and frame rate of the video. `recorded` is the frame rate of the recording.
   VideoTiming timing(double recorded) const;

@@ -29,7 +29,7 @@ struct VideoLayout {
   QSize size;                   ///< image size, pixels; width and height are even
   bool titlesShown = true;      ///< draws the title of each view in its corner
   bool stampShown = true;       ///< draws frame, time and recording at the lower edge
-  QString recording;            ///< name of the recording or take
+  QString recording;            ///< name of the recording, drawn at the lower edge
   QPalette palette;
 };
 

@@ -28,8 +28,8 @@ public:
   VideoScene();
   ~VideoScene();
 
-  /// Copies the layers and the point of view of a bird's-eye view, for images of this size
-  /// (pixels).
+  /// Copies the layers and the point of view of the bird's-eye view `shown`, for images of this
+  /// size (pixels). `volume` is the volume of interest to draw, if there is one.
   void copyLook(const BirdsEyeView& shown, const std::optional<WorldBox>& volume,
                 const QSize& size);
   /// Returns the image of a frame; null without OpenGL.

@@ -11,15 +11,15 @@ namespace dewpoint::ui {
 /// of each.
 enum class LegendSign {
   Particles,
-  Estimate, ///< drawn as a cross
-  Belief,   ///< drawn as a solid ellipse
-  Outline,  ///< drawn as a dashed ellipse
-  Truth,    ///< drawn as a diamond
-  Best,     ///< drawn as a triangle
+  Estimate, ///< estimated position, drawn as a cross
+  Belief,   ///< contains the target with 95 % probability; drawn as a solid ellipse
+  Outline,  ///< size of a target that is not a ball; drawn as a dashed ellipse
+  Truth,    ///< true position, drawn as a diamond
+  Best,     ///< particle of highest weight, drawn as a triangle
   Ray,
   Mask,
-  Inset, ///< the enlarged cloud in a corner
-  Range  ///< the selected part of the path
+  Inset, ///< enlarged particle cloud in a corner of a view
+  Range  ///< selected part of a target's path
 };
 
 /// Small image of one sign, drawn by the painters of the camera views.

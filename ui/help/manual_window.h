@@ -14,8 +14,8 @@ namespace dewpoint::ui {
 
 class ManualBrowser;
 
-/// Manual window: a list of pages next to the current page. Not modal. If the folder is missing,
-/// the window shows where it should be.
+/// Manual window: a list of pages next to the current page. Not modal. If the folder with the pages
+/// is missing, the window shows where it should be.
 class ManualWindow : public QDialog {
   Q_OBJECT
 public:

@@ -26,7 +26,7 @@ class ProjectCheckDialog : public QDialog {
   Q_OBJECT
 public:
   /// Creates the dialog. `project` returns the current project when a check starts. `opener` opens
-  /// its images.
+  /// the images of the project.
   ProjectCheckDialog(std::function<Project()> project, ProjectOpener opener, QWidget* parent);
 
   const std::vector<Finding>& findings() const { return findings_; }

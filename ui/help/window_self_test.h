@@ -14,7 +14,8 @@ namespace dewpoint::ui {
 /// graphics, and languages. Takes about a second. Call this function in the GUI thread.
 std::vector<SelfTestLine> runGraphicsSelfTest();
 
-/// Returns the inputs of `runSelfTest()` for this computer. `opener` opens the demo.
+/// Returns the inputs of `runSelfTest()` for this computer. `opener` opens the demo, a built-in
+/// scene.
 SelfTestInputs makeSelfTestInputs(const ProjectOpener& opener);
 
 /// Returns the lines as text, one per line.

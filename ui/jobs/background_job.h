@@ -30,7 +30,7 @@ public:
 
   /// Starts the work. Returns false and does nothing while other work is running.
   bool start(Work work);
-  void cancel(); ///< `ended()` follows once the work has noticed the cancellation
+  void cancel(); ///< cancels the running work; `ended()` follows once the work has stopped
   /// Cancels the running work without waiting for the work to end. The job counts as ended, and new
   /// work can start.
   void abandon();
@@ -38,8 +38,10 @@ public:
 
 Q_SIGNALS:
   void started();
-  void progressChanged(double part); ///< at most about 20 times a second
-  void ended(bool cancelled);        ///< after the function returned by the work has run
+  /// Emitted with the progress of the work (0 to 1; negative if unknown), at most about 20 times a
+  /// second.
+  void progressChanged(double part);
+  void ended(bool cancelled); ///< emitted after the function returned by the work has run
 
 private:
   void end(const std::function<void()>& finish);

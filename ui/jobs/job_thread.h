@@ -39,7 +39,7 @@ public:
   explicit JobMailbox(QObject* parent = nullptr);
   ~JobMailbox() override; ///< discards everything posted from now on
 
-  /// Sending end of a mailbox, for use in other threads. It may outlive the mailbox.
+  /// Object with which other threads post functions to a mailbox. It may outlive the mailbox.
   class Sender {
   public:
     /// Posts a function that will run in the mailbox's thread, unless the mailbox is deleted first.

@@ -14,9 +14,9 @@ namespace dewpoint::ui {
 class MessageBar;
 
 /// Shows a message when a camera has moved, with advice. If the run has found the new pose, one
-/// click applies it. Each state of a moved camera is reported once. If several cameras have moved,
-/// the question about each one stays until it is answered. Once closed by the user, a message does
-/// not reappear.
+/// click applies it. Each stage (moved, new pose known, pose cannot be computed, moved back) is
+/// reported once per camera. If several cameras have moved, the question about each one stays until
+/// it is answered. Once closed by the user, a message does not reappear.
 class CameraMotionAlerts : public QObject {
   Q_OBJECT
 public:

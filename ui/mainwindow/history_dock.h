@@ -5,7 +5,7 @@
 
 namespace dewpoint::ui {
 
-/// Dock with the history of changes, and the undo and redo actions.
+/// Dock with the history of changes to the project, and the undo and redo actions.
 class HistoryDock : public QObject {
   Q_OBJECT
 public:

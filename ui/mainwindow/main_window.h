@@ -43,7 +43,7 @@ public:
   explicit MainWindow(ProjectOpener opener, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Opens a project in the background. An empty path opens the demo.
+  /// Opens a project in the background. An empty path opens the demo, a built-in scene.
   void openProject(const std::filesystem::path& file);
   /// Sets whether projects start to play as soon as they are open.
   void setPlayOnOpen(bool play);
@@ -64,8 +64,8 @@ public:
 
   /// Writes the results of the run so far (`RunRecord`) to a folder, in another thread. Requests
   /// are processed in order, even if the window closes meanwhile. Errors are shown in the window.
-  /// `written` is called from the writing thread with true on success. If nothing is open, it is
-  /// called immediately with false.
+  /// `written` is called from the writing thread with true on success. If no project is open,
+  /// `written` is called immediately with false.
   void saveRun(const std::filesystem::path& folder, std::function<void(bool)> written = {});
 
   Document& document() { return *document_; }

@@ -7,7 +7,8 @@
 namespace dewpoint::ui {
 
 /// Offers to locate moved files without which a project cannot be opened. The project is then
-/// opened with the new paths. They are stored in the project file when the user saves it.
+/// opened with the new paths. The project file contains these paths once the user saves the
+/// project.
 class MissingFilesOffer : public QObject {
   Q_OBJECT
 public:

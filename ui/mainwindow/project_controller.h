@@ -35,7 +35,7 @@ public:
   /// Creates the pages as the window's central widget.
   explicit ProjectController(const Workbench& bench);
 
-  /// Opens a project in the background. An empty path opens the demo.
+  /// Opens a project in the background. An empty path opens the demo, a built-in scene.
   void open(const std::filesystem::path& file);
   /// Shows the start page.
   void showStartPage();
@@ -43,11 +43,12 @@ public:
   /// there.
   void enableRecovery(const std::filesystem::path& folder, TextWriter write);
   ProjectSaver& saver();
-  /// Returns whether the window may close now. If the work is saved first, the window closes later.
-  /// Removes the recovery copy when it returns true.
+  /// Asks the user about unsaved changes, and returns whether the window may close now. If the user
+  /// chooses to save, returns false, and the window closes once the changes are saved. If it
+  /// returns true, the copy of unsaved work is removed.
   bool confirmClose();
   void fillRecentMenu(QMenu* menu);
-  /// Returns whether the data contain something that can be opened.
+  /// Returns whether data dragged over the window contain a file that can be opened.
   static bool canDrop(const QMimeData& data);
   void drop(const QMimeData& data);
 

@@ -21,20 +21,22 @@ public:
 
   /// Asks the user whether to recover the newest copy of unsaved work, if there is one.
   void offerRecovery();
-  /// Sets how often the folder is searched until work is found.
+  /// Sets how often the folder with the copies of unsaved work is searched until a copy is found.
   void setInterval(std::chrono::milliseconds interval) { searchTimer_.setInterval(interval); }
   /// Notes that the document now contains this recovered work.
   void adoptBackup(const RecoverableWork& work) { recovery_->adoptBackup(work); }
   /// Removes the copy of this window's work. Call this when the work was saved or discarded.
   void removeBackup() { recovery_->removeBackup(); }
-  /// Reads the work. Emits `recovered()` afterwards, or shows an error in the window.
+  /// Reads a copy of unsaved work. Emits `recovered()` with the project afterwards, or shows an
+  /// error in the window.
   void recover(const RecoverableWork& work);
 
 Q_SIGNALS:
-  /// Emitted after the folder was searched. If work was found, a question is now shown.
+  /// Emitted after the folder was searched for copies of unsaved work. If there is one, a question
+  /// about it is now shown.
   void searchEnded();
-  /// Emitted when the user wants to recover this work. The receiver calls `recover()`, or calls
-  /// `offerRecovery()` later to ask again.
+  /// Emitted when the user wants to recover this unsaved work. The receiver calls `recover()`, or
+  /// calls `offerRecovery()` later to ask again.
   void recoveryRequested(const RecoverableWork& work);
   /// Emitted when the work was read and can be opened.
   void recovered(const Project& project, const RecoverableWork& work);

@@ -17,7 +17,7 @@ public:
   explicit RunWriter(const Workbench& bench);
 
   /// Writes the run to `folder`. `written` is called from the writing thread with true on success.
-  /// If nothing is open, it is called immediately with false.
+  /// If no project is open, `written` is called immediately with false.
   void write(const std::filesystem::path& folder, std::function<void(bool)> written);
 
 private:

@@ -42,7 +42,7 @@ public:
   /// Sets the index of the target to describe; -1: the target that needs attention.
   void setTarget(int target);
   /// Returns the tracking state shown: the state of the described target or, if there is only one
-  /// target, of the whole snapshot (holdState()).
+  /// target, of the whole snapshot.
   TrackingState state() const { return state_; }
 
   QSize minimumSizeHint() const override;

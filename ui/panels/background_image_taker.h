@@ -44,7 +44,8 @@ public:
   /// Sets the function that writes the images. The function is called from another thread, because
   /// writing may take long.
   void setWriter(BackgroundImageWriter keep) { write_ = std::move(keep); }
-  /// Returns whether the camera shows an image and no image is being written.
+  /// Returns whether a background image can be taken: the camera shows an image, and no other
+  /// background image is being written.
   bool canCapture(int camera) const;
   void capture(int camera);
 

@@ -11,7 +11,8 @@
 namespace dewpoint::ui {
 
 /// View that compares the color histogram of a bounding box when it was set with the histogram of
-/// the current box. Each color bin has two bars in its color: a hollow one and a filled one.
+/// the current box. Each color bin has two bars in its color: a hollow one for the box when it was
+/// set, and a filled one for the current box.
 class HistogramView : public QWidget {
   Q_OBJECT
 public:

@@ -15,16 +15,18 @@ public:
   using Range = std::pair<double, double>; ///< lower and upper end, in units of the axis
 
   PlotAxis axis() const { return axis_; }
-  /// Sets the minimum length of the axis in iterations; a shorter run fills it gradually.
+  /// Sets the minimum length of the axis in iterations. A shorter run fills the axis gradually.
   void setMinIterations(double least) { minIterations_ = least; }
-  /// Changes the axis and shows the whole run. Returns false if the axis is already set.
+  /// Sets the quantity on the axis (iterations or time) and shows the whole run. Returns false if
+  /// the axis already has this quantity.
   bool setAxis(PlotAxis axis);
   /// Returns the axis range of the whole run, extended to the minimum length. `series` is null if
   /// nothing was tracked.
   Range fullRange(const PlotSeries* series) const;
   Range shownRange(const PlotSeries* series) const;
-  /// Moves a range that follows the newest data, and returns the range to show. Shows the whole run
-  /// again if the run went back to before the range shown.
+  /// Updates the range after new data were added, and returns the range to show. A range that
+  /// includes the newest data moves along. Shows the whole run again if the run went back to before
+  /// the range shown.
   Range advance(const PlotSeries* series);
   bool showsAll() const { return !shownRange_.has_value(); }
   void showAll();

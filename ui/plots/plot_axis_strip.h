@@ -17,7 +17,8 @@ public:
   /// Creates the strip as a sibling of the plot. It is redrawn whenever the plot is redrawn.
   PlotAxisStrip(QCustomPlot& plot, QWidget* parent);
 
-  /// Sets the plot axis whose numbers are drawn. If it is null, no numbers are drawn.
+  /// Sets the plot axis whose numbers are drawn, and its quantity `kind`. If `axis` is null, no
+  /// numbers are drawn.
   void setAxis(QCPAxis* axis, PlotAxis kind);
   /// Sets whether the axis name is drawn at the right end.
   void setNameShown(bool named) { nameShown_ = named; }

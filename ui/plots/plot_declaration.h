@@ -21,7 +21,7 @@ enum class PlotQuantity {
   Duration,      ///< microseconds, axis from 0
   LogLikelihood, ///< natural logarithm
   Probability,   ///< 0 to 1
-  Pixels,        ///< in an image, axis from 0
+  Pixels,        ///< length in an image, pixels; axis from 0
   PixelPosition, ///< position in an image, pixels
 };
 
@@ -41,7 +41,7 @@ struct CurveDeclaration {
 
 /// Declaration of one plot in a stack.
 struct PlotDeclaration {
-  QString id; ///< identifies the plot: "spread"
+  QString id; ///< identifies the plot, for example "spread"
   QString title;
   PlotQuantity quantity = PlotQuantity::Count;
   std::vector<CurveDeclaration> curves;

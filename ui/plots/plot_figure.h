@@ -29,8 +29,8 @@ struct PlotImage {
 };
 
 /// Draws plots as a figure for publication, with antialiased lines, named axes, and the cursor only
-/// if needed. The plots have this appearance while the object exists, and must be redrawn
-/// afterward.
+/// if a range or a past frame is selected. The plots have this appearance while the object exists,
+/// and must be redrawn afterward.
 class PlotFigure {
   Q_DECLARE_TR_FUNCTIONS(PlotFigure)
 public:

@@ -33,7 +33,8 @@ public:
 
   /// Returns the visible part of the axis.
   std::pair<double, double> shownRange() const { return range_.shownRange(series_); }
-  /// Moves a visible part that follows the newest data, and returns the visible part of the axis.
+  /// Updates the visible part of the axis after new data were added, and returns it. A part that
+  /// includes the newest data moves along.
   std::pair<double, double> advance() { return range_.advance(series_); }
   bool showsAll() const { return range_.showsAll(); }
   /// Shows the whole run again.
@@ -63,10 +64,11 @@ public:
   std::optional<double> positionOf(const std::optional<std::int64_t>& frame) const;
   /// Returns the frame closest to a position on the axis.
   std::optional<std::int64_t> frameAt(double position) const;
-  /// Returns the index of the series row at the cursor, or nothing if there is none.
+  /// Returns the index of the row of the plotted series that is at the cursor, or nothing if there
+  /// is none.
   std::optional<std::size_t> cursorRow() const;
-  /// Returns the index of the series row of the frame that all views show, regardless of the
-  /// cursor; nothing if there is none.
+  /// Returns the index of the row of the plotted series for the frame that all views show,
+  /// regardless of the cursor; nothing if there is none.
   std::optional<std::size_t> shownRow() const;
 
 Q_SIGNALS:

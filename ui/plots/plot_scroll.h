@@ -21,7 +21,8 @@ public:
   /// Takes ownership of the plot.
   PlotScroll(QCustomPlot* plot, QWidget* parent);
 
-  /// Sets the axis whose numbers are shown below. If it is null, no numbers are shown.
+  /// Sets the axis whose numbers are shown below the plots, and its quantity `kind`. If `axis` is
+  /// null, no numbers are shown.
   void setAxis(QCPAxis* axis, PlotAxis kind);
   /// Sets whether the name of the axis is shown next to its numbers.
   void setNameShown(bool named);

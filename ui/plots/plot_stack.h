@@ -45,7 +45,7 @@ public:
   void setEmptyText(const QString& sentence);
   /// Sets whether only curves and axes are shown, without titles and readouts.
   void setCurvesOnly(bool bare);
-  /// Sets the minimum length of the axis in iterations. A shorter run fills it gradually.
+  /// Sets the minimum length of the axis in iterations. A shorter run fills the axis gradually.
   void setMinIterations(int least) { navigation_->setMinIterations(least); }
   void setAxis(PlotAxis axis);
   PlotAxis axis() const { return navigation_->axis(); }
@@ -76,7 +76,7 @@ public:
   /// Returns the position of the cursor as text: "frame 132, 4.40 s", or "frame 132, iteration 660,
   /// 4.40 s" if the axis counts iterations. Empty before the first frame.
   QString cursorText() const { return placeText(navigation_->cursorRow()); }
-  /// Returns the frame that all views show as text, in the same form as cursorText().
+  /// Returns the frame that all views show as text, for example "frame 132, 4.40 s".
   QString shownFrameText() const { return placeText(navigation_->shownRow()); }
   /// Returns the duration of the last redraw in milliseconds.
   double lastDrawingMs() const { return lastDrawingMs_; }

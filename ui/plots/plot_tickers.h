@@ -37,8 +37,8 @@ private:
   bool wholeNumbers_ = false;
 };
 
-/// Axis ticker for plots of small height. It draws at least two ticks and at most the number of
-/// setMaxTicks(), at multiples of 1, 2 or 5 times a power of ten.
+/// Axis ticker for plots of small height. It draws at least two ticks and at most the number set
+/// with setMaxTicks(), at multiples of 1, 2 or 5 times a power of ten.
 class ValueTicker : public StepTicker {
 public:
   void setMaxTicks(int most) { maxTicks_ = most; }

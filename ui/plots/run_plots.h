@@ -27,7 +27,8 @@ std::size_t runPlotColumnCount(int cameraCount);
 /// Returns the particle spread in a row of the series of a run's plots, combined over all axes, in
 /// meters, or in pixels for bounding boxes.
 double particleSpreadOf(const PlotSeries& series, std::size_t row);
-/// Appends one iteration to the series of a run's plots for its target.
+/// Appends the values of one filter iteration of a target as a row to the series from which the
+/// plots of this target are drawn.
 void appendIteration(PlotSeries& series, const IterationRecord& record);
 
 } // namespace dewpoint::ui

@@ -20,9 +20,9 @@ struct BoardPreferences {
   QString board;                     ///< in the format of parseBoard(); empty for the default board
   int lensModel = 0;                 ///< value of IntrinsicsModel
   bool calibratesIntrinsics = true;  ///< whether intrinsics are calibrated
-  bool calibratesPositions = true;   ///< whether positions are calibrated
+  bool calibratesPositions = true;   ///< whether the camera positions are calibrated
   double intrinsicsAccuracyPx = 0;   ///< requested accuracy of the intrinsics, pixels
-  double positionAccuracyMeters = 0; ///< requested standard deviation of the positions
+  double positionAccuracyMeters = 0; ///< requested standard deviation of the camera positions
 };
 
 /// Typed settings that the program stores for the user between sessions. All keys are in one file.

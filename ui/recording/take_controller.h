@@ -18,34 +18,36 @@ class QLabel;
 
 namespace dewpoint::ui {
 
-/// Records the live cameras of the run: starts and stops takes (actionRecord), shows their progress
-/// in the status bar, and reports where they are stored. The user can set the number and notes of a
-/// take before it begins, and change the notes later (actionTakeNotes). A take may include images
-/// from before its start. The live results of the run are added to the take. A take continues while
-/// the run is paused or restarted. It ends when the project is closed, its cameras are opened
-/// again, or the window is closed.
+/// Records the live cameras of the run: starts and stops takes (recordings of all cameras;
+/// actionRecord), shows their progress in the status bar, and reports where they are stored. The
+/// user can set the number and notes of a take before it begins, and change the notes later
+/// (actionTakeNotes). A take may include images from before its start. The live results of the run
+/// are added to the take. A take continues while the run is paused or restarted. It ends when the
+/// project is closed, its cameras are opened again, or the window is closed.
 class TakeController : public QObject {
   Q_OBJECT
 public:
   explicit TakeController(const Workbench& bench);
 
   bool isRecording() const { return recorder_ != nullptr; }
-  /// Returns the folder for the takes of the open project: beside the project file or, for an
-  /// unsaved project, in the user's folder for videos.
+  /// Returns the folder for the takes (recordings of all cameras) of the open project: beside the
+  /// project file or, for an unsaved project, in the user's folder for videos.
   std::filesystem::path takesFolder() const;
-  /// Returns the state of the current take; an empty state while nothing is being recorded.
+  /// Returns the state of the current take (a recording of all cameras in progress); an empty state
+  /// while nothing is being recorded.
   TakeStatus status() const;
-  /// Starts a take that another program requested. Does nothing if a take is in progress or no live
-  /// cameras are open. `name` becomes the notes of the take, unless the user has entered notes for
-  /// it.
+  /// Starts a take (a recording of all cameras) that another program requested. Does nothing if a
+  /// take is in progress or no live cameras are open. `name` becomes the notes of the take, unless
+  /// the user has entered notes for it.
   void startTakeNamed(const QString& name);
 
 Q_SIGNALS:
-  /// Emitted when the first files of a take exist.
+  /// Emitted when a take (a recording of all cameras) has started and its first files exist.
   void started();
-  /// Emitted when the files of a take are complete.
+  /// Emitted when a take (a recording of all cameras) has ended and its files are complete.
   void stopped(const TakeStatus& take);
-  /// Emitted when the user wants to open a take. `project` is its project file.
+  /// Emitted when the user wants to open a take (a recording of all cameras). `project` is its
+  /// project file.
   void openRequested(const std::filesystem::path& project);
 
 private:

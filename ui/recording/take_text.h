@@ -12,17 +12,20 @@ struct TakeStatus;
 
 namespace dewpoint::ui {
 
-/// Returns one line about a take: its number, its duration, the dropped images, and the free disk
-/// space.
+/// Returns one line about a take (a recording of all cameras): its number, its duration, the
+/// dropped images, and the free disk space.
 QString takeSummaryText(const TakeStatus& take);
-/// Returns one line for each camera of a take: recorded images, frame rate and dropped images.
+/// Returns one line for each camera of a take (a recording of all cameras): recorded images, frame
+/// rate and dropped images.
 QString takeDetailsText(const TakeStatus& take);
-/// Returns a text about how much was recorded from before the start of a take, and whether memory
-/// limited this; empty if nothing was recorded.
+/// Returns a text about how much was recorded from before the start of a take (a recording of all
+/// cameras), and whether memory limited this; empty if nothing was recorded.
 QString preRollText(const TakeStatus& take);
-/// Returns sentences that describe how a take compares with the live run (describeReplay()).
+/// Returns sentences about whether tracking a recording again gives the same results as the live
+/// run did.
 QString replayText(const ReplayComparison& comparison);
-/// Returns a sentence about the first problem while recording a take; empty if there was none.
+/// Returns a sentence about the first problem that occurred during a recording; empty if there was
+/// none.
 QString takeProblemText(const TakeStatus& take);
 /// Returns a duration as text, in minutes and seconds ("0:07") or hours, minutes and seconds
 /// ("1:02:03").

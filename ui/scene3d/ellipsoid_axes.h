@@ -15,8 +15,8 @@ struct EllipsoidAxes {
   Eigen::Vector3d eigenvalues;
 };
 
-/// Returns the principal axes of the ellipsoid of a symmetric matrix, or nothing if no eigenvalue
-/// is positive.
+/// Returns the principal axes of the ellipsoid that a symmetric matrix (such as a covariance)
+/// describes, or nothing if no eigenvalue is positive.
 std::optional<EllipsoidAxes> ellipsoidAxesOf(const Eigen::Matrix3d& matrix);
 
 /// Rotates a VTK actor so that its axes point along the columns of `directions`, which must be

@@ -24,7 +24,8 @@ public:
   GlassBody& operator=(const GlassBody&) = delete;
 
   void setVisible(bool visible) { actor_->SetVisibility(visible); }
-  /// Sets the colors and opacities (0 to 1) of the center (only Fill) and the rim.
+  /// Sets the colors and opacities (0 to 1) of the center (`color`, `middle`) and the rim (`rim`,
+  /// `atRim`). The layer Rim has no center.
   void setAppearance(const SceneColor& color, const SceneColor& rim, double middle, double atRim);
   /// Places the body at `center`. The columns of `directions` are the axes, right-handed. World
   /// coordinates, meters.

@@ -18,9 +18,9 @@ namespace dewpoint::ui {
 class Ground {
 public:
   explicit Ground(vtkRenderer* renderer);
-  /// Sets the rectangle to cover, rounded outward to whole steps, and the room height. The plane is
-  /// drawn below `lowest`, so that it hides nothing from above even if z = 0 is not the floor. All
-  /// arguments are in meters.
+  /// Sets the rectangle to cover, rounded outward to whole grid steps, and the room height. The
+  /// plane is drawn below `lowest`, so that it hides nothing from above even if z = 0 is not the
+  /// floor. All arguments are in meters.
   void cover(const Eigen::AlignedBox2d& extent, double height, double lowest = 0.0);
   /// Sets the decimal separator for the numbers.
   void setDecimalPoint(const std::string& sign);

@@ -18,7 +18,7 @@ struct MapOptions {
   MapQuantity quantity = MapQuantity::Sigma;
   bool layerShown = true;   ///< shows a horizontal layer
   double layerHeight = 0.0; ///< height of the layer, meters
-  bool volumeShown = false; ///< shows the surfaces between some of the classes
+  bool volumeShown = false; ///< shows surfaces between some color classes (MapClass::hasSurface)
   /// Standard deviation (meters) that is good enough; it is the center of the color scale.
   double goodSigma = 0.005;
 

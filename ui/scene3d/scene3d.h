@@ -47,8 +47,8 @@ public:
   /// each new rig, including after a recalibration of all cameras. It is also fitted to objects
   /// that appear later, unless the user has moved the view.
   void setSnapshot(const TrackSnapshot& snapshot);
-  /// Records a snapshot for the paths of the particle means, which are shown for targets that are
-  /// not yet held. Call this for every snapshot, even if it is not drawn.
+  /// Records a snapshot for the paths of the particle means, which are shown for targets that the
+  /// cameras have not yet confirmed. Call this for every snapshot, even if it is not drawn.
   void recordSnapshot(const TrackSnapshot& snapshot);
   /// Highlights the target with this index if it is a person. If `target` is -1, nothing is
   /// highlighted.
@@ -68,10 +68,11 @@ public:
   void showMap(std::shared_ptr<const RigMap> map, const MapOptions& look);
   /// Returns the position on the horizontal map layer that is seen at `place` in the rendered
   /// image, as of the last `prepareRendering()`. Returns nothing outside the layer or if there is
-  /// no layer. `place` is in device pixels, as in `projectToImage()`.
+  /// no layer. `place` is in device pixels to the right of and above the image center.
   std::optional<Eigen::Vector3d> positionInMapLayer(const Eigen::Vector2d& place) const;
   /// Returns the point at this height (world z, meters) that is seen at `place` in the rendered
-  /// image. Returns nothing if the plane at this height is seen edge-on.
+  /// image (device pixels to the right of and above the center). Returns nothing if the plane at
+  /// this height is seen edge-on.
   std::optional<Eigen::Vector3d> positionAtHeight(const Eigen::Vector2d& place,
                                                   double height) const;
   /// Shows the volume of interest as a wireframe box, or hides it if `volume` is empty. Stays in
@@ -107,10 +108,10 @@ public:
   /// planned cameras.
   std::vector<CameraGlyph> cameraGlyphs() const;
   /// Returns the areas of the axis numbers and names in the rendered image, as of the last
-  /// `prepareRendering()`. Coordinates are as in `projectToImage()`.
+  /// `prepareRendering()`. Coordinates are device pixels to the right of and above the center.
   std::vector<Eigen::AlignedBox2d> textAreas() const;
-  /// Returns the right or up axis of the rendered image as a unit vector in world coordinates, as
-  /// of the last `prepareRendering()`.
+  /// Return the axis of the rendered image that points right, and the one that points up, as a unit
+  /// vector in world coordinates, as of the last `prepareRendering()`.
   Eigen::Vector3d rightAxisInWorld() const;
   Eigen::Vector3d upAxisInWorld() const;
   /// Returns whether a point is in front of the viewer. If it is not, it has no position in the
@@ -122,8 +123,8 @@ public:
   /// Returns the position of a world point in the rendered image, as of the last
   /// `prepareRendering()`: device pixels to the right of and above the center.
   Eigen::Vector2d projectToImage(const Eigen::Vector3d& point) const;
-  /// Returns the world point at a position in the rendered image, at the same depth as the point
-  /// `depth`. This is the inverse of `projectToImage()`.
+  /// Returns the world point at `place` in the rendered image (device pixels to the right of and
+  /// above the center), at the same depth as the world point `depth`.
   Eigen::Vector3d unproject(const Eigen::Vector2d& place, const Eigen::Vector3d& depth) const;
   /// Converts a length in meters at `point` to logical pixels, as of the last `prepareRendering()`.
   double lengthInLogicalPixels(const Eigen::Vector3d& point, double meters) const;

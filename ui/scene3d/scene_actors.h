@@ -27,7 +27,7 @@ struct ScreenScale {
   Eigen::Vector3d right = Eigen::Vector3d::UnitX();
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();
   bool isParallel = true;
-  double metersPerPixel = 0.01; ///< at the focus, per device pixel
+  double metersPerPixel = 0.01; ///< meters per device pixel at the point that the view looks at
   double metersPerPixelAndDepth =
       0.0; ///< meters per pixel and per meter of depth; only for perspective
   double pixelRatio = 1.0;
@@ -44,7 +44,8 @@ struct ScreenScale {
   /// Returns the position of a point in the rendered image: device pixels to the right of and above
   /// the center.
   Eigen::Vector2d project(const Eigen::Vector3d& point) const;
-  /// Returns the world point at a position in the rendered image, at the same depth as `like`.
+  /// Returns the world point at `place` in the rendered image (device pixels to the right of and
+  /// above the center), at the same depth as the world point `like`.
   Eigen::Vector3d unproject(const Eigen::Vector2d& place, const Eigen::Vector3d& like) const;
 };
 
@@ -53,8 +54,8 @@ struct ScreenScale {
 void addNewProp(vtkRenderer* renderer, vtkProp* prop);
 /// Creates an unlit actor for lines or faces.
 vtkSmartPointer<vtkActor> makeFlatActor(vtkPolyData* data);
-/// Creates an actor like makeFlatActor(), initially hidden, and adds it to the renderer. Actors are
-/// blended in the order in which they are added.
+/// Creates an unlit actor for lines or faces, initially hidden, and adds it to the renderer. Actors
+/// are blended in the order in which they are added.
 vtkSmartPointer<vtkActor> addNewActor(vtkRenderer* renderer, vtkPolyData* data);
 /// Sets an actor's color and opacity (0 to 1).
 void setActorColor(vtkActor* actor, const SceneColor& color, double opacity = 1.0);

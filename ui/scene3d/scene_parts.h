@@ -54,7 +54,8 @@ public:
                        : std::clamp(0.09 * rigSize(), 0.05, 1.0);
   }
   void applyPalette();
-  /// Updates the colors of all targets. Call it after a target color or the ground has changed.
+  /// Updates the colors of all targets. Call it after a target color or the palette of the scene
+  /// has changed.
   void applyTargetColors();
   void showRig(const std::shared_ptr<const CameraRig>& shown);
   void includeInContent(const TrackSnapshot& snapshot);
@@ -78,7 +79,7 @@ public:
   SelectedRangeActor selectedRange; ///< drawn before the targets, which cover it
   ParticleCloud otherMeans;         ///< means of the targets beyond `kMaxDetailedTargets`
   std::vector<std::unique_ptr<TargetActors>> targets;
-  std::vector<DisplayColorSource> colorSources; ///< one per target
+  std::vector<DisplayColorSource> colorSources; ///< what determines the color of each target
   MeanPath meanPath;
   std::shared_ptr<const CameraRig> rig;
   std::shared_ptr<const CameraRig>

@@ -9,7 +9,8 @@
 
 namespace dewpoint::ui {
 
-/// Selected part of a trajectory, drawn as a wide line under the tail.
+/// Selected part of a trajectory, drawn as a wide line under the tail (the recent path of the
+/// target).
 class SelectedRangeActor {
 public:
   explicit SelectedRangeActor(vtkRenderer* renderer);

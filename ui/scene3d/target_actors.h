@@ -21,8 +21,8 @@
 namespace dewpoint::ui {
 
 /// Actors for one target: a glass body with the particles inside, the 95 % ellipsoid as rings, the
-/// highest-weight particle, tail, ground truth, lines of sight, path of the mean, and shadow on the
-/// floor. Parts added later cover those added earlier.
+/// highest-weight particle, tail (recent path), ground truth, lines of sight, path of the mean, and
+/// shadow on the floor. Parts added later cover those added earlier.
 class TargetActors {
 public:
   explicit TargetActors(vtkRenderer* renderer);
@@ -35,7 +35,8 @@ public:
   void showLinesOfSight(const std::vector<SightLine>& lines);
   /// Shows the path of the mean, oldest first, in meters. An empty path is not shown.
   void showPath(const std::vector<Eigen::Vector3d>& path) { path_.show(path); }
-  /// Highlights the target if it is a selected person.
+  /// Sets whether the target is selected. A selected person is highlighted; this has no effect for
+  /// other targets.
   void setChosen(bool chosen);
   /// Sets whether the highest-weight particle is marked; off by default.
   void setBestParticleShown(bool shown);

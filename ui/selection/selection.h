@@ -36,15 +36,16 @@ public:
   /// Return the index of the selected target and of the selected camera; -1 if none is selected.
   int target() const { return target_; }
   int camera() const { return camera_; }
-  /// Returns the index of the selected planned camera, or -1 if none is selected. A selected
-  /// planned camera is highlighted instead of the selected camera.
+  /// Returns the index of the selected planned camera (a camera that does not exist yet), or -1 if
+  /// none is selected. A selected planned camera is highlighted instead of the selected camera.
   int plannedCamera() const { return plannedCamera_; }
 
   /// Requests a frame that the user points at (in the timeline, a plot or a table).
   void requestFrame(qint64 frame) { Q_EMIT frameRequested(frame); }
   /// Requests the run's current frame again.
   void requestLiveFrame() { Q_EMIT liveFrameRequested(); }
-  /// Sets the frame shown from now on. Called by the window.
+  /// Sets the frame shown from now on and its time. `past` is true if this is not the current frame
+  /// of the run. Called by the window.
   void setCurrentFrame(qint64 frame, double seconds, bool past);
 
   void selectRange(std::optional<SelectedRange> selectedRange);

@@ -7,11 +7,11 @@
 
 namespace dewpoint::ui {
 
-/// Records of the frames tracked since the last signal. This is a separate type so that it can be
-/// forward-declared.
+/// Records of the frames tracked since the last signal with such records. This is a separate type
+/// so that it can be forward-declared.
 struct LoggedFrames : LogUpdate<FrameRecord> {};
 
-/// Records of the filter iterations since the last signal.
+/// Records of the filter iterations made since the last signal with such records.
 struct LoggedIterations : LogUpdate<IterationRecord> {};
 
 } // namespace dewpoint::ui

@@ -17,10 +17,10 @@ struct OpenRequest {
   /// True if the document's project is opened again with other inputs; the document then stays
   /// unchanged.
   bool keepHistory = false;
-  bool isUnsaved = false;                        ///< no file contains this state of the project
-  bool opensCalibrationPage = false;             ///< opens the page for calibration by hand
-  bool opensGuide = false;                       ///< opens the calibration guide
-  QString message = {};                          ///< message to show once the project is open
+  bool isUnsaved = false;            ///< no file contains the project in the state to open
+  bool opensCalibrationPage = false; ///< opens the page for calibration by hand
+  bool opensGuide = false;           ///< opens the calibration guide
+  QString message = {};              ///< message to show once the project is open
   std::optional<RecoverableWork> recovered = {}; ///< copy from which the project was read
 };
 

@@ -23,7 +23,7 @@ struct MissingFile;
 namespace dewpoint::ui {
 
 struct OpenRequest;
-/// Missing files, or null if there are none.
+/// Files of a project that were not found; null if there are none.
 using MissingFiles = std::shared_ptr<const std::vector<MissingFile>>;
 
 /// Function of the application that opens a project. Called from another thread.

@@ -14,9 +14,9 @@ struct TrackSnapshot;
 
 namespace dewpoint::ui {
 
-/// Keeps the results of a recording consistent with the current settings, according to the
-/// ChangeRule. A short time after the last change of the settings, it tracks frames with old
-/// results again, or offers to do so.
+/// Keeps the results of a recording consistent with the current settings, according to the rules in
+/// ChangeRule (when to do so without asking the user). A short time after the last change of the
+/// settings, it tracks frames with old results again, or offers to do so.
 class ResultRefresher : public QObject {
   Q_OBJECT
 public:
@@ -24,7 +24,8 @@ public:
 
   /// Watches a run; null if the run is over.
   void watchSession(Session* session);
-  /// Sets the time limit (seconds) below which tracking again is considered quick.
+  /// Sets the longest expected duration (seconds) for which frames are tracked again without asking
+  /// the user.
   void setQuickLimit(double seconds) { quickSeconds_ = seconds; }
   /// Reports that a setting of the run was changed.
   void onSettingEdited();
@@ -32,16 +33,16 @@ public:
   /// automatically until the next change of the settings.
   void suspend();
   /// Processes the newest snapshot. `wentBack` is true if the run has gone back to an earlier frame
-  /// or restarted since the last one.
+  /// or restarted since the previous snapshot.
   void processSnapshot(const TrackSnapshot& snapshot, bool wentBack);
-  /// Tracks frames again from the first result of earlier settings on. The frame shown stays the
-  /// same.
+  /// Tracks frames again, starting at the first frame whose result is from earlier settings. The
+  /// frame shown stays the same.
   void trackAgain();
 
   /// Returns the results that do not match the current settings; none for live cameras.
   const OldResults& oldResults() const { return old_; }
-  /// Returns whether frames are being tracked again in the background, while the snapshots do not
-  /// show this.
+  /// Returns whether tracking frames again in the background was requested or has begun, although
+  /// the newest snapshot does not report it.
   bool isRefreshing() const { return refreshing_ != Refreshing::No && !isRerunning_; }
 
 Q_SIGNALS:
@@ -50,7 +51,8 @@ Q_SIGNALS:
   /// Emitted when frames with results of earlier settings can now be tracked again (`offers` is
   /// true), or no longer can.
   void retrackOfferChanged(bool offers);
-  /// Emitted when `trackAgain()` has finished or was abandoned.
+  /// Emitted when all frames requested with `trackAgain()` were tracked again, or this was
+  /// abandoned.
   void refreshed();
 
 private:

@@ -19,8 +19,9 @@ namespace dewpoint::ui {
 
 using TrackSnapshotPtr = std::shared_ptr<const TrackSnapshot>;
 
-/// Owns a Session and converts its wake-ups, which come from the tracking thread, into a queued
-/// signal. At most one event waits in the queue, no matter how fast the filter runs.
+/// Owns a Session and converts its wake-ups (calls from the tracking thread when there is a new
+/// snapshot) into a queued signal. At most one event waits in the queue, no matter how fast the
+/// filter runs.
 class SessionBridge : public QObject {
   Q_OBJECT
 public:
@@ -28,8 +29,8 @@ public:
   ~SessionBridge() override;
 
   Session& session() { return *session_; }
-  /// Returns a snapshot for camera views, in which cameras without an image keep their last one for
-  /// a while; see LiveFrameFiller.
+  /// Returns a snapshot for camera views, in which cameras without an image keep their last image
+  /// for a while (LiveFrameFiller).
   TrackSnapshotPtr withFilledFrames(const TrackSnapshotPtr& snapshot);
   /// Releases the session and stops its wake-ups, so that the caller can destroy the session in
   /// another thread.

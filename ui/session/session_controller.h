@@ -88,11 +88,11 @@ public:
   /// Returns the object that keeps results consistent with the settings, and that knows which
   /// results are from earlier settings.
   ResultRefresher& resultRefresher() { return *results_; }
-  /// Starts the run after a color was learned, because a user who points at an object wants to see
-  /// it tracked. There is one exception: if more than the beginning of a recording has been
-  /// tracked, the run stays at its current frame, and the ResultRefresher decides whether to track
-  /// again. Does nothing unless `isNewTarget` is true, that is, the target did not exist before.
-  /// Emits `startedAtLaterFrame()` if the run does not start at the first frame of a recording.
+  /// Starts the run after the color of a new target was learned, because a user who points at an
+  /// object wants to see it tracked. Does nothing if `isNewTarget` is false (the target existed
+  /// before). If more than the beginning of a recording has been tracked, the run stays at its
+  /// current frame, and the ResultRefresher decides whether to track again. Emits
+  /// `startedAtLaterFrame()` if the run does not start at the first frame of a recording.
   void startAfterLearning(bool isNewTarget);
   /// Starts the run after a target got its first box. A later box does not start the run, because
   /// users often set several boxes in the same image, and a run that the user has paused stays
@@ -114,7 +114,8 @@ Q_SIGNALS:
   /// Emitted when a session has been created. Views must now be created and connected to the
   /// session. The first snapshot follows.
   void runStarted();
-  /// Emitted when the run has started to play, or waits for the user.
+  /// Emitted when opening a project is complete: the run has started to play, or waits for the user
+  /// to start it.
   void opened(const OpenRequest& request);
   /// Emitted when the run restarts from the beginning. Earlier data are no longer shown.
   void restarting();
@@ -131,7 +132,8 @@ Q_SIGNALS:
   /// nothing is shown.
   void snapshotChanged(const TrackSnapshotPtr& snapshot);
   /// Emitted with the records logged since the last signal, or with all records after a restart.
-  /// framesLogged() is emitted before the next snapshot, iterationsLogged() after this snapshot.
+  /// The records of frames (framesLogged()) are emitted before each snapshot, those of filter
+  /// iterations (iterationsLogged()) after it.
   void framesLogged(const LoggedFrames& frames);
   void iterationsLogged(const LoggedIterations& iterations);
   /// Emitted with a sentence that explains why part of the project cannot be used.
@@ -154,7 +156,8 @@ private:
   void start(const OpenRequest& request, SessionInputs inputs);
   void endRun();
   void publish(const TrackSnapshotPtr& snapshot);
-  /// Discards the requests that wait for frames to be tracked again.
+  /// Discards the requests to play and to show a frame that wait until frames have been tracked
+  /// again.
   void discardRequests();
   void reopen();
   void applyMethod();
@@ -166,19 +169,20 @@ private:
   Document& document_;
   Selection& selection_;
   SessionBridge* bridge_ = nullptr;
-  int starts_ = 0; ///< number of starts and closings; an outdated start is skipped
+  int starts_ = 0; ///< number of times a run was started or closed; outdated starts are skipped
   bool playOnOpen_ = true;
   Pace pace_;
   // Requests made while frames were tracked again. They are carried out afterwards.
   bool playWhenRefreshed_ = false;
   std::optional<std::optional<qint64>> showWhenRefreshed_;
   TrackSnapshotPtr shown_;
-  TrackSnapshotPtr filledFrom_; ///< snapshot from which `filled_` was made
+  TrackSnapshotPtr filledFrom_; ///< snapshot to which the last images of delayed cameras were
+                                ///< added to make `filled_`
   TrackSnapshotPtr filled_;
   LogCursor frames_;
   LogCursor iterations_;
   std::vector<std::shared_ptr<capture::EncodedFeed>> feeds_;
-  std::size_t cameraCount_ = 0; ///< of the run
+  std::size_t cameraCount_ = 0; ///< number of cameras of the run
 };
 
 } // namespace dewpoint::ui

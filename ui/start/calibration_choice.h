@@ -27,14 +27,15 @@ class CalibrationChoice : public QWidget {
 public:
   explicit CalibrationChoice(QWidget* parent = nullptr);
 
-  /// Starts a new project, for which no file is selected yet. `takesProposals` is true if
-  /// proposeFile() may select a file.
+  /// Starts a new project, for which no file is selected yet. `takesProposals` is true if a
+  /// calibration file found beside the recordings may be selected (proposeFile()).
   void startNewProject(bool takesProposals);
   /// Sets the file that the user has chosen; an empty name means that the user wants none. From
-  /// then on, proposeFile() does nothing.
+  /// then on, a file found beside the recordings (proposeFile()) is ignored.
   void setFile(const QString& file);
   /// Selects a file that was found beside the recordings; an empty name means that none was found.
-  /// Does nothing unless takesProposals() is true.
+  /// Does nothing if the user has chosen, or if such files are not wanted for this project
+  /// (takesProposals()).
   void proposeFile(const QString& file);
   bool takesProposals() const { return takesProposals_; }
   QString file() const { return file_; }

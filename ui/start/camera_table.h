@@ -16,8 +16,8 @@
 
 namespace dewpoint::ui {
 
-/// Kind of a location: a file, a folder, a device or an address. It is determined in another
-/// thread, because the disk may be slow.
+/// Location of an image source: a file, a folder, a device or an address. Its kind is determined in
+/// another thread, because the disk may be slow.
 struct FootageLocation {
   std::string location;
   bool canBeImageSource = false; ///< can be used as a camera
@@ -68,7 +68,7 @@ private:
   void showKnown();
   void showKnown(int row);
 
-  std::map<QString, Known> known_; ///< keyed by location
+  std::map<QString, Known> known_; ///< what was found about each source, keyed by its location
   QSet<QString> imageFolders_;     ///< sources that are known to be folders of images
   std::unique_ptr<JobQueue> jobs_; ///< for this project; results for an earlier project are ignored
 };

@@ -45,7 +45,7 @@ public:
   void chooseVideos();
   /// Adds the cameras connected to this computer.
   void addConnectedCameras();
-  /// Sets the access to camera devices, instead of the devices of this computer.
+  /// Replaces the access to the camera devices of this computer, for example by simulated devices.
   void setDeviceAccess(capture::DeviceAccessPtr devices) { devices_ = std::move(devices); }
 
 Q_SIGNALS:

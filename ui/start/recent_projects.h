@@ -36,15 +36,15 @@ public:
   explicit RecentProjects(QObject* parent = nullptr);
   void setExistsCheck(Exists exists) { exists_ = std::move(exists); }
 
-  /// Returns the projects that can be opened, newest first.
+  /// Returns the files of the recent projects that can be opened, newest first.
   QStringList openableFiles() const;
-  /// Returns all projects, newest first.
+  /// Returns all recent projects, newest first.
   std::vector<RecentProject> allProjects() const;
-  /// Adds a project that was just opened or saved.
+  /// Adds a project that was just opened or saved to the recent projects.
   void add(const QString& file);
   void clear();
-  /// Checks the files in another thread. Emits `changed()` if the result differs from the previous
-  /// one.
+  /// Checks in another thread whether the files of the recent projects exist. Emits `changed()` if
+  /// the result differs from the previous one.
   void checkFiles();
 
 Q_SIGNALS:

@@ -25,7 +25,8 @@ public:
 
   /// Rereads the list of recent projects, and checks which of them still exist.
   void refresh();
-  /// Sets whether a project is being opened. The card that was pressed shows this state.
+  /// Sets whether a project is being opened. If so, the card that was pressed shows a text about
+  /// it.
   void setOpening(bool opening);
 
 Q_SIGNALS:
@@ -35,7 +36,8 @@ Q_SIGNALS:
   void videosRequested();
   void camerasRequested();
   void calibrationRequested(); ///< the user wants to calibrate videos with the calibration guide
-  void projectRequested(const QString& file); ///< empty if the user should select a file
+  /// Emitted when the user wants to open this project; empty if the user should select a file.
+  void projectRequested(const QString& file);
 
 private:
   void makeScenes();

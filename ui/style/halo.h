@@ -14,13 +14,14 @@ struct Halo {
   int alpha = 150;
   double extraWidthPx = 2.2;             ///< additional width compared with the bright line, pixels
   bool alwaysSolid = false;              ///< solid, even under a dashed line
-  Qt::PenCapStyle cap = Qt::RoundCap;    ///< also used for the bright line
-  Qt::PenJoinStyle join = Qt::RoundJoin; ///< also used for the bright line
+  Qt::PenCapStyle cap = Qt::RoundCap;    ///< ends of the halo and of the bright line
+  Qt::PenJoinStyle join = Qt::RoundJoin; ///< corners of the halo and of the bright line
 };
 /// Halo under the lines of grids and boards, which lie close together.
 inline constexpr Halo kGridHalo{170, 2.0};
 
-/// Returns the halo for frames, crosses and handles: a solid line without rounded corners.
+/// Returns the halo for frames, crosses and handles: a solid line without rounded corners, with
+/// this opacity (0 to 255), `extra` pixels wider than the bright line.
 constexpr Halo edgeHalo(int alpha, double extra) {
   return {alpha, extra, true, Qt::SquareCap, Qt::BevelJoin};
 }

@@ -10,11 +10,11 @@
 
 namespace dewpoint::ui {
 
-/// Returns the ground (light or dark) on which views and lists draw targets in a window with this
-/// palette.
+/// Returns the background (light or dark) on which views and lists draw targets in a window with
+/// this palette.
 DisplayBackground displayGroundOf(const QPalette& palette);
-/// Returns the colors in which views with this ground draw the targets. A target has the same hue
-/// on every ground, in a shade that is legible there.
+/// Returns the colors in which views with this background (light or dark) draw the targets. A
+/// target has the same hue on every background, in a shade that is legible there.
 std::vector<QColor> targetColors(const std::vector<DisplayColorSource>& sources,
                                  DisplayBackground ground);
 

@@ -19,15 +19,15 @@ void applyTheme(bool dark);
 /// Returns whether the application still has the palette set by `applyTheme()`.
 bool isThemeApplied();
 
-/// Returns the color of a target state, readable on the given palette. `holdText()` (ui/text)
-/// returns the text of the state.
+/// Returns the color of a target state, readable on the given palette. `trackingStateText()`
+/// (ui/text) returns the text of the state.
 QColor trackingStateColor(TrackingState state, const QPalette& palette);
-/// Returns the palette color for images (`displayPalette()`) of a target without a learned color,
-/// by its index. `targetColors()` (ui/style/target_colors.h) returns the colors in which the views
-/// draw targets.
+/// Returns the color over images of a target without a learned color: the entry of
+/// `displayPalette()` for the index `target`. `targetColors()` (ui/style/target_colors.h) returns
+/// the colors in which the views draw targets.
 QColor targetColor(int target);
-/// Returns the identity color if `name` is the name of a person; otherwise, the palette color for
-/// the index `target`.
+/// Returns the color of a target: the identity color if `name` is the name of a person; otherwise,
+/// the palette color for the index `target`.
 QColor targetColor(const std::string& name, int target);
 
 } // namespace dewpoint::ui

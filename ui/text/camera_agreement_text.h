@@ -15,8 +15,8 @@ namespace dewpoint::ui {
 QString disagreementText(const CameraDisagreement& found, const QStringList& names);
 
 /// Returns the text of one way to correct a disagreement between cameras, for example "Swap left
-/// and right". `choice` is below `repairChoiceCount()`. The text is used for a button and for the
-/// undoable step.
+/// and right". `choice` is the index of this way, below `repairChoiceCount()`. The text is used for
+/// a button and for the undoable step.
 QString rigCorrectionText(const CameraDisagreement& found, std::size_t choice,
                           const QStringList& names);
 

@@ -22,7 +22,8 @@ QString cameraBlindText(const CameraReport& report);
 /// Returns the reasons of all cameras in one sentence: "left: hidden · right: …". Returns an empty
 /// string if all cameras confirm the target.
 QString reasonText(const std::vector<CameraReport>& reports, const QStringList& cameraNames);
-/// Returns the camera names in a snapshot; see cameraName().
+/// Returns the names of the cameras in a snapshot as the window shows them; a camera without a name
+/// has a numbered name ("camera 2").
 QStringList cameraNames(const TrackSnapshot& snapshot);
 
 } // namespace dewpoint::ui

@@ -25,7 +25,8 @@ public:
   void open(qint64 currentFrame);
 
 protected:
-  bool eventFilter(QObject* watched, QEvent* event) override; ///< Esc, and loss of the focus
+  /// Handles Esc and the loss of the focus, which close the field.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   void goToEntered();

@@ -48,9 +48,9 @@ public:
   }
   /// Returns the frame requested last or, if no request is pending, the current frame.
   qint64 latestFrame() const;
-  /// Shows the next (1) or previous (-1) frame in which trouble begins (nextTrouble()) for the
-  /// selected target, or for any target if none is selected. Returns false if there is no such
-  /// frame.
+  /// Shows the next (1) or previous (-1) frame in which the selected target (any target if none is
+  /// selected) becomes ambiguous, searching or lost, or in which a live camera begins to have a
+  /// problem. Returns false if there is no such frame.
   bool stepToTrouble(int direction);
   /// Shows the frame of the next (1) or previous (-1) marker.
   void stepToMarker(int direction);

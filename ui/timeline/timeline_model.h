@@ -20,11 +20,13 @@ struct TimelineModel {
   /// record.
   std::vector<FrameRecord> records;
   QStringList targetNames;
-  std::vector<DisplayColorSource> colorSources; ///< one per target
+  std::vector<DisplayColorSource> colorSources; ///< what determines the color of each target
   QStringList cameraNames;
   std::vector<ProjectMarker> markers;
-  std::vector<PositionCorrection> corrections; ///< in increasing frame order
-  std::vector<ResultRange> oldResults;         ///< from earlier settings, in increasing frame order
+  /// Positions corrected by the user, in increasing frame order.
+  std::vector<PositionCorrection> corrections;
+  /// Frames with results from earlier settings, in increasing frame order.
+  std::vector<ResultRange> oldResults;
   bool hasOldResult(qint64 frame) const;
   HistoryState history;
   std::optional<RerunState> rerun;
@@ -35,7 +37,8 @@ struct TimelineModel {
 
   /// Sets the frame rate of the source, which is used until there are two records.
   void setSourceRate(double rate);
-  /// Adds new log records. If a frame is repeated, the new record replaces the old one.
+  /// Adds new log records. If a frame is repeated, the new record replaces the old one. If the run
+  /// has `restarted`, all old records are removed first.
   void append(const std::vector<FrameRecord>& more, bool restarted);
   /// Returns the frame after the last frame that a record represents. This is the frame of the next
   /// record, unless there are untracked frames before it.

@@ -20,8 +20,8 @@ struct TimelineRows {
   /// text, in pixels.
   explicit TimelineRows(const QSizeF& size, int targets, int cameras, double fontHeight,
                         double gutter, bool hasFooter);
-  /// Returns the height at which these rows are readable. It does not increase beyond a few
-  /// targets.
+  /// Returns the height at which the rows of a timeline are readable. The height does not increase
+  /// further beyond a few targets.
   static int minimumHeightFor(int targets, int cameras, double fontHeight);
 
   QRectF axis;    ///< time and markers, at the top; a drag here selects a range
@@ -38,8 +38,9 @@ struct TimelineRows {
 
 /// Draws a timeline: the ribbons (bands that show the states of the targets), missing images,
 /// markers, the selected range, the current frame, and a thin line at the frame under the pointer
-/// (`hovered`; negative for none). In a ribbon, held is a thin line, ambiguous is dotted, searching
-/// is hatched, and lost is crossed. Results of earlier settings are pale.
+/// (`hovered`; negative for none). In a ribbon, the state held (confirmed by the cameras) is a thin
+/// line, ambiguous is dotted, searching is hatched, and lost is crossed. Results of earlier
+/// settings are pale.
 void paintTimeline(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                    const TimelineRows& rows, const Selection& selection, qint64 hovered,
                    const QPalette& palette);

@@ -9,8 +9,8 @@ namespace dewpoint::ui {
 void paintForgottenFrames(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                           const TimelineRows& rows, const QPalette& palette);
 
-/// Draws a hatched translucent veil over those parts of the ribbons that show results from earlier
-/// settings.
+/// Draws a hatched translucent veil over those parts of the ribbons (the bands that show the target
+/// states) that show results from earlier settings.
 void paintOldResults(QPainter& painter, const TimelineModel& model, const TimelineScale& scale,
                      const TimelineRows& rows, const QPalette& palette);
 

@@ -26,7 +26,8 @@ class FrameRowDelegate;
 class BoxPanel : public QWidget {
   Q_OBJECT
 public:
-  /// Function that returns new boxes: Session::boxesSince() of the session to follow.
+  /// Function that returns the boxes added since `position`, and updates both arguments, as
+  /// Session::boxesSince() of the session to follow does.
   using Source =
       std::function<LogUpdate<BoxSample>(std::uint64_t& generation, std::size_t& position)>;
 

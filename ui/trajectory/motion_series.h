@@ -12,7 +12,7 @@ namespace dewpoint::ui {
 /// Speed (m/s) and height (m) of one target over time, for use in plots.
 class MotionSeries {
 public:
-  static constexpr std::size_t kSpeedColumn = 0; ///< column indices
+  static constexpr std::size_t kSpeedColumn = 0; ///< column of the speed in the series
   static constexpr std::size_t kHeightColumn = 1;
   static constexpr std::size_t kColumnCount = 2;
 

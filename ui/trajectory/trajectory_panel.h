@@ -39,7 +39,8 @@ class TrajectoryModel;
 class TrajectoryPanel : public QWidget {
   Q_OBJECT
 public:
-  /// Function that returns new samples: Session::samplesSince() of the session to follow.
+  /// Function that returns the samples added since `position`, and updates both arguments, as
+  /// Session::samplesSince() of the session to follow does.
   using Source =
       std::function<LogUpdate<TrajectorySample>(std::uint64_t& generation, std::size_t& position)>;
 

@@ -39,8 +39,8 @@ public:
   /// without delay.
   void prepare();
 
-  /// Sets the frame for the next rendering; null clears the scene. This call is fast, even while
-  /// the view is hidden.
+  /// Sets the snapshot to draw in the next rendering; null clears the scene. This call is fast,
+  /// even while the view is hidden.
   void setSnapshot(const TrackSnapshotPtr& snapshot);
   /// Shows the whole scene of another project in perspective, regardless of the previous view.
   void resetForNewProject() { lookFreely(); }
@@ -48,8 +48,8 @@ public:
   /// the highlight.
   void highlight(const std::vector<std::vector<Eigen::Vector3d>>& strokes);
 
-  /// Sets the cameras that can be dragged. The selected camera also has a handle for the point it
-  /// looks at. If the list is empty, no camera can be dragged.
+  /// Sets the cameras that can be dragged. The selected camera (index `chosen`) also has a handle
+  /// for the point it looks at. If the list is empty, no camera can be dragged.
   void setCameraHandles(std::vector<CameraHandle> handles, int chosen);
 
   /// Shows the map of expected errors with a legend, or hides it if `map` is null. If several maps

@@ -29,7 +29,8 @@ public:
   /// Creates an object without handles. `view` must show the whole rendered image of `scene`.
   CameraHandles(QWidget& view, Scene3d& scene);
 
-  /// Sets the handles. If the list is empty, no camera can be dragged.
+  /// Sets the handles, one per camera, and the index of the selected camera. If the list is empty,
+  /// no camera can be dragged.
   void setHandles(std::vector<CameraHandle> handles, int chosen);
   /// Starts to drag the handle at a position in the view. Returns false if there is no handle.
   bool grab(QPointF position);

@@ -19,7 +19,7 @@ public:
 
   struct Label {
     QString text;
-    QRectF area; ///< view coordinates
+    QRectF area; ///< area of the label, view coordinates
   };
   /// Returns the labels. If there is room, they avoid all pyramids, the floor numbers, each other,
   /// and the area `taken` (view coordinates). Cameras outside the rendered image have no labels.

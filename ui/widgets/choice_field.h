@@ -17,8 +17,8 @@ namespace dewpoint::ui {
 /// Creates a combo box with this object name. It may be narrower than its longest text.
 QComboBox* makeChoiceField(const char* name, QWidget* parent);
 
-/// Adds the rotations of images, 0 to 270 degrees. Their data is the angle in degrees, as in
-/// ProjectCamera::rotateDegrees.
+/// Adds the possible rotations of a camera image, 0 to 270 degrees, to a combo box. Their data is
+/// the angle in degrees, as in ProjectCamera::rotateDegrees.
 void addRotations(QComboBox& box);
 
 /// Replaces the texts of a combo box without emitting signals. Keeps the selected row if it still
@@ -26,7 +26,8 @@ void addRotations(QComboBox& box);
 void setChoices(QComboBox& box, const QStringList& texts);
 /// Texts with associated data, for a combo box.
 using ChoicesWithData = std::vector<std::pair<QString, QVariant>>;
-/// Replaces the texts and data of a combo box in the same way as `setChoices()`.
+/// Replaces the texts and data of a combo box without emitting signals. Keeps the selected row if
+/// it still exists; otherwise selects the last row.
 void setChoicesWithData(QComboBox& box, const ChoicesWithData& choices);
 
 } // namespace dewpoint::ui

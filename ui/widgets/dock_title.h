@@ -23,9 +23,11 @@ public:
   /// Sets whether the name is shown. It is hidden if a tab above already shows it.
   void setNameShown(bool shown);
   void setState(TrackingState state);
-  /// Sets the reason for the state, in a few words. An empty string removes it.
+  /// Sets the reason, in a few words, for the state shown (for example why a target is not
+  /// tracked). An empty string removes the reason.
   void setReason(const QString& reason);
-  /// Shows a reason instead of the state, in the color used for a target that is not seen.
+  /// Shows a reason (such as "hidden here") instead of the state of the target, in the color used
+  /// for a target that is not seen.
   void setOnlyReason(const QString& reason);
   /// Adds a widget (a small tool button) before the button that floats the dock.
   void addTool(QWidget* tool);

@@ -44,7 +44,8 @@ public:
   void showLastingQuestion(const QString& question, const std::vector<Answer>& answers);
   /// Removes a question that no longer needs an answer, whether it is shown or waits.
   void withdrawQuestion(const QString& question);
-  /// Returns whether a question of showLastingQuestion() is shown or waits.
+  /// Returns whether this question, asked with showLastingQuestion(), is shown or waits to be
+  /// shown.
   bool isQuestionOpen(const QString& question) const;
   QString text() const;
   /// Removes the current message.
@@ -52,7 +53,8 @@ public:
   /// Removes the current error or warning, for example because other work has begun. If `notices`
   /// is true, also removes a notice. Questions stay.
   void removeOldMessages(bool notices);
-  /// Adds a message to `recentMessages()` without showing it, because it is shown elsewhere.
+  /// Adds a message to the list of recent messages without showing it, because it is shown
+  /// elsewhere.
   void record(const QString& text, Severity severity);
   /// Returns the last messages of this window (at most 1000), oldest first, each with its time.
   const QStringList& recentMessages() const { return recent_; }
@@ -63,10 +65,10 @@ Q_SIGNALS:
   void messageShown(const QString& text);
 
 protected:
-  void enterEvent(QEnterEvent* event) override; ///< keeps the message while the pointer is over it
+  void enterEvent(QEnterEvent* event) override; ///< keeps a notice while the pointer is over it
   void leaveEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override; ///< Esc closes it
+  void keyPressEvent(QKeyEvent* event) override; ///< Esc closes the message
   void changeEvent(QEvent* event) override;
 
 private:

@@ -31,10 +31,10 @@ public:
   void placeDocks();
   /// Returns the number of columns of camera views, or 0 if they have not been placed yet.
   int cameraColumns() const { return cameraColumns_; }
-  /// Sets the number of columns that the next `placeDocks()` uses.
+  /// Sets the number of columns of camera views that the next `placeDocks()` uses.
   void setCameraColumns(int columns) { cameraColumns_ = columns; }
-  /// Returns the number of columns with which the images are largest. If there are no cameras,
-  /// returns the current number.
+  /// Returns the number of columns of camera views with which the images are largest. If there are
+  /// no cameras, returns the current number.
   int bestCameraColumns() const;
   /// Resizes the docks to suit the window. The camera views must already be placed in
   /// bestCameraColumns() columns.

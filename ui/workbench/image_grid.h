@@ -29,7 +29,8 @@ ImageGrid imageGridOf(std::span<const double> aspects, const QSizeF& room, doubl
 
 /// Returns the grid in which images cover the largest area. The grid with `current` columns (0:
 /// none yet) is kept unless another grid covers at least a tenth more, so that views do not jump
-/// while the window is resized. The other arguments are as in imageGridOf().
+/// while the window is resized. `aspects` are width / height of each image, `room` is the size for
+/// all views together, and `title` is the height that each view needs in addition to its image.
 ImageGrid bestImageGrid(std::span<const double> aspects, const QSizeF& room, double title,
                         int current = 0);
 

@@ -19,12 +19,13 @@ class ViewDock;
 
 /// Sizes of each kind of view for a given window size, in pixels. Camera images have priority.
 struct ViewShares {
-  QSize cameraAreaSize;       ///< maximum size of all camera views together
-  int minimumCameraWidth = 0; ///< minimum width for two or more cameras
-  int inspectorWidth = 0;     ///< width
-  int sceneWidth = 0;         ///< width of the scene; 0 if it is hidden
-  int plotHeight = 0;         ///< height
-  int timelineHeight = 0;     ///< height
+  QSize cameraAreaSize; ///< maximum size of all camera views together
+  /// Minimum width of all camera views together, used for two or more cameras.
+  int minimumCameraWidth = 0;
+  int inspectorWidth = 0; ///< width of the docks at the right edge
+  int sceneWidth = 0;     ///< width of the scene; 0 if it is hidden
+  int plotHeight = 0;     ///< height of the plots
+  int timelineHeight = 0; ///< height of the timeline
 };
 
 /// Approximate width of the separator between two docks, pixels.

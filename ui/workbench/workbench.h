@@ -38,10 +38,10 @@ struct Workbench {
   QAction* action(ActionId id) const;
   void onTriggered(ActionId id, QObject* context, std::function<void()> run) const;
   void onToggled(ActionId id, QObject* context, std::function<void(bool)> run) const;
-  /// Enables these actions only while a project is open and no page covers it.
+  /// Enables these actions only while a project is open and no page covers the views.
   void requireRun(std::initializer_list<ActionId> ids) const;
-  /// Enables these actions only while a project is open, no page covers it, and `suits` returns
-  /// true. `suits` is called again when a run begins or ends, and when the method changes.
+  /// Enables these actions only while a project is open, no page covers the views, and `suits`
+  /// returns true. `suits` is called again when a run begins or ends, and when the method changes.
   void requireRun(std::initializer_list<ActionId> ids, const std::function<bool()>& suits) const;
   /// Shows a dialog in front of the window.
   static void presentDialog(QWidget* dialog);
@@ -51,8 +51,9 @@ struct Workbench {
   template <class View> void connectView(View* view) const {
     QObject::connect(&session, &SessionController::snapshotChanged, view, &View::setSnapshot);
   }
-  /// Connects a view of images to the snapshots like connectView(). In these snapshots, live
-  /// cameras whose image is delayed keep their last image.
+  /// Connects a view of images to the snapshots: calls view->setSnapshot() with each new snapshot,
+  /// in which live cameras whose image is delayed keep their last image, and with null when there
+  /// is nothing to show.
   template <class View> void connectImageView(View* view) const {
     QObject::connect(&session, &SessionController::snapshotChanged, view,
                      [view, run = &session](const TrackSnapshotPtr& snapshot) {
