@@ -18,9 +18,9 @@ namespace dewpoint::session {
 
 /// Results of a live run that tracked targets while a take (a recording of all cameras) was made.
 struct LiveRun {
-  Project project;           ///< the project with the settings at the end of the run
-  Trajectory trajectory;     ///< trajectory since the run's last start or restart
-  std::string report;        ///< text of run.json, the report about the run
+  Project project;                   ///< the project with the settings at the end of the run
+  Trajectory trajectory;             ///< trajectory since the run's last start or restart
+  std::string report;                ///< text of run.json, the report about the run
   std::vector<LiveFrameRecord> sets; ///< the images of each frame of the run
   /// Frames that were tracked with other settings than those at the end.
   std::vector<ResultRange> otherSettings;

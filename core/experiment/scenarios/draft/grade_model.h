@@ -41,10 +41,11 @@ struct GradeModel {
   Range initialErrorStops; ///< error of the exposure at frame 0, stops
   Range whiteBalanceStops; ///< constant error of blue and red, stops
   Range huntingStops;      ///< amplitude of a periodic error in the measured brightness, stops
-  Range huntingPeriodSeconds;     ///< period of the error in the measured brightness, seconds
+  Range huntingPeriodSeconds; ///< period of the error in the measured brightness, seconds
   /// ControlLoop::speed: fraction of the exposure error that is corrected per frame.
-  Range exposureLoopSpeed;   /// ControlLoop::lagFrames: number of frames from a measurement to ///< its effect.
-Range exposureLoopLagFrames;
+  Range exposureLoopSpeed; /// ControlLoop::lagFrames: number of frames from a measurement to ///<
+                           /// its effect.
+  Range exposureLoopLagFrames;
 
   // Light; drawn once per run.
   /// Light of a low, white lamp at the side of the target, as a fraction of full light at the
