@@ -77,12 +77,8 @@ public:
   void setCameras(const CameraRig& rig);
   void setBackgroundImages(const command::SetBackgroundImages& request);
   /// Sets whether the user is showing a calibration board to live cameras. Meanwhile, no
-  camera is
-      /// reported as moved, because a moving board can look like a camera motion.
-      void
-      setCalibrationBoardShown(bool shown) {
-    watches_.setPaused(shown);
-  }
+  /// camera is reported as moved, because a moving board can look like a camera motion.
+  void setCalibrationBoardShown(bool shown) { watches_.setPaused(shown); }
   void setPersonCorrections(const std::vector<PersonCorrection>& people);
   void setCorrections(const std::vector<PositionCorrection>& corrections);
   /// Sets the number of filter threads from the next iteration on; 0 means the default number. The

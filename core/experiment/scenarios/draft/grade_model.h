@@ -43,8 +43,8 @@ struct GradeModel {
   Range huntingStops;      ///< amplitude of a periodic error in the measured brightness, stops
   Range huntingPeriodSeconds; ///< period of the error in the measured brightness, seconds
   /// ControlLoop::speed: fraction of the exposure error that is corrected per frame.
-  Range exposureLoopSpeed; /// ControlLoop::lagFrames: number of frames from a measurement to ///<
-                           /// its effect.
+  Range exposureLoopSpeed;
+  /// ControlLoop::lagFrames: number of frames from a measurement to its effect.
   Range exposureLoopLagFrames;
 
   // Light; drawn once per run.
