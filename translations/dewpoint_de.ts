@@ -804,8 +804,8 @@
         <translation>Kameras…</translation>
     </message>
     <message>
-        <source>Add, remove, exchange and adjust the cameras of the project</source>
-        <translation>Die Kameras des Projekts hinzufügen, entfernen, vertauschen und einstellen</translation>
+        <source>Add, remove, replace and adjust the cameras of the project</source>
+        <translation>Die Kameras des Projekts hinzufügen, entfernen, ersetzen und einstellen</translation>
     </message>
     <message>
         <source>Lock colors</source>
@@ -2543,8 +2543,8 @@
         <translation>%1, ±%2</translation>
     </message>
     <message>
-        <source>By hand, with a grid</source>
-        <translation>Von Hand, mit einem Gitter</translation>
+        <source>By hand: fit a drawn grid to the images</source>
+        <translation>Von Hand: ein gezeichnetes Gitter auf die Bilder legen</translation>
     </message>
     <message>
         <source>Measured points</source>
@@ -3181,11 +3181,11 @@
         <translation>Zeit, nach der ein neues Objekt, das am Ort bleibt, als Hintergrund gilt.</translation>
     </message>
     <message>
-        <source>Area, half width x</source>
+        <source>Half width of the area, x</source>
         <translation>Fläche: halbe Größe x</translation>
     </message>
     <message>
-        <source>Area, half width y</source>
+        <source>Half width of the area, y</source>
         <translation>Fläche: halbe Größe y</translation>
     </message>
     <message>
@@ -6987,11 +6987,11 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Vorher zeigt</translation>
     </message>
     <message>
-        <source>cameras when the panel was opened</source>
+        <source>poses when the panel was opened</source>
         <translation>Kameras beim Öffnen der Ansicht</translation>
     </message>
     <message>
-        <source>cameras before the last change</source>
+        <source>poses before the last change</source>
         <translation>Kameras vor der letzten Änderung</translation>
     </message>
     <message>

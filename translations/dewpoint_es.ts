@@ -804,8 +804,8 @@
         <translation>Cámaras…</translation>
     </message>
     <message>
-        <source>Add, remove, exchange and adjust the cameras of the project</source>
-        <translation>Añadir, quitar, intercambiar y ajustar las cámaras del proyecto</translation>
+        <source>Add, remove, replace and adjust the cameras of the project</source>
+        <translation>Añadir, quitar, sustituir y ajustar las cámaras del proyecto</translation>
     </message>
     <message>
         <source>Lock colors</source>
@@ -2543,8 +2543,8 @@
         <translation>%1, ±%2</translation>
     </message>
     <message>
-        <source>By hand, with a grid</source>
-        <translation>A mano, con una cuadrícula</translation>
+        <source>By hand: fit a drawn grid to the images</source>
+        <translation>A mano: ajustar una cuadrícula dibujada a las imágenes</translation>
     </message>
     <message>
         <source>Measured points</source>
@@ -3181,11 +3181,11 @@
         <translation>Tiempo tras el cual un objeto nuevo que no se mueve cuenta como fondo.</translation>
     </message>
     <message>
-        <source>Area, half width x</source>
+        <source>Half width of the area, x</source>
         <translation>Zona: semitamaño x</translation>
     </message>
     <message>
-        <source>Area, half width y</source>
+        <source>Half width of the area, y</source>
         <translation>Zona: semitamaño y</translation>
     </message>
     <message>
@@ -6987,11 +6987,11 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Antes muestra</translation>
     </message>
     <message>
-        <source>cameras when the panel was opened</source>
+        <source>poses when the panel was opened</source>
         <translation>cámaras al abrir el panel</translation>
     </message>
     <message>
-        <source>cameras before the last change</source>
+        <source>poses before the last change</source>
         <translation>cámaras antes del último cambio</translation>
     </message>
     <message>

@@ -804,8 +804,8 @@
         <translation>カメラ…</translation>
     </message>
     <message>
-        <source>Add, remove, exchange and adjust the cameras of the project</source>
-        <translation>プロジェクトのカメラを追加、削除、入れ替え、調整します</translation>
+        <source>Add, remove, replace and adjust the cameras of the project</source>
+        <translation>プロジェクトのカメラを追加、削除、交換、調整します</translation>
     </message>
     <message>
         <source>Lock colors</source>
@@ -2542,8 +2542,8 @@
         <translation>%1、±%2</translation>
     </message>
     <message>
-        <source>By hand, with a grid</source>
-        <translation>格子を使って手動で</translation>
+        <source>By hand: fit a drawn grid to the images</source>
+        <translation>手動：描いた格子を画像に合わせる</translation>
     </message>
     <message>
         <source>Measured points</source>
@@ -3180,11 +3180,11 @@
         <translation>動かずに残る新しい物体を背景とみなすまでの時間。</translation>
     </message>
     <message>
-        <source>Area, half width x</source>
+        <source>Half width of the area, x</source>
         <translation>領域の半分 x</translation>
     </message>
     <message>
-        <source>Area, half width y</source>
+        <source>Half width of the area, y</source>
         <translation>領域の半分 y</translation>
     </message>
     <message>
@@ -6975,11 +6975,11 @@ Position x, y, z: %4, %5, %6</source>
         <translation>「前の状態」の表示</translation>
     </message>
     <message>
-        <source>cameras when the panel was opened</source>
+        <source>poses when the panel was opened</source>
         <translation>パネルを開いたときのカメラ</translation>
     </message>
     <message>
-        <source>cameras before the last change</source>
+        <source>poses before the last change</source>
         <translation>最後の変更前のカメラ</translation>
     </message>
     <message>

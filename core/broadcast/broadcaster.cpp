@@ -48,7 +48,7 @@ Result<std::unique_ptr<Broadcaster>> Broadcaster::open(const BroadcastInputs& in
   if (!token) {
     return tl::make_unexpected(token.error());
   }
-  const auto gate = std::make_shared<RemoteGate>(*token, inputs.receiver);
+  const auto gate = std::make_shared<RemoteCommandFilter>(*token, inputs.receiver);
   std::vector<Line> lines;
   WebServer* web = nullptr;
   std::optional<Error> problem;

@@ -42,7 +42,7 @@ std::uint64_t WakeSignal::notifyCount() const {
   return notifyCount_;
 }
 
-void WakeSignal::waitForNotifyAfter(std::uint64_t known, Clock::time_point deadline) {
+void WakeSignal::waitForNewerNotify(std::uint64_t known, Clock::time_point deadline) {
   std::unique_lock lock(mutex_);
   notified_.wait_until(lock, deadline, [&] { return notifyCount_ > known; });
 }

@@ -30,7 +30,7 @@ public:
   /// Returns the number of notifications so far.
   std::uint64_t notifyCount() const;
   /// Waits until there have been more than `known` notifications, or until the deadline.
-  void waitForNotifyAfter(std::uint64_t known, Clock::time_point deadline);
+  void waitForNewerNotify(std::uint64_t known, Clock::time_point deadline);
 
 private:
   mutable std::mutex mutex_;

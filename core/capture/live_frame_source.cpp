@@ -116,7 +116,7 @@ std::optional<std::vector<FramePtr>> LiveFrameSource::awaited(Clock::time_point 
       return std::nullopt;
     }
     const auto due = pairing_.dueTime();
-    wakeSignal_->waitForNotifyAfter(notifyCount, due ? std::min(zero_ + *due, deadline) : deadline);
+    wakeSignal_->waitForNewerNotify(notifyCount, due ? std::min(zero_ + *due, deadline) : deadline);
   }
 }
 

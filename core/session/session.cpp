@@ -100,11 +100,11 @@ Status RunRecord::save(const std::filesystem::path& folder) const {
 
 Status RunRecord::saveTables(const std::filesystem::path& folder) const {
   switch (methodFamily(project.method).tables) {
-  case RunTables::Trajectory:
+  case RunTableKind::Trajectory:
     return writeTrajectory(people.trajectory, folder / "trajectory.csv");
-  case RunTables::Boxes:
+  case RunTableKind::Boxes:
     return writeBoxTrack(boxes, folder);
-  case RunTables::People:
+  case RunTableKind::People:
     break;
   }
   return savePeople(people, folder, [](double) { return true; }).map([](std::size_t) {});

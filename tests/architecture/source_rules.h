@@ -22,7 +22,7 @@ std::vector<std::string> includesOf(std::string_view text);
 std::vector<std::string> violations(const std::string& path, std::string_view text);
 
 /// How often a source file asks of which kind a method is (docs/architecture.md, "Methods"): names
-/// a value of TargetSource or RunTables, where a `switch` over them counts once, or asks for an
+/// a value of TargetSource or RunTableKind, where a `switch` over them counts once, or asks for an
 /// ability only to know whether it is there. Or of which kind an estimate is: calls box() or
 /// person() of a target without using at once what they return. Comments do not count.
 int kindQuestions(std::string_view text);

@@ -46,7 +46,7 @@ class FuzzedServer {
 public:
   FuzzedServer() {
     auto opened = broadcast::WebServer::open(
-        "127.0.0.1", 0, std::make_shared<broadcast::RemoteGate>(kToken, acceptingReceiver()));
+        "127.0.0.1", 0, std::make_shared<broadcast::RemoteCommandFilter>(kToken, acceptingReceiver()));
     expect(opened.has_value(), "the server does not open");
     server_ = std::move(*opened);
   }
@@ -104,7 +104,7 @@ const FuzzedServer& fuzzedServer() {
 
 void fuzzRemoteLines(std::string_view bytes) {
   static std::chrono::steady_clock::time_point now{};
-  static broadcast::RemoteGate gate(kToken, acceptingReceiver());
+  static broadcast::RemoteCommandFilter gate(kToken, acceptingReceiver());
   std::array<int, 2> ends{};
   expect(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0, "no sockets");
   broadcast::FileDescriptor sender(ends[0]);
@@ -122,7 +122,7 @@ void fuzzRemoteLines(std::string_view bytes) {
     for (const std::string& line : client.receive()) {
       expect(line.size() <= broadcast::kMaxRemoteCommandBytes && line.find('\n') == line.npos,
              "what was received is not one short line");
-      now += broadcast::RemoteGate::kLockoutTime; // so that wrong tokens do not end the reading
+      now += broadcast::RemoteCommandFilter::kLockoutTime; // so that wrong tokens do not end the reading
       expectReply(gate.handle(line, now));
     }
   }

@@ -37,7 +37,7 @@ void fuzzLiveFrames(std::string_view bytes) {
     return;
   }
   // Written in place: writeStoredSets() waits for the disk.
-  const auto again = session::readStoredSets(kFile.hold(session::storedSetsText(*sets)), kCameras);
+  const auto again = session::readStoredSets(kFile.hold(session::storedFrameSetsCsv(*sets)), kCameras);
   if (!again) {
     expectPlain(again.error());
   }

@@ -101,8 +101,8 @@ TEST(Parameters, EveryMethodBelongsToAFamily) {
     EXPECT_EQ(family.lacksTargets({}), !family.findsTargets()) << method.name;
     EXPECT_EQ(findMethod(method.name), &method);
   }
-  EXPECT_EQ(methodNames(RunTables::Boxes), methodNames(TargetSource::Box));
-  EXPECT_EQ(methodNames(RunTables::People), methodNames(TargetSource::Images));
+  EXPECT_EQ(methodNames(RunTableKind::Boxes), methodNames(TargetSource::Box));
+  EXPECT_EQ(methodNames(RunTableKind::People), methodNames(TargetSource::Images));
   EXPECT_EQ(findMethod("nothing"), nullptr);
   EXPECT_TRUE(methodSummary("nothing").empty());
 }

@@ -212,7 +212,7 @@ void ManualCalibration::togglePin(int camera, const Eigen::Vector2d& pixel, doub
   Q_EMIT changed();
 }
 
-bool ManualCalibration::isCrossingAt(int camera, const Eigen::Vector2d& pixel, double reach) const {
+bool ManualCalibration::hasGridCrossingNear(int camera, const Eigen::Vector2d& pixel, double reach) const {
   return geometry::gridCrossingAt(projectCamera(camera), grid(), pixel, reach).has_value();
 }
 

@@ -81,7 +81,7 @@ public:
   // Dragging in images.
   const std::vector<Eigen::Vector3d>& pins(int camera) const;
   /// Returns whether grid lines cross at most `reach` pixels from `pixel`.
-  bool isCrossingAt(int camera, const Eigen::Vector2d& pixel, double reach) const;
+  bool hasGridCrossingNear(int camera, const Eigen::Vector2d& pixel, double reach) const;
   /// Removes the pin at most `reach` pixels from `pixel`. If there is no pin, pins the grid point
   /// within this distance, if there is one.
   void togglePin(int camera, const Eigen::Vector2d& pixel, double reach);

@@ -116,7 +116,7 @@ void CameraEdits::replaceByLocation(int camera, const QString& location) {
 
 void CameraEdits::swapSources(int camera, int other) {
   edit(tr("Exchange cameras"), [&](Project& project) {
-    swapSources(project, static_cast<std::size_t>(camera), static_cast<std::size_t>(other));
+    setup::swapSources(project, static_cast<std::size_t>(camera), static_cast<std::size_t>(other));
     return Status();
   });
 }

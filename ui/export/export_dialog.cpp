@@ -136,8 +136,8 @@ void ExportDialog::reportFailed(const QString& sentence) {
   Q_EMIT failed(sentence);
 }
 
-void ExportDialog::setHasOldResults(bool has) {
-  preview_->setHasOldResults(has);
+void ExportDialog::setResultsOutdated(bool has) {
+  preview_->setResultsOutdated(has);
 }
 
 void ExportDialog::updatePreview() {

@@ -41,7 +41,7 @@ public:
   void setSelectedRange(std::optional<std::pair<double, double>> seconds);
   /// Sets whether part of the run has results from earlier settings. If so, the preview shows a
   /// warning.
-  void setHasOldResults(bool has);
+  void setResultsOutdated(bool has);
   /// Proposes a file, without its suffix, unless the user has entered another one.
   void proposeFile(const QString& file);
   /// Resets all choices for another project, and proposes a file.

@@ -82,7 +82,7 @@ void exportTrajectory(const Workbench& bench, const TimelineModel& time) {
                      &ExportDestination::rememberFolder);
     resetChoices();
     const auto sayOld = [dialog, results = &bench.session.resultRefresher()] {
-      dialog->setHasOldResults(!results->oldResults().frames.empty());
+      dialog->setResultsOutdated(!results->oldResults().frames.empty());
     };
     QObject::connect(&bench.session.resultRefresher(), &ResultRefresher::oldResultsChanged, dialog,
                      sayOld);

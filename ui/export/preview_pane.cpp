@@ -80,7 +80,7 @@ void PreviewPane::retranslateUi() {
   old_->setText(tr("Some of these results were tracked with earlier settings."));
 }
 
-void PreviewPane::setHasOldResults(bool has) {
+void PreviewPane::setResultsOutdated(bool has) {
   old_->setVisible(has);
 }
 

@@ -36,7 +36,7 @@ public:
   /// Drops a pending request for a preview. A preview in progress continues.
   void cancelPendingRequest();
   /// Sets whether part of the run has results from earlier settings. If so, the pane shows a note.
-  void setHasOldResults(bool has);
+  void setResultsOutdated(bool has);
   void retranslateUi();
 
 Q_SIGNALS:

@@ -288,7 +288,7 @@ void VideoDialog::showPreview(const VideoRequest& wanted, const Result<QImage>& 
                      .arg(secondsText(images / wanted.framesPerSecond, 1))
                      .arg(wanted.layout->size.width())
                      .arg(wanted.layout->size.height());
-  if (exporter_->drawer().isSceneReduced()) {
+  if (exporter_->drawer().isSceneResolutionReduced()) {
     text +=
         QLatin1Char(' ') + tr("This computer draws the bird's-eye view slowly. It is drawn in a "
                               "smaller size and enlarged.");

@@ -46,7 +46,7 @@ public:
   bool isReady() const { return !fetching_; }
   /// Returns whether the bird's-eye view is drawn in a smaller size because this computer draws it
   /// slowly.
-  bool isSceneReduced() const { return sceneArea_ >= 0 && scene_.isReduced(); }
+  bool isSceneResolutionReduced() const { return sceneArea_ >= 0 && scene_.isReduced(); }
   /// Runs other work in the thread in which images are processed, after all images requested so
   /// far.
   void queue(JobQueue::Work work) { jobs_.add(std::move(work)); }

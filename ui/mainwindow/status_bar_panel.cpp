@@ -229,7 +229,7 @@ void StatusBarPanel::showPosition(const TargetSnapshot& target) {
                          .arg(placeNumber(position->mean.x()), placeNumber(position->mean.y()),
                               padded(lengthText(z, LengthScale::Meters, 3, NumberForm::Table), z)));
   motion_.add(*snapshot_, target);
-  const auto speed = motion_.now();
+  const auto speed = motion_.metersPerSecond();
   speed_->setText(speed ? tr("%1 m/s").arg(numberText(*speed, 2)) : QString());
 }
 

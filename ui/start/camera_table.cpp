@@ -23,7 +23,7 @@ namespace dewpoint::ui {
 
 namespace {
 
-enum CameraColumn { kNameColumn, kSourceColumn, kFoundColumn, kCameraColumns };
+enum CameraParameterColumn { kNameColumn, kSourceColumn, kFoundColumn, kCameraColumns };
 
 // Pixels; chosen.
 constexpr QSize kRowPicture(72, 40);

@@ -51,7 +51,7 @@ const std::vector<std::string> kPeopleFiles{"trajectory.csv", "volumes.csv", "hu
 
 /// Those of which the command writes the tables, the default first.
 std::vector<std::string> peopleMethods() {
-  return methodNames(RunTables::People);
+  return methodNames(RunTableKind::People);
 }
 
 void listMethods() {

@@ -305,7 +305,7 @@ void addTrackBoxCommand(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand(
       "track-box", "Track image targets (boxes) in the images of one camera, without calibration.");
   auto options = std::make_shared<TrackBoxOptions>();
-  const std::vector<std::string> known = methodNames(RunTables::Boxes); // the default first
+  const std::vector<std::string> known = methodNames(RunTableKind::Boxes); // the default first
   options->method = known.front();
   command->add_option("SOURCE", options->source, "Video, or folder of images")->required();
   command->add_option("--box", options->boxes,

@@ -93,10 +93,10 @@ Result<RemoteCommand> parseRemoteCommand(std::string_view text) {
   return RemoteCommand{known->second, *name, *token};
 }
 
-RemoteGate::RemoteGate(std::string token, RemoteReceiver receiver)
+RemoteCommandFilter::RemoteCommandFilter(std::string token, RemoteReceiver receiver)
     : token_(std::move(token)), receiver_(std::move(receiver)) {}
 
-std::string RemoteGate::handle(std::string_view line, Clock::time_point now) {
+std::string RemoteCommandFilter::handle(std::string_view line, Clock::time_point now) {
   if (!isOn()) {
     return {};
   }
@@ -104,7 +104,7 @@ std::string RemoteGate::handle(std::string_view line, Clock::time_point now) {
   return replyText(command ? execute(*command, now) : tl::make_unexpected(command.error()));
 }
 
-Status RemoteGate::execute(const RemoteCommand& command, Clock::time_point now) {
+Status RemoteCommandFilter::execute(const RemoteCommand& command, Clock::time_point now) {
   const std::lock_guard lock(mutex_);
   while (!wrong_.empty() && now - wrong_.front() > kLockoutTime) {
     wrong_.pop_front();

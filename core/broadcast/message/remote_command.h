@@ -39,13 +39,13 @@ Result<RemoteCommand> parseRemoteCommand(std::string_view text);
 using RemoteReceiver = std::function<Status(const RemoteCommand&)>;
 
 /// Checks the tokens of remote commands and executes the permitted commands. Thread-safe.
-class RemoteGate {
+class RemoteCommandFilter {
 public:
   using Clock = std::chrono::steady_clock;
 
   /// `token`: secret word that commands must contain. If the token or the receiver is empty, remote
   /// commands are off.
-  RemoteGate(std::string token, RemoteReceiver receiver);
+  RemoteCommandFilter(std::string token, RemoteReceiver receiver);
 
   /// Executes the command in a line that was received, if its token is correct. Returns the reply:
   /// one JSON object without a line end. The reply is empty if remote commands are off.

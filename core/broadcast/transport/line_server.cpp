@@ -67,7 +67,7 @@ Result<FileDescriptor> listeningSocket(const std::string& host, std::uint16_t po
 
 class LineServer::Impl {
 public:
-  Impl(FileDescriptor listening, FileDescriptor wake, std::shared_ptr<RemoteGate> gate)
+  Impl(FileDescriptor listening, FileDescriptor wake, std::shared_ptr<RemoteCommandFilter> gate)
       : listening_(std::move(listening)), wake_(std::move(wake)), gate_(std::move(gate)),
         address_(SocketAddress::ofSocket(listening_.number())),
         thread_([this](const std::stop_token& stop) { run(stop); }) {}
@@ -192,7 +192,7 @@ private:
 
   FileDescriptor listening_;
   FileDescriptor wake_;
-  std::shared_ptr<RemoteGate> gate_;
+  std::shared_ptr<RemoteCommandFilter> gate_;
   SocketAddress address_;
   std::list<LineClient> clients_; ///< of the thread
   std::mutex mutex_;              ///< of the next two
@@ -205,7 +205,7 @@ private:
 };
 
 Result<std::unique_ptr<LineServer>> LineServer::open(const std::string& host, std::uint16_t port,
-                                                     std::shared_ptr<RemoteGate> gate) {
+                                                     std::shared_ptr<RemoteCommandFilter> gate) {
   auto listening = listeningSocket(host, port);
   if (!listening) {
     return tl::make_unexpected(listening.error());

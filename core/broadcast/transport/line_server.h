@@ -27,7 +27,7 @@ public:
   /// Opens a port (0: any free port) on an address of this computer (`host`). `gate` executes
   /// remote commands and must not be null. Error: BadValue if the port cannot be opened.
   static Result<std::unique_ptr<LineServer>> open(const std::string& host, std::uint16_t port,
-                                                  std::shared_ptr<RemoteGate> gate);
+                                                  std::shared_ptr<RemoteCommandFilter> gate);
   /// Disconnects all clients.
   ~LineServer() override;
 

@@ -41,7 +41,7 @@ std::string_view view(beast::string_view text) {
 
 /// What the connections of one server share. Used by its thread, except for the numbers.
 struct WebHub {
-  std::shared_ptr<RemoteGate> gate;
+  std::shared_ptr<RemoteCommandFilter> gate;
   bool isLoopback = true;
   std::string preamble;
   PageTexts texts;
@@ -247,7 +247,7 @@ bool isAllowedOrigin(std::string_view host, std::string_view origin, bool isLoop
 
 class WebServer::Impl {
 public:
-  Impl(const Tcp::endpoint& endpoint, std::shared_ptr<RemoteGate> gate, const PageTexts& texts)
+  Impl(const Tcp::endpoint& endpoint, std::shared_ptr<RemoteCommandFilter> gate, const PageTexts& texts)
       : acceptor_(context_, endpoint), retry_(context_), place_(acceptor_.local_endpoint()) {
     hub_.gate = std::move(gate);
     hub_.texts = texts;
@@ -354,7 +354,7 @@ private:
 };
 
 Result<std::unique_ptr<WebServer>> WebServer::open(const std::string& host, std::uint16_t port,
-                                                   std::shared_ptr<RemoteGate> gate,
+                                                   std::shared_ptr<RemoteCommandFilter> gate,
                                                    const PageTexts& texts) {
   try {
     const Tcp::endpoint endpoint(net::ip::make_address(host), port);

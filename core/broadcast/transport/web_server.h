@@ -32,7 +32,7 @@ public:
   /// numeric). `gate` executes remote commands and must not be null. `texts`: texts of the page.
   /// Error: BadValue if the port cannot be opened.
   static Result<std::unique_ptr<WebServer>> open(const std::string& host, std::uint16_t port,
-                                                 std::shared_ptr<RemoteGate> gate,
+                                                 std::shared_ptr<RemoteCommandFilter> gate,
                                                  const PageTexts& texts = {});
   /// Disconnects all clients.
   ~WebServer() override;

@@ -23,7 +23,7 @@ constexpr double kLossSigmas = 3.0;
 constexpr double kLeastLossWidth = 0.3; // pixels
 
 /// Columns of the covariance after the world was turned: the places of the cameras turn with it.
-Eigen::MatrixXd rotatedColumns(const std::vector<CameraColumn>& columns,
+Eigen::MatrixXd rotatedColumns(const std::vector<CameraParameterColumn>& columns,
                                const Eigen::Matrix3d& turn) {
   const auto count = static_cast<Eigen::Index>(columns.size());
   Eigen::MatrixXd change = Eigen::MatrixXd::Identity(count, count);

@@ -203,7 +203,7 @@ private:
   }
 
   /// Columns of the cameras that vary, their blocks, then those of the bodies.
-  std::vector<double*> varyingBlocks(std::vector<CameraColumn>& columns) {
+  std::vector<double*> varyingBlocks(std::vector<CameraParameterColumn>& columns) {
     std::vector<double*> blocks;
     const auto add = [&](double* block, std::size_t camera, CameraQuantity first, int size,
                          const std::vector<int>& held) {
@@ -268,7 +268,7 @@ private:
   /// Turns are parameters of a rotation vector against a fixed rotation; what is reported is a turn
   /// of the result.
   Eigen::MatrixXd rotatedIntoWorld(Eigen::MatrixXd matrix,
-                                   const std::vector<CameraColumn>& columns) const {
+                                   const std::vector<CameraParameterColumn>& columns) const {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (columns[i].quantity != CameraQuantity::TurnX) {
         continue;

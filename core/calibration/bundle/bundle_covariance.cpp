@@ -20,7 +20,7 @@ double spread(const BundleCovariance& covariance, std::size_t camera, CameraQuan
               CameraQuantity to) {
   double variance = 0.0;
   for (std::size_t k = 0; k < covariance.columns.size(); ++k) {
-    const CameraColumn& column = covariance.columns[k];
+    const CameraParameterColumn& column = covariance.columns[k];
     if (column.camera == camera && column.quantity >= from && column.quantity <= to) {
       const auto at = static_cast<Eigen::Index>(k);
       variance += covariance.matrix(at, at);

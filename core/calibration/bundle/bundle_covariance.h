@@ -39,7 +39,7 @@ enum class CameraQuantity {
 };
 
 /// Camera parameter to which one row and one column of the covariance belong.
-struct CameraColumn {
+struct CameraParameterColumn {
   std::size_t camera = 0;
   CameraQuantity quantity = CameraQuantity::TurnX;
 };
@@ -54,7 +54,7 @@ std::string quantityName(CameraQuantity quantity);
 /// after each column was scaled by its own precision. Such a covariance is valid only for
 /// quantities that do not depend on the choice of the world.
 struct BundleCovariance {
-  std::vector<CameraColumn> columns;
+  std::vector<CameraParameterColumn> columns;
   Eigen::MatrixXd matrix;
   int gaugeFreedoms = 0; ///< degrees of freedom that nothing fixes: 0, 1 (size), 6 (pose) or 7
 };

@@ -221,7 +221,7 @@ Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& positions,
   return arms.transpose() * errors / arms.squaredNorm();
 }
 
-Eigen::VectorXd cameraParameterDifference(const std::vector<CameraColumn>& columns,
+Eigen::VectorXd cameraParameterDifference(const std::vector<CameraParameterColumn>& columns,
                                           const BundleResult& from, const BundleResult& to) {
   Eigen::VectorXd difference(static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) {

@@ -62,7 +62,7 @@ Eigen::RowVectorXd sizeChange(const std::vector<Eigen::Vector3d>& positions,
 
 /// Returns the camera parameters of `to` minus those of `from`, in the order of `columns`
 /// (rotations, centers, intrinsics, offsets).
-Eigen::VectorXd cameraParameterDifference(const std::vector<CameraColumn>& columns,
+Eigen::VectorXd cameraParameterDifference(const std::vector<CameraParameterColumn>& columns,
                                           const BundleResult& from, const BundleResult& to);
 
 } // namespace dewpoint::calibration

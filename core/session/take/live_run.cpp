@@ -131,7 +131,7 @@ std::vector<StoredSet> storedSets(const std::vector<LiveFrameRecord>& sets,
   return stored;
 }
 
-std::string storedSetsText(const std::vector<StoredSet>& sets) {
+std::string storedFrameSetsCsv(const std::vector<StoredSet>& sets) {
   std::string text = "# Which images of the videos the live run tracked in each frame\n"
                      "frame,time_ns";
   for (std::size_t k = 0; !sets.empty() && k < sets.front().images.size(); ++k) {
@@ -152,7 +152,7 @@ std::string storedSetsText(const std::vector<StoredSet>& sets) {
 }
 
 Status writeStoredSets(const std::vector<StoredSet>& sets, const std::filesystem::path& file) {
-  return writeTextFile(file, storedSetsText(sets));
+  return writeTextFile(file, storedFrameSetsCsv(sets));
 }
 
 Result<std::vector<StoredSet>> readStoredSets(const std::filesystem::path& file,

@@ -55,11 +55,11 @@ inline constexpr const char* kLiveProject = "live.toml";
 /// Returns a CSV table of the images of a live run, one line per frame: frame, time_ns, and for
 /// each camera K image_K and time_K_ns. image_K is the number of the image in the video, `lost` if
 /// the image is not in the take, or empty if the camera had none.
-std::string storedSetsText(const std::vector<StoredSet>& sets);
-/// Writes the CSV table of the images of a live run (storedSetsText()) to a file. Returns an error
+std::string storedFrameSetsCsv(const std::vector<StoredSet>& sets);
+/// Writes the CSV table of the images of a live run (storedFrameSetsCsv()) to a file. Returns an error
 /// if the file cannot be written.
 Status writeStoredSets(const std::vector<StoredSet>& sets, const std::filesystem::path& file);
-/// Reads the CSV table of the images of a live run (storedSetsText()) from a file, for this number
+/// Reads the CSV table of the images of a live run (storedFrameSetsCsv()) from a file, for this number
 /// of cameras. Returns the errors of readTextFile(), and NotParsed with the line number of a row
 /// that is invalid or has numbers out of range.
 Result<std::vector<StoredSet>> readStoredSets(const std::filesystem::path& file,

@@ -93,7 +93,7 @@ void addUnusedCameras(const Project& project, const BoardDetections& seen,
           fmt::format("'{}' never saw the board: it keeps its pose", cameras[k].name));
     }
   }
-  for (CameraColumn& column : result.covariance.columns) {
+  for (CameraParameterColumn& column : result.covariance.columns) {
     column.camera = taking[column.camera];
   }
   for (DetectedFault& fault : result.faults) {

@@ -67,7 +67,7 @@ constexpr MethodFamily kBoxes{
     .targetSource = TargetSource::Box,
     .heading = "Any object in the images of one camera (2D)",
     .needsCalibration = false,
-    .tables = RunTables::Boxes,
+    .tables = RunTableKind::Boxes,
     .hasBestParticle = false,
     .retracksAfterEdit = true,
     .describe = boxText,
@@ -78,7 +78,7 @@ constexpr MethodFamily kPeople{
     .targetSource = TargetSource::Images,
     .heading = "People in a room",
     .minCameras = 2,
-    .tables = RunTables::People,
+    .tables = RunTableKind::People,
     .hasBestParticle = false,
     .hasMotionMasks = true,
     .describe = colorText,
@@ -224,7 +224,7 @@ std::vector<std::string> methodNames(TargetSource targets) {
       [targets](const MethodFamily& family) { return family.targetSource == targets; });
 }
 
-std::vector<std::string> methodNames(RunTables tables) {
+std::vector<std::string> methodNames(RunTableKind tables) {
   return namesWhere([tables](const MethodFamily& family) { return family.tables == tables; });
 }
 

@@ -25,7 +25,7 @@ enum class TargetSource {
 };
 
 /// Kind of tables written for a run.
-enum class RunTables {
+enum class RunTableKind {
   Trajectory, ///< positions in the room
   Boxes,      ///< boxes in images
   People      ///< positions in the room, and bodies of people
@@ -43,7 +43,7 @@ struct MethodFamily {
   bool needsCalibration = true;
   /// Smallest number of cameras with which a target can be found.
   int minCameras = 1;
-  RunTables tables = RunTables::Trajectory;
+  RunTableKind tables = RunTableKind::Trajectory;
   /// True if trajectories have columns for the particle of highest weight.
   bool hasBestParticle = true;
   /// True if the masks and maps of these methods show motion instead of targets. They exist for
@@ -78,9 +78,9 @@ struct MethodFamily {
     return targetSource == other.targetSource;
   }
   /// Returns whether positions in the room are written, row by row during the run.
-  bool writesPositions() const { return tables != RunTables::Boxes; }
+  bool writesPositions() const { return tables != RunTableKind::Boxes; }
   /// Returns whether the bodies of the targets are also stored and written.
-  bool writesBodies() const { return tables == RunTables::People; }
+  bool writesBodies() const { return tables == RunTableKind::People; }
 };
 
 /// Description of a method, to help users choose one.
@@ -133,7 +133,7 @@ std::vector<std::string> methodNames();
 /// Returns the names of the methods whose targets are defined as `targets` says.
 std::vector<std::string> methodNames(TargetSource targets);
 /// Returns the names of the methods that write tables of the kind `tables`.
-std::vector<std::string> methodNames(RunTables tables);
+std::vector<std::string> methodNames(RunTableKind tables);
 /// Returns the family of a method, or the family of the default method if the name is unknown.
 MethodFamily methodFamily(std::string_view method);
 /// Returns the description of a method, with empty strings if the name is unknown.

@@ -52,11 +52,11 @@ Declarations place() {
        "Coordinate of the center of the tracked floor area along this axis.", false},
       {"area_y", kReal, "Area y", "m", -1000.0, 1000.0, 0.1, 0.0,
        "Coordinate of the center of the tracked floor area along this axis.", false},
-      {"area_half_x", kReal, "Area, half width x", "m", 0.2, 1000.0, 0.1, 3.4,
+      {"area_half_x", kReal, "Half width of the area, x", "m", 0.2, 1000.0, 0.1, 3.4,
        "Half the size of the tracked floor area along this axis. A person who crosses the border "
        "of the area counts as having left.",
        false},
-      {"area_half_y", kReal, "Area, half width y", "m", 0.2, 1000.0, 0.1, 3.4,
+      {"area_half_y", kReal, "Half width of the area, y", "m", 0.2, 1000.0, 0.1, 3.4,
        "Half the size of the tracked floor area along this axis. A person who crosses the border "
        "of the area counts as having left.",
        false},

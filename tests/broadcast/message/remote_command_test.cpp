@@ -12,7 +12,7 @@ namespace {
 using broadcast::parseRemoteCommand;
 using broadcast::RemoteAction;
 using broadcast::RemoteCommand;
-using broadcast::RemoteGate;
+using broadcast::RemoteCommandFilter;
 
 TEST(RemoteCommand, IsReadFromJson) {
   const auto start = parseRemoteCommand(R"({"command": "start", "token": "secret"})");
@@ -47,9 +47,9 @@ TEST(RemoteCommand, AnythingElseIsRefusedWithItsKey) {
   EXPECT_EQ(fieldOf(R"({"command": "start", "token": ")" + std::string(1 << 20, 'a') + "\"}"), "");
 }
 
-TEST(RemoteGate, ExecutesCommandsWithTheTokenOnly) {
+TEST(RemoteCommandFilter, ExecutesCommandsWithTheTokenOnly) {
   std::vector<RemoteCommand> done;
-  RemoteGate gate("a long secret", [&](const RemoteCommand& command) {
+  RemoteCommandFilter gate("a long secret", [&](const RemoteCommand& command) {
     done.push_back(command);
     return Status();
   });
@@ -61,8 +61,8 @@ TEST(RemoteGate, ExecutesCommandsWithTheTokenOnly) {
   EXPECT_EQ(done.size(), 1U);
 }
 
-TEST(RemoteGate, AFailureIsReported) {
-  RemoteGate gate("a long secret", [](const RemoteCommand&) -> Status {
+TEST(RemoteCommandFilter, AFailureIsReported) {
+  RemoteCommandFilter gate("a long secret", [](const RemoteCommand&) -> Status {
     return failure(ErrorCode::BadValue, "", "record", "there is no folder");
   });
   EXPECT_NE(
@@ -70,39 +70,39 @@ TEST(RemoteGate, AFailureIsReported) {
       std::string::npos);
 }
 
-TEST(RemoteGate, IsOffWithoutATokenOrAReceiver) {
+TEST(RemoteCommandFilter, IsOffWithoutATokenOrAReceiver) {
   int calls = 0;
-  RemoteGate noToken("", [&](const RemoteCommand&) {
+  RemoteCommandFilter noToken("", [&](const RemoteCommand&) {
     ++calls;
     return Status();
   });
   EXPECT_EQ(noToken.handle(R"({"command": "start", "token": ""})"), "");
-  RemoteGate noReceiver("a long secret", {});
+  RemoteCommandFilter noReceiver("a long secret", {});
   EXPECT_EQ(noReceiver.handle(R"({"command": "start", "token": "a long secret"})"), "");
   EXPECT_EQ(calls, 0);
 }
 
-TEST(RemoteGate, WrongTokensLockItForAWhile) {
+TEST(RemoteCommandFilter, WrongTokensLockItForAWhile) {
   int calls = 0;
-  RemoteGate gate("a long secret", [&](const RemoteCommand&) {
+  RemoteCommandFilter gate("a long secret", [&](const RemoteCommand&) {
     ++calls;
     return Status();
   });
-  const RemoteGate::Clock::time_point begin{};
+  const RemoteCommandFilter::Clock::time_point begin{};
   const std::string right = R"({"command": "start", "token": "a long secret"})";
-  for (std::size_t k = 0; k < RemoteGate::kMaxWrongTokens; ++k) {
+  for (std::size_t k = 0; k < RemoteCommandFilter::kMaxWrongTokens; ++k) {
     gate.handle(R"({"command": "start", "token": "guess"})", begin + std::chrono::seconds(k));
   }
   EXPECT_NE(gate.handle(right, begin + std::chrono::seconds(10)).find("too many"),
             std::string::npos);
   EXPECT_EQ(calls, 0);
   EXPECT_NE(
-      gate.handle(right, begin + RemoteGate::kLockoutTime + std::chrono::seconds(1)).find("true"),
+      gate.handle(right, begin + RemoteCommandFilter::kLockoutTime + std::chrono::seconds(1)).find("true"),
       std::string::npos);
   EXPECT_EQ(calls, 1);
 }
 
-TEST(RemoteGate, ComparesWholeTexts) {
+TEST(RemoteCommandFilter, ComparesWholeTexts) {
   EXPECT_TRUE(broadcast::areEqualInConstantTime("abc", "abc"));
   EXPECT_TRUE(broadcast::areEqualInConstantTime("", ""));
   EXPECT_FALSE(broadcast::areEqualInConstantTime("abc", "abd"));

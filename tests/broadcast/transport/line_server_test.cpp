@@ -14,16 +14,16 @@ namespace {
 
 using broadcast::LineServer;
 using broadcast::RemoteCommand;
-using broadcast::RemoteGate;
+using broadcast::RemoteCommandFilter;
 
-std::unique_ptr<LineServer> serverWith(const std::shared_ptr<RemoteGate>& gate) {
+std::unique_ptr<LineServer> serverWith(const std::shared_ptr<RemoteCommandFilter>& gate) {
   auto server = LineServer::open("127.0.0.1", 0, gate);
   EXPECT_TRUE(server);
   return std::move(*server);
 }
 
 std::unique_ptr<LineServer> serverWithoutCommands() {
-  return serverWith(std::make_shared<RemoteGate>("", broadcast::RemoteReceiver()));
+  return serverWith(std::make_shared<RemoteCommandFilter>("", broadcast::RemoteReceiver()));
 }
 
 bool hasClients(const LineServer& server, int count) {
@@ -49,7 +49,7 @@ TEST(LineServer, SendsTheOpeningAndThenEveryLineToEveryClient) {
 TEST(LineServer, APortThatIsTakenIsReported) {
   const auto server = serverWithoutCommands();
   const auto again = LineServer::open(
-      "127.0.0.1", server->port(), std::make_shared<RemoteGate>("", broadcast::RemoteReceiver()));
+      "127.0.0.1", server->port(), std::make_shared<RemoteCommandFilter>("", broadcast::RemoteReceiver()));
   ASSERT_FALSE(again);
   EXPECT_NE(again.error().detail.find(std::to_string(server->port())), std::string::npos);
   EXPECT_FALSE(LineServer::open("no.such.host.invalid", 0, nullptr));
@@ -81,7 +81,7 @@ TEST(LineServer, ASlowClientMissesLinesAndHoldsUpNobody) {
 
 TEST(LineServer, HostileInputIsIgnored) {
   std::atomic<int> calls = 0;
-  const auto server = serverWith(std::make_shared<RemoteGate>("a long secret", [&](const auto&) {
+  const auto server = serverWith(std::make_shared<RemoteCommandFilter>("a long secret", [&](const auto&) {
     ++calls;
     return Status();
   }));

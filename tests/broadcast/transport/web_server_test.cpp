@@ -12,13 +12,13 @@
 namespace dewpoint::tests {
 namespace {
 
-using broadcast::RemoteGate;
+using broadcast::RemoteCommandFilter;
 using broadcast::WebServer;
 
 std::unique_ptr<WebServer> webServer(const std::string& token = "",
                                      broadcast::RemoteReceiver receiver = {}) {
   auto server =
-      WebServer::open("127.0.0.1", 0, std::make_shared<RemoteGate>(token, std::move(receiver)));
+      WebServer::open("127.0.0.1", 0, std::make_shared<RemoteCommandFilter>(token, std::move(receiver)));
   EXPECT_TRUE(server);
   return std::move(*server);
 }

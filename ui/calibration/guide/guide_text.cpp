@@ -64,7 +64,7 @@ bool countsCameras(GuideStep step) {
 ProcedureText procedureText(CalibrationProcedure procedure) {
   switch (procedure) {
   case CalibrationProcedure::Grid:
-    return {GuideText::tr("By hand, with a grid"),
+    return {GuideText::tr("By hand: fit a drawn grid to the images"),
             GuideText::tr("You need one known length, such as the length of a table or of a floor "
                           "tile. You get a first result within minutes.")};
   case CalibrationProcedure::Points:

@@ -167,7 +167,7 @@ void GridForm::retranslateUi() {
           "earlier poses are used. The key B does the same after you have clicked an image"));
   compareLabel_->setText(tr("Before shows"));
   setChoices(*compare_,
-             {tr("cameras when the panel was opened"), tr("cameras before the last change")});
+             {tr("poses when the panel was opened"), tr("poses before the last change")});
   name(compare_, tr("Earlier camera poses that the button Before shows"),
        tr("The cameras as they were when you opened this panel, or as they were before the last "
           "step that changed a camera"));

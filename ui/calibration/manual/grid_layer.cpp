@@ -152,7 +152,7 @@ void GridLayer::mouseReleaseEvent(QMouseEvent* event) {
 void GridLayer::mouseDoubleClickEvent(QMouseEvent* event) {
   const Eigen::Vector2d pixel = pixelAt(event->position());
   const bool isForGrid = points_.clicksPlacePoint() || lastClick_ == Click::RemovedPin ||
-                         manual_.isCrossingAt(camera_, pixel, toImagePixels(kReachPx));
+                         manual_.hasGridCrossingNear(camera_, pixel, toImagePixels(kReachPx));
   if (event->button() == Qt::LeftButton && !isForGrid && view_->isZoomed()) {
     if (lastClick_ == Click::SetPin) { // by the first of the two clicks
       manual_.togglePin(camera_, pixel, toImagePixels(kReachPx));

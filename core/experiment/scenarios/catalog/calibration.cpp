@@ -27,7 +27,7 @@ bool withCalibration(ScenarioDraft& draft, bool error, bool drift) {
     const Eigen::Vector3d axis = draft.draws.direction();
     drifts.push_back({angle * axis, draft.draws.uniform(kSettle.low, kSettle.high)});
   }
-  draft.exactWhenIdeal = false;
+  draft.isCalibrationExactWhenIdeal = false;
   const bool ideal = draft.grade == Grade::Ideal;
   draft.adjustFaults = [=](SensingFaults& faults) {
     for (std::size_t camera = 0; camera < drifts.size(); ++camera) {

@@ -97,7 +97,7 @@ bool withMovedCamera(ScenarioDraft& draft) {
       const double since = draft.timeOf(frame) - 0.5 / draft.framesPerSecond;
       draft.stage.movedCameras.push_back({camera, since, view});
       draft.events.push_back({ScenarioEvent::Kind::CameraMoved, frame, which});
-      draft.exactWhenIdeal = false;
+      draft.isCalibrationExactWhenIdeal = false;
       return true;
     }
   }

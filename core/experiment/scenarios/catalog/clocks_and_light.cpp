@@ -61,7 +61,7 @@ bool withUnknownClocks(ScenarioDraft& draft) {
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
     delays.push_back(draft.draws.uniform(-kMost, kMost));
   }
-  draft.exactWhenIdeal = false;
+  draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [delays](SensingFaults& faults) {
     for (std::size_t camera = 0; camera < delays.size(); ++camera) {
       faults.cameras[camera].timing.delay = delays[camera];

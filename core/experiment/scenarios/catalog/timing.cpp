@@ -23,7 +23,7 @@ bool withRollingShutters(ScenarioDraft& draft, bool fast) {
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
     readouts.push_back(draft.draws.uniform(range.low, range.high));
   }
-  draft.exactWhenIdeal = false;
+  draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [readouts](SensingFaults& faults) {
     for (std::size_t camera = 0; camera < readouts.size(); ++camera) {
       faults.cameras[camera].sensor.shutter.readoutSeconds = readouts[camera];
@@ -41,7 +41,7 @@ bool withUnknownDelays(ScenarioDraft& draft, bool fast) {
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
     delays.push_back(draft.draws.uniform(range.low, range.high) / draft.framesPerSecond);
   }
-  draft.exactWhenIdeal = false;
+  draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [delays](SensingFaults& faults) {
     for (std::size_t camera = 0; camera < delays.size(); ++camera) {
       faults.cameras[camera].timing.delay = delays[camera];
@@ -56,7 +56,7 @@ bool withDroppedAndDoubled(ScenarioDraft& draft) {
   if (!addDeskBall(draft, kDefaultFrameCount)) {
     return false;
   }
-  draft.exactWhenIdeal = false;
+  draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [](SensingFaults& faults) {
     for (CameraFaults& camera : faults.cameras) {
       camera.timing.droppedShare = kShare;
@@ -75,7 +75,7 @@ bool withFrozenStream(ScenarioDraft& draft) {
   const std::int64_t begin = 75 + draft.draws.integer(-15, 15);
   const auto frozen =
       static_cast<std::size_t>(draft.draws.integer(0, static_cast<int>(draft.rig.size()) - 1));
-  draft.exactWhenIdeal = false;
+  draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [=](SensingFaults& faults) {
     faults.cameras[frozen].timing.freezeBegin = begin;
     faults.cameras[frozen].timing.freezeEnd = begin + kFrozen;
@@ -94,7 +94,7 @@ bool withDriftingClocks(ScenarioDraft& draft) {
   for (std::size_t camera = 0; camera < draft.rig.size(); ++camera) {
     drifts.push_back(draft.draws.uniform(-kDrift, kDrift));
   }
-  draft.exactWhenIdeal = false;
+  draft.isCalibrationExactWhenIdeal = false;
   draft.adjustFaults = [drifts](SensingFaults& faults) {
     for (std::size_t camera = 0; camera < drifts.size(); ++camera) {
       faults.cameras[camera].timing.clockDrift = drifts[camera];

@@ -95,7 +95,7 @@ ScenarioRun runOf(ScenarioDraft draft) {
   run.truth = truthOf(draft, run.extents);
   run.events = draft.events;
   run.equalCandidates = draft.equalCandidates;
-  run.exactSensing = draft.grade == Grade::Ideal && draft.exactWhenIdeal;
+  run.exactSensing = draft.grade == Grade::Ideal && draft.isCalibrationExactWhenIdeal;
   const auto shared = std::make_shared<const ScenarioDraft>(std::move(draft));
   run.frames = [shared](std::int64_t frame) { return frameSetOf(*shared, frame); };
   if (shared->learnTargets) {

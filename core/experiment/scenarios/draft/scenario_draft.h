@@ -61,7 +61,7 @@ struct ScenarioDraft {
   /// Number of objects that fit the first target equally well (ScenarioRun::equalCandidates).
   int equalCandidates = 1;
   /// True if calibration and time stamps are exact in grade `ideal`, and methods know this.
-  bool exactWhenIdeal = true;
+  bool isCalibrationExactWhenIdeal = true;
   /// Function that sets what methods know about the targets (ScenarioRun::targets), using the
   /// images of the finished run. If null, methods know the color range of the pink ball.
   std::function<void(const ScenarioDraft&, ScenarioRun&)> learnTargets = nullptr;
