@@ -38,8 +38,9 @@ public:
   /// Adds a frame of a camera. Drops the frame if it is older than the last group taken.
   void add(std::size_t camera, FramePtr frame);
 
-  /// Removes and returns the next group, one frame per camera (null where missing). Returns nothing
-  /// if no group is complete at time `now` of the session's clock.
+  /// Removes and returns the next group, one frame per camera (null where missing). A group is
+  /// ready when its frames have arrived, or when the time to wait for missing frames is over.
+  /// Returns nothing if no group is ready at time `now` of the session's clock.
   std::optional<std::vector<FramePtr>> take(TimeStamp now);
   /// Returns the latest time, by the session's clock, at which the next group will be complete.
   /// Returns nothing if no frame is waiting.

@@ -21,7 +21,8 @@ struct ImageEvidence {
   cv::Mat image; ///< shares the pixels of the input
   /// Region of the clicked object if the image still shows this object; otherwise empty.
   cv::Mat clickedMask;
-  /// If `clickedMask` is empty: the object with the typical colors of the samples.
+  /// Mask of the pixels that most likely belong to the target, judged by the typical colors of the
+  /// samples. Computed only if `clickedMask` is empty; otherwise empty.
   cv::Mat similarMask;
   /// Pixels that may show the target, and are therefore not counted as the rest of the image; may
   /// be empty.

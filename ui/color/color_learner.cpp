@@ -151,11 +151,11 @@ void ColorLearner::applyResult(int target, const setup::ClickLearningResult& les
   if (lesson.color.assessment.targetKnown) {
     Q_EMIT assessed(lesson.color.assessment);
   } else {
-    assess();
+    assessLearnedColor();
   }
 }
 
-void ColorLearner::assess() {
+void ColorLearner::assessLearnedColor() {
   const Project& project = document_.project();
   if (target_ < 0 || target_ >= static_cast<int>(project.targets.size())) {
     return;

@@ -37,7 +37,7 @@ public:
   void removeSample(int index);
   bool isBusy() const { return learning_.isRunning(); }
   /// Assesses the target's color in the images shown.
-  void assess();
+  void assessLearnedColor();
 
 Q_SIGNALS:
   /// Emitted when a color was learned. `isNew` is true if the target did not exist before.

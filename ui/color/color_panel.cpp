@@ -75,7 +75,7 @@ ColorPanel::ColorPanel(Document& document, ImagePickTool& pick, QWidget* parent)
   connect(picker_, &ColorPicker::rangeEdited, this, &ColorPanel::editRange);
   connect(picker_, &ColorPicker::editingFinished, this, [this] {
     document_.endStepMerging();
-    learner_->assess();
+    learner_->assessLearnedColor();
   });
   connect(survey_, &ImageHistogramJob::finished, picker_, &ColorPicker::setHistogram);
   connect(samples_, &ColorSampleList::removeRequested, this, &ColorPanel::removeSample);
@@ -253,7 +253,7 @@ void ColorPanel::clearRegions() {
 void ColorPanel::assessNow() {
   if (inFront_ && snapshot_ && snapshot_->frames && !learner_->isBusy() && !targetsAreBoxes()) {
     learner_->setTarget(target_);
-    learner_->assess();
+    learner_->assessLearnedColor();
   }
 }
 

@@ -191,7 +191,7 @@ void MainWindow::connectRun() {
   connect(document_, &Document::fileChanged, this, &MainWindow::updateTitle);
   connect(document_->undoStack(), &QUndoStack::cleanChanged, this,
           [this] { setWindowModified(document_->isUnsaved()); });
-  connect(docks_, &DockManager::viewsShown, this, &MainWindow::placeMessageRow);
+  connect(docks_, &DockManager::viewsShownChanged, this, &MainWindow::placeMessageRow);
   connect(docks_, &DockManager::layoutChanged, this, &MainWindow::placeMessageRow);
   bench_->onTriggered("actionResetLayout", docks_, [this] { docks_->reset(); });
   bench_->requireRun({"actionResetLayout"});

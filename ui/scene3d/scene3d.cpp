@@ -101,7 +101,7 @@ void Scene3d::setImagesShown(bool shown) {
   parts.frusta.show(parts.rig ? *parts.rig : CameraRig(), parts.frustumLength());
 }
 
-void Scene3d::setBestShown(bool shown) {
+void Scene3d::setBestParticleShown(bool shown) {
   parts_->bestParticleShown = shown;
   for (const auto& target : parts_->targets) {
     target->setBestParticleShown(shown);

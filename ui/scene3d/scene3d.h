@@ -54,7 +54,7 @@ public:
   /// highlighted.
   void setChosenTarget(int target);
   /// Sets whether each target's highest-weight particle is marked; off by default.
-  void setBestShown(bool shown);
+  void setBestParticleShown(bool shown);
   /// Sets whether a line connects each camera with the estimates in its image; on by default. The
   /// line is dashed if the camera does not see the target.
   void setRaysShown(bool shown);

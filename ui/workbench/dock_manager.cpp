@@ -251,7 +251,7 @@ void DockManager::showViews(bool shown) {
   } else if (shown) {
     distributeDockSizesSoon();
   }
-  Q_EMIT viewsShown(shown);
+  Q_EMIT viewsShownChanged(shown);
 }
 
 void DockManager::toggleMaximized(ViewDock* dock) {

@@ -73,9 +73,9 @@ Q_SIGNALS:
   /// their docks.
   void layoutChanged();
   /// viewsAboutToChange() is emitted before the views are shown (true) or replaced by a page
-  /// (false), viewsShown() afterward.
+  /// (false), viewsShownChanged() afterward.
   void viewsAboutToChange(bool shown);
-  void viewsShown(bool shown);
+  void viewsShownChanged(bool shown);
 
 protected:
   /// Handles window events: resizing, dragging a separator, and Esc, which restores all views.

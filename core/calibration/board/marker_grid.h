@@ -14,7 +14,7 @@ struct MarkerGrid {
   bool whiteFirst = false; ///< the first square is white and contains marker 0
   double markerToSquareRatio = 0.0; ///< side of a marker as a fraction of the side of a square
   int imageCount = 0;               ///< number of images that show the arrangement
-  /// Number of markers in these images that are where the arrangement puts them.
+  /// Number of detected markers, over all given images, whose positions agree with the arrangement.
   int markerCount = 0;
 };
 

@@ -18,8 +18,9 @@ struct ImagePoint {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
 
-/// Image points of all cameras, without the lengths of the bodies. A wrong length therefore has no
-/// effect on a search that uses only image points.
+/// Image points of all cameras. The known lengths of what was filmed (squares of the board, length
+/// of the wand) are left out. A wrong length therefore has no effect on a search that uses only
+/// image points.
 struct ImagePoints {
   std::vector<double> times; ///< time of each state, seconds
   std::vector<std::vector<ImagePoint>> perCamera;

@@ -21,7 +21,8 @@ struct ClipFolders {
 
 /// Origin of a clip's ground truth, which determines how independent the truth is of the methods.
 enum class TruthOrigin {
-  Board,    ///< computed from the corners of a printed board, without using color or a tracker
+  Board,    ///< positions computed from the corners of a printed board, without using color or a
+            ///< tracker
   Marked,   ///< marked by hand in the images
   Segmented ///< segmented by target color; NOT independent of methods that use color
 };

@@ -131,7 +131,7 @@ cv::Mat drawBoxFrames(const std::vector<cv::Mat>& images, const std::vector<Imag
   return page;
 }
 
-std::string boxFramesFileName(std::size_t clip) {
+std::string framesWithBoxesFileName(std::size_t clip) {
   return fmt::format("clip-{}.jpg", clip + 1);
 }
 
@@ -165,7 +165,7 @@ std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip) {
                     {"Distance to the true center",
                      plotOf("error over frames", "error, px", errors, true)}},
                    legend) +
-         imageHtml(boxFramesFileName(clip),
+         imageHtml(framesWithBoxesFileName(clip),
                    figures.clip + ": sugandi with 100 particles (above) and with 300 (below), "
                                   "red: box and center as found, white: true box; four frames "
                                   "evenly picked and the one where 100 particles are farthest "

@@ -22,7 +22,7 @@ cv::Mat drawBoxFrames(const std::vector<cv::Mat>& images, const std::vector<Imag
 /// frames, and the image with the boxes of five frames (drawBoxFrames()).
 std::string boxFiguresHtml(const BoxStudy& study, std::size_t clip);
 /// Returns, for a clip, the file name of the image with the boxes of five frames (drawBoxFrames()).
-std::string boxFramesFileName(std::size_t clip);
+std::string framesWithBoxesFileName(std::size_t clip);
 /// Returns plots for a clip as HTML, like figure 1 of Sugandi et al. 2009: the color histograms of
 /// the first box, which was given to the method, and of the box found halfway through the clip.
 std::string boxHistogramsHtml(const BoxStudy& study, std::size_t clip);

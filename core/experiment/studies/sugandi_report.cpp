@@ -208,7 +208,8 @@ Status writeBoxStudy(const BoxStudy& study, const std::filesystem::path& folder)
       {"tracks.csv", boxTracksCsv(study)},
       {"histograms.csv", boxHistogramsCsv(study)}};
   for (std::size_t clip = 0; clip < study.figures.size(); ++clip) {
-    files.emplace_back(boxFramesFileName(clip), encodeImage(study.figures[clip].frames, ".jpg"));
+    files.emplace_back(framesWithBoxesFileName(clip),
+                       encodeImage(study.figures[clip].frames, ".jpg"));
   }
   if (!study.perturbedRows.empty()) {
     files.emplace_back("sloppy-boxes.csv", perturbedBoxesCsv(study.perturbedRows));

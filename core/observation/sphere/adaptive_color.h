@@ -81,8 +81,9 @@ private:
 
   static PerCamera initialState(const ColorRanges& base);
   static ColorRanges rangesOf(const PerCamera& camera);
-  /// Measures the quantiles. Returns whether enough pixels of the target have approximately one of
-  /// its colors.
+  /// Measures the quantiles of the colors of the target's pixels in one camera, and writes them to
+  /// `measured`. Returns false if too few of these pixels have approximately one of the target's
+  /// colors.
   static bool measure(const PerCamera& camera, const TargetImage& target, Measured& measured);
   /// Moves the ranges of a camera to the quantiles `next`. Returns the F1 score after this step, or
   /// nothing if the step was rejected.

@@ -39,9 +39,9 @@ struct WandRefinement {
 /// possible error before the calibration, WandOptions::initialPositionError.
 bool isInaccurate(const WandRefinement& refinement);
 
-/// Returns whether the recording gives no reason to change the cameras. This is the case if the old
-/// cameras fit the images at least as well as the new cameras fit images that were not used to
-/// compute them (CalibrationAccuracy::leftOutRmsPx).
+/// Returns whether the recording gives no reason to change the calibration. This is the case if the
+/// reprojection error of the old calibration is at most the cross-validated error of the new one,
+/// in images that were left out of its computation (CalibrationAccuracy::leftOutRmsPx).
 bool isUnnecessary(const WandRefinement& refinement);
 
 /// Returns a sentence that says that the old cameras fit the images as well as the new ones.

@@ -39,7 +39,8 @@ public:
   /// Learns about the shape of the object at the position where a ball was found. If the object
   /// turns out not to be a ball, the track begins at this position.
   void measureBall(const TrackHypothesis& ball, const RandomKey& key, ThreadTeam& team);
-  /// Updates the track with the images and learns about the shape from the result.
+  /// Updates the track with the images of the frame, and learns about the shape from the result.
+  /// `occupied`: space that other targets occupy.
   void update(const std::vector<OccupiedSphere>& occupied, const RandomKey& key, ThreadTeam& team);
   /// Sets the position of the target to a position given by the user. `radius` (meters) is used if
   /// the extent of the target is unknown.

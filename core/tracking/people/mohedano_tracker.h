@@ -33,7 +33,7 @@ private:
   void removeAllBeliefs() override { beliefs_.clear(); }
   std::size_t beliefBytes() const override;
   void update(ThreadTeam& team) override;
-  bool ignoresCoveredForeground() const override { return false; }
+  bool ignoresForegroundOfKnownPeople() const override { return false; }
   MotionSmoothing motionSmoothing() const override {
     return {parameters_.at("mask_sigma"), parameters_.at("motion_floor")};
   }

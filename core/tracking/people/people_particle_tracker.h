@@ -43,7 +43,7 @@ private:
   void removeAllBeliefs() override;
   std::size_t beliefBytes() const override;
   void update(ThreadTeam& team) override;
-  bool ignoresCoveredForeground() const override { return true; }
+  bool ignoresForegroundOfKnownPeople() const override { return true; }
   MotionSmoothing motionSmoothing() const override;
 
   std::vector<ScoreSums> scoresFor(std::size_t person) const;

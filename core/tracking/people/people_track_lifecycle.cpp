@@ -206,7 +206,7 @@ PeopleTrackLifecycle::Visibility PeopleTrackLifecycle::visibilityOf(std::size_t 
   double free = 0.0;
   double moving = 0.0;
   std::vector<cv::Rect> others;
-  for (std::size_t k = 0; k < people_.size() && ignoresCoveredForeground(); ++k) {
+  for (std::size_t k = 0; k < people_.size() && ignoresForegroundOfKnownPeople(); ++k) {
     if (k != person) {
       const BodySilhouette other = silhouette(people_[k], camera);
       if (other.visible) {

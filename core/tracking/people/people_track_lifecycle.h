@@ -80,7 +80,7 @@ protected:
   virtual MotionSmoothing motionSmoothing() const { return {}; }
   /// Returns whether foreground pixels that other people cover are ignored when deciding whether a
   /// person is visible.
-  virtual bool ignoresCoveredForeground() const = 0;
+  virtual bool ignoresForegroundOfKnownPeople() const = 0;
 
   RandomKey randomKeyOf(int identity) const;
   Eigen::Vector2d floorPosition(const PersonEstimate& person) const {

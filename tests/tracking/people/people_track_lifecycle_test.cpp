@@ -39,7 +39,7 @@ protected:
   }
   std::size_t beliefBytes() const override { return 0; }
   void update(ThreadTeam&) override { move(people_); }
-  bool ignoresCoveredForeground() const override { return masksAreShared; }
+  bool ignoresForegroundOfKnownPeople() const override { return masksAreShared; }
 };
 
 ParameterValues lifecycleValues(bool births) {

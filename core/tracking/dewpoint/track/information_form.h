@@ -14,7 +14,8 @@ struct InformationForm {
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();      ///< information vector, 1/m
 
   /// Returns the measurement that updates the Gaussian `before` (centered on the predicted
-  /// position) to `after`, with `variance` (m²) along each axis added to its covariance.
+  /// position) to `after`. Then `variance` (m²) is added to the covariance of this measurement,
+  /// along each axis.
   static InformationForm between(const Gaussian3& before, const Gaussian3& after, double variance);
   /// Returns the same measurement relative to the predicted position plus `offset` (m).
   InformationForm relativeTo(const Eigen::Vector3d& offset) const {
