@@ -1070,8 +1070,8 @@
         <translation>altes Layout</translation>
     </message>
     <message>
-        <source>%1: RMS reprojection error %2, focal length %3, accuracy %5, from %4 images</source>
-        <translation>%1: RMS-Rückprojektionsfehler %2, Brennweite %3, Genauigkeit %5, aus %4 Bildern</translation>
+        <source>%1: RMS reprojection error %2, focal length %3, accuracy of the intrinsics %5, from %4 images</source>
+        <translation>%1: RMS-Rückprojektionsfehler %2, Brennweite %3, Genauigkeit der intrinsischen Parameter %5, aus %4 Bildern</translation>
     </message>
     <message>
         <source>%1: RMS reprojection error %2, position ±%3, direction ±%4</source>
@@ -3293,12 +3293,12 @@
         <translation>Mindestabstand</translation>
     </message>
     <message>
-        <source>Smallest likelihood of a hue (h_B in the paper); above 0 because another object may hide the person.</source>
-        <translation>Kleinste Likelihood eines Farbtons (h_B im Artikel); über 0, weil ein anderes Objekt die Person verdecken kann.</translation>
+        <source>Lower limit of the likelihood of a pixel&apos;s hue (h_B in the paper); above 0 because another object may hide the person.</source>
+        <translation>Untere Grenze der Likelihood des Farbtons eines Pixels (h_B im Artikel); über 0, weil ein anderes Objekt die Person verdecken kann.</translation>
     </message>
     <message>
-        <source>Smallest likelihood of a saturation (s_B in the paper).</source>
-        <translation>Kleinste Likelihood einer Sättigung (s_B im Artikel).</translation>
+        <source>Lower limit of the likelihood of a pixel&apos;s saturation (s_B in the paper).</source>
+        <translation>Untere Grenze der Likelihood der Sättigung eines Pixels (s_B im Artikel).</translation>
     </message>
     <message>
         <source>Smallest likelihood where a camera sees no motion (p_B in the paper: 0.2).</source>
@@ -3333,8 +3333,8 @@
         <translation>Standardabweichung des Rauschens auf jeder Komponente der Geschwindigkeit, je Bild.</translation>
     </message>
     <message>
-        <source>Standard deviation of the noise on each coordinate, per frame.</source>
-        <translation>Standardabweichung des Rauschens auf jeder Koordinate, je Bild.</translation>
+        <source>Standard deviation of the random motion that is added to each coordinate of a particle, per frame.</source>
+        <translation>Standardabweichung der zufälligen Bewegung, die jeder Koordinate eines Partikels hinzugefügt wird, je Bild.</translation>
     </message>
     <message>
         <source>Standard deviation of the noise on hue and saturation, per frame.</source>
@@ -6975,8 +6975,8 @@ Position x, y, z: %4, %5, %6</translation>
         <translation>Position der Ecke, an der die Achsen des Gitters beginnen, in Metern</translation>
     </message>
     <message>
-        <source>Show the grid with the earlier camera poses</source>
-        <translation>Das Gitter mit den früheren Lagen der Kameras zeigen</translation>
+        <source>Show the grid with the camera poses before the changes</source>
+        <translation>Das Gitter mit den Lagen der Kameras vor den Änderungen zeigen</translation>
     </message>
     <message>
         <source>Hold down this button to draw the grid with earlier camera poses. Choose below which earlier poses are used. The key B does the same after you have clicked an image</source>
@@ -8351,7 +8351,7 @@ In den Kurven rollt das Mausrad, Strg+Mausrad zoomt die Zeitachse am Zeiger, und
         </translation>
     </message>
     <message>
-        <source>%1: all points lie on one line. Add a point beside this line</source>
+        <source>%1: all points lie on one line. Add a point away from this line</source>
         <translation>%1: Alle Punkte liegen auf einer Geraden. Fügen Sie einen Punkt neben dieser Geraden hinzu</translation>
     </message>
     <message>

@@ -1070,8 +1070,8 @@
         <translation>disposición antigua</translation>
     </message>
     <message>
-        <source>%1: RMS reprojection error %2, focal length %3, accuracy %5, from %4 images</source>
-        <translation>%1: error de reproyección RMS %2, distancia focal %3, precisión %5, con %4 imágenes</translation>
+        <source>%1: RMS reprojection error %2, focal length %3, accuracy of the intrinsics %5, from %4 images</source>
+        <translation>%1: error de reproyección RMS %2, distancia focal %3, precisión de los parámetros intrínsecos %5, con %4 imágenes</translation>
     </message>
     <message>
         <source>%1: RMS reprojection error %2, position ±%3, direction ±%4</source>
@@ -3293,12 +3293,12 @@
         <translation>Distancia mínima</translation>
     </message>
     <message>
-        <source>Smallest likelihood of a hue (h_B in the paper); above 0 because another object may hide the person.</source>
-        <translation>Verosimilitud mínima de un tono (h_B del artículo); mayor que 0 porque otro objeto puede tapar a la persona.</translation>
+        <source>Lower limit of the likelihood of a pixel&apos;s hue (h_B in the paper); above 0 because another object may hide the person.</source>
+        <translation>Límite inferior de la verosimilitud del tono de un píxel (h_B del artículo); mayor que 0 porque otro objeto puede tapar a la persona.</translation>
     </message>
     <message>
-        <source>Smallest likelihood of a saturation (s_B in the paper).</source>
-        <translation>Verosimilitud mínima de una saturación (s_B del artículo).</translation>
+        <source>Lower limit of the likelihood of a pixel&apos;s saturation (s_B in the paper).</source>
+        <translation>Límite inferior de la verosimilitud de la saturación de un píxel (s_B del artículo).</translation>
     </message>
     <message>
         <source>Smallest likelihood where a camera sees no motion (p_B in the paper: 0.2).</source>
@@ -3333,8 +3333,8 @@
         <translation>Desviación típica del ruido en cada componente de la velocidad, por fotograma.</translation>
     </message>
     <message>
-        <source>Standard deviation of the noise on each coordinate, per frame.</source>
-        <translation>Desviación típica del ruido en cada coordenada, por fotograma.</translation>
+        <source>Standard deviation of the random motion that is added to each coordinate of a particle, per frame.</source>
+        <translation>Desviación típica del movimiento aleatorio que se añade a cada coordenada de una partícula, por fotograma.</translation>
     </message>
     <message>
         <source>Standard deviation of the noise on hue and saturation, per frame.</source>
@@ -6975,8 +6975,8 @@ Posición x, y, z: %4, %5, %6</translation>
         <translation>Posición de la esquina en que empiezan los ejes de la cuadrícula, en metros</translation>
     </message>
     <message>
-        <source>Show the grid with the earlier camera poses</source>
-        <translation>Mostrar la cuadrícula con las poses anteriores de las cámaras</translation>
+        <source>Show the grid with the camera poses before the changes</source>
+        <translation>Mostrar la cuadrícula con las poses de las cámaras antes de los cambios</translation>
     </message>
     <message>
         <source>Hold down this button to draw the grid with earlier camera poses. Choose below which earlier poses are used. The key B does the same after you have clicked an image</source>
@@ -8351,7 +8351,7 @@ En los gráficos, la rueda desplaza, Ctrl+rueda amplía el tiempo en el puntero 
         </translation>
     </message>
     <message>
-        <source>%1: all points lie on one line. Add a point beside this line</source>
+        <source>%1: all points lie on one line. Add a point away from this line</source>
         <translation>%1: todos los puntos están en una recta. Añada un punto fuera de ella</translation>
     </message>
     <message>

@@ -1070,8 +1070,8 @@
         <translation>旧レイアウト</translation>
     </message>
     <message>
-        <source>%1: RMS reprojection error %2, focal length %3, accuracy %5, from %4 images</source>
-        <translation>%1: 再投影誤差（RMS）%2、焦点距離 %3、精度 %5、画像 %4 枚</translation>
+        <source>%1: RMS reprojection error %2, focal length %3, accuracy of the intrinsics %5, from %4 images</source>
+        <translation>%1: 再投影誤差（RMS）%2、焦点距離 %3、内部パラメータの精度 %5、画像 %4 枚</translation>
     </message>
     <message>
         <source>%1: RMS reprojection error %2, position ±%3, direction ±%4</source>
@@ -3292,11 +3292,11 @@
         <translation>最小距離</translation>
     </message>
     <message>
-        <source>Smallest likelihood of a hue (h_B in the paper); above 0 because another object may hide the person.</source>
+        <source>Lower limit of the likelihood of a pixel&apos;s hue (h_B in the paper); above 0 because another object may hide the person.</source>
         <translation>色相の尤度の下限（論文の h_B）。別の物体が人を隠すことがあるため、0 より大きくします。</translation>
     </message>
     <message>
-        <source>Smallest likelihood of a saturation (s_B in the paper).</source>
+        <source>Lower limit of the likelihood of a pixel&apos;s saturation (s_B in the paper).</source>
         <translation>彩度の尤度の下限（論文の s_B）。</translation>
     </message>
     <message>
@@ -3332,8 +3332,8 @@
         <translation>1 フレームごとに速度の各成分へ加えるノイズの標準偏差。</translation>
     </message>
     <message>
-        <source>Standard deviation of the noise on each coordinate, per frame.</source>
-        <translation>1 フレームごとに各座標へ加えるノイズの標準偏差。</translation>
+        <source>Standard deviation of the random motion that is added to each coordinate of a particle, per frame.</source>
+        <translation>1 フレームごとに粒子の各座標へ加えるランダムな動きの標準偏差。</translation>
     </message>
     <message>
         <source>Standard deviation of the noise on hue and saturation, per frame.</source>
@@ -6963,8 +6963,8 @@ Position x, y, z: %4, %5, %6</source>
         <translation>格子の軸が始まる角の位置（メートル）</translation>
     </message>
     <message>
-        <source>Show the grid with the earlier camera poses</source>
-        <translation>以前のカメラの姿勢で格子を表示</translation>
+        <source>Show the grid with the camera poses before the changes</source>
+        <translation>変更前のカメラの姿勢で格子を表示</translation>
     </message>
     <message>
         <source>Hold down this button to draw the grid with earlier camera poses. Choose below which earlier poses are used. The key B does the same after you have clicked an image</source>
@@ -8335,7 +8335,7 @@ In the plots, the wheel scrolls, Ctrl+wheel zooms in time at the pointer, and Sh
         </translation>
     </message>
     <message>
-        <source>%1: all points lie on one line. Add a point beside this line</source>
+        <source>%1: all points lie on one line. Add a point away from this line</source>
         <translation>%1: すべての点が一直線上にあります。この線から外れた点を加えてください</translation>
     </message>
     <message>

@@ -85,7 +85,9 @@ Declarations mohedano(bool color) {
       {"particles", kInteger, "Particles", "", 10.0, 100000.0, 10.0, 500.0,
        "Number of particles of each person.", true},
       {"position_sigma", kReal, "Position noise", "m", 0.0, 1.0, 0.005, 0.03,
-       "Standard deviation of the noise on each coordinate, per frame.", false},
+       "Standard deviation of the random motion that is added to each coordinate of a particle, "
+       "per frame.",
+       false},
       {"velocity_sigma", kReal, "Velocity noise", "m/s", 0.0, 10.0, 0.01, 0.25,
        "Standard deviation of the noise on each component of the velocity, per frame.", false},
       {"mask_sigma", kReal, "Mask smoothing", "px", 0.0, 50.0, 0.5, 4.0,
@@ -99,11 +101,11 @@ Declarations mohedano(bool color) {
               {"saturation_sigma", kReal, "Saturation sigma", "", 0.001, 1.0, 0.005, 0.06,
                "Standard deviation of a measured saturation; saturations range from 0 to 1.", true},
               {"hue_floor", kReal, "Min. hue likelihood", "", 0.001, 1.0, 0.01, 0.3,
-               "Smallest likelihood of a hue (h_B in the paper); above 0 because another object "
-               "may hide the person.",
+               "Lower limit of the likelihood of a pixel's hue (h_B in the paper); above 0 because "
+               "another object may hide the person.",
                false},
               {"saturation_floor", kReal, "Min. saturation likelihood", "", 0.001, 1.0, 0.01, 0.3,
-               "Smallest likelihood of a saturation (s_B in the paper).", false},
+               "Lower limit of the likelihood of a pixel's saturation (s_B in the paper).", false},
               {"color_noise", kReal, "Color noise", "", 0.0, 0.5, 0.001, 0.005,
                "Standard deviation of the noise on hue and saturation, per frame.", false}});
     putInGroup(ParameterGroup::Measurement,

@@ -22,10 +22,10 @@ constexpr double kPoorlyKnownPx = 5.0; ///< somewhere in the image: worth a warn
 
 QString lensLine(const QString& name, const IntrinsicsResult& lens) {
   const auto used = std::ranges::count(lens.views, true, &ViewFit::used);
-  QString line =
-      BoardText::tr("%1: RMS reprojection error %2, focal length %3, accuracy %5, from %4 images")
-          .arg(name, pixelText(lens.rmsPx, 3), pixelText(lens.camera.intrinsics.focalX),
-               QString::number(used), pixelText(lens.maxProjectionSigmaPx, 2));
+  QString line = BoardText::tr("%1: RMS reprojection error %2, focal length %3, accuracy of the "
+                               "intrinsics %5, from %4 images")
+                     .arg(name, pixelText(lens.rmsPx, 3), pixelText(lens.camera.intrinsics.focalX),
+                          QString::number(used), pixelText(lens.maxProjectionSigmaPx, 2));
   if (lens.maxProjectionSigmaPx > kPoorlyKnownPx) {
     line += QStringLiteral("\n⚠ ") +
             BoardText::tr("The board's corners cover only %1 % of the image: show the board in "

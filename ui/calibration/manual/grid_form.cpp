@@ -162,7 +162,7 @@ void GridForm::retranslateUi() {
   edges_->setText(tr("Show image edges"));
   edges_->setToolTip(tr("Dim the images except for their edges"));
   flip_->setText(tr("Before"));
-  name(flip_, tr("Show the grid with the earlier camera poses"),
+  name(flip_, tr("Show the grid with the camera poses before the changes"),
        tr("Hold down this button to draw the grid with earlier camera poses. Choose below which "
           "earlier poses are used. The key B does the same after you have clicked an image"));
   compareLabel_->setText(tr("Before shows"));

@@ -214,7 +214,7 @@ QString PointCalibrator::cameraResultText(const CameraFromPoints& camera) const 
                .arg(kFewestPointsOfPose);
     break;
   case PoseStatus::Collinear:
-    line = tr("%1: all points lie on one line. Add a point beside this line").arg(name);
+    line = tr("%1: all points lie on one line. Add a point away from this line").arg(name);
     break;
   case PoseStatus::Ambiguous:
     line = tr("%1: average error %2, but a second pose fits equally well. Add a point outside the "
