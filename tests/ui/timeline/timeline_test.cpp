@@ -248,7 +248,7 @@ void TimelineTest::troubleIsFoundInBothDirections() {
   }
   const qint64 first = window_->selection().currentFrame();
   trigger("actionPreviousTrouble"); // there is none: a message says so
-  QVERIFY(messageText().contains(QStringLiteral("before")));
+  QVERIFY(messageText().contains(QStringLiteral("Before this frame")));
   QVERIFY(showsFrame(first));
   for (const qint64 frame : begins) {
     if (frame > first) {
