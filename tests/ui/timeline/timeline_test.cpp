@@ -258,7 +258,7 @@ void TimelineTest::troubleIsFoundInBothDirections() {
   }
   const qint64 last = window_->selection().currentFrame();
   trigger("actionNextTrouble");
-  QVERIFY(messageText().contains(QStringLiteral("after")));
+  QVERIFY(messageText().contains(QStringLiteral("After this frame")));
   QVERIFY(showsFrame(last));
 }
 
