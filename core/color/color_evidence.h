@@ -21,8 +21,8 @@ struct ImageEvidence {
   cv::Mat image; ///< shares the pixels of the input
   /// Region of the clicked object if the image still shows this object; otherwise empty.
   cv::Mat clickedMask;
-  /// Mask of the pixels that most likely belong to the target, judged by the typical colors of the
-  /// samples. Computed only if `clickedMask` is empty; otherwise empty.
+  /// Mask of the pixels that most likely belong to the target, according to the typical colors of
+  /// the samples. Computed only if `clickedMask` is empty; otherwise empty.
   cv::Mat similarMask;
   /// Pixels that may show the target, and are therefore not counted as the rest of the image; may
   /// be empty.
