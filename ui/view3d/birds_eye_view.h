@@ -76,7 +76,7 @@ public:
   void setChosenTarget(int target);
   /// Sets whether each target's highest-weight particle is shown.
   void setBestParticleShown(bool shown) {
-    scene_.setBestShown(shown);
+    scene_.setBestParticleShown(shown);
     requestRendering();
   }
   /// Sets whether lines of sight from the cameras to the estimates are shown.
