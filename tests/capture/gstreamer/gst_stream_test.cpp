@@ -230,6 +230,16 @@ TEST(GstStream, AFiniteSourceEnds) {
   EXPECT_TRUE(feed->endTime());
 }
 
+TEST(GstStream, EndsAfterTheLastImageForARecording) {
+  const auto feed = std::make_shared<EncodedFeed>();
+  feed->connect([](const EncodedImage&) { std::this_thread::sleep_for(40ms); });
+  const auto stream = makeLiveStream(located("test:ball?rate=60&frames=12"), feed);
+  ASSERT_TRUE(stream->open());
+  imagesOf(*stream, 100); // their branch ends 0.2 s after the start, the other 0.5 s
+  EXPECT_EQ(feed->imageCount(), 12);
+  EXPECT_TRUE(feed->endTime());
+}
+
 TEST(GstStream, AcceptsPipelinesWithAndWithoutASink) {
   for (const char* rest :
        {" ! appsink", " ! videoconvert ! video/x-raw,format=BGR ! appsink", "", " ! jpegenc"}) {
