@@ -40,12 +40,15 @@ bool ImagePickOverlay::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ImagePickOverlay::setPicking(bool picking) {
+  const bool looksTheSame = picking == picking_ && !cross_;
   picking_ = picking;
   cross_.reset();
   if (pointing_) {
     pressed_.reset();
   }
-  update();
+  if (!looksTheSame) {
+    update();
+  }
   setCursor(picking ? Qt::CrossCursor : Qt::ArrowCursor);
   setMouseTracking(picking && magnifying_);
   if (!picking) {
@@ -54,9 +57,11 @@ void ImagePickOverlay::setPicking(bool picking) {
 }
 
 void ImagePickOverlay::setGuides(std::vector<QPolygonF> lines, std::optional<QPointF> point) {
-  guideLines_ = std::move(lines);
-  guidePoint_ = point;
-  update();
+  if (lines != guideLines_ || point != guidePoint_) {
+    guideLines_ = std::move(lines);
+    guidePoint_ = point;
+    update();
+  }
 }
 
 void ImagePickOverlay::endPointing() {
@@ -66,8 +71,10 @@ void ImagePickOverlay::endPointing() {
 }
 
 void ImagePickOverlay::setRegions(std::vector<Region> regions) {
-  regions_ = std::move(regions);
-  update();
+  if (regions != regions_) {
+    regions_ = std::move(regions);
+    update();
+  }
 }
 
 QPointF ImagePickOverlay::nearestPixel(QPointF position) const {

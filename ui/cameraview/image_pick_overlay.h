@@ -41,6 +41,7 @@ public:
   struct Region {
     QPolygonF outline;
     QString text;
+    bool operator==(const Region&) const = default;
   };
   void setRegions(std::vector<Region> regions);
   /// Sets the hint that is shown at the lower edge of the image while picking, to explain what a

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_stack.h"
 
+#include "ui/plots/plot_canvas.h"
 #include "ui/plots/plot_cursor.h"
 #include "ui/plots/plot_export.h"
 #include "ui/plots/plot_pointer.h"
@@ -32,15 +33,13 @@ constexpr double kDrawingShare = 0.05;
 } // namespace
 
 PlotStack::PlotStack(QWidget* parent)
-    : QWidget(parent), plot_(new QCustomPlot(this)), scroll_(new PlotScroll(plot_, this)),
+    : QWidget(parent), plot_(new PlotCanvas(this)), scroll_(new PlotScroll(plot_, this)),
       navigation_(new PlotNavigation(this)), pointer_(new PlotPointer(*navigation_, plot_, [this] {
         return rows_.empty() ? nullptr : rows_.front()->xAxis();
       })) {
-  plot_->setObjectName(QStringLiteral("plotCanvas"));
   plot_->setFocusPolicy(Qt::StrongFocus);
   plot_->setMouseTracking(true);
   plot_->setNoAntialiasingOnDrag(true);
-  plot_->setPlottingHint(QCP::phFastPolylines);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(scroll_);
@@ -196,13 +195,20 @@ void PlotStack::draw() {
     row->xAxis()->setRange(lower - margin, upper + margin);
     row->fill(*series(), axis());
   }
-  drawCursor();
+  placeCursor();
   plot_->replot();
   lastDrawingMs_ = static_cast<double>(took.nsecsElapsed()) * 1e-6;
   sinceDrawing_.restart();
 }
 
 void PlotStack::drawCursor() {
+  placeCursor();
+  if (isVisible()) {
+    plot_->layer(QStringLiteral("cursor"))->replot();
+  }
+}
+
+void PlotStack::placeCursor() {
   cursor_->currentPosition = navigation_->positionOf(navigation_->currentFrame());
   cursor_->hoveredPosition = navigation_->positionOf(navigation_->hoveredFrame());
   cursor_->draggedRange = navigation_->draggedRange();
@@ -218,9 +224,6 @@ void PlotStack::drawCursor() {
   const auto row = navigation_->shownRow();
   for (const auto& plot : rows_) {
     plot->showValues(series() != nullptr ? *series() : PlotSeries(), row);
-  }
-  if (isVisible()) {
-    plot_->layer(QStringLiteral("cursor"))->replot();
   }
   Q_EMIT cursorMoved();
 }

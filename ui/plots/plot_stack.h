@@ -12,10 +12,9 @@
 #include <optional>
 #include <vector>
 
-class QCustomPlot;
-
 namespace dewpoint::ui {
 
+class PlotCanvas;
 class PlotCursor;
 class PlotExport;
 class PlotPointer;
@@ -113,6 +112,8 @@ private:
   void fitRows();
   void draw();
   void drawCursor();
+  /// Sets the cursor and the values beside the plots, without a redraw.
+  void placeCursor();
   /// Shows the frame and the values at the cursor in a label at the pointer, or hides the label.
   /// Without a pointer, the cursor is moved by keys, and the label contains all plots.
   void showLabel(const std::optional<QPoint>& pointer);
@@ -121,7 +122,7 @@ private:
   std::vector<const PlotDeclaration*> plotsToShow() const;
   const PlotSeries* series() const { return navigation_->series(); }
 
-  QCustomPlot* plot_;
+  PlotCanvas* plot_;
   PlotScroll* scroll_;
   PlotCursor* cursor_;
   PlotNavigation* navigation_;

@@ -13,7 +13,11 @@ constexpr qint64 kIntervalMs = 66;
 
 ScenePicture::ScenePicture(Scene3d& scene, QWidget& view) : scene_(scene), view_(view) {
   timer_.setSingleShot(true);
-  connect(&timer_, &QTimer::timeout, this, &ScenePicture::render);
+  connect(&timer_, &QTimer::timeout, this, [this] {
+    if (view_.isVisible()) { // it may have been hidden since the request
+      render();
+    }
+  });
 }
 
 ScenePicture::~ScenePicture() = default;

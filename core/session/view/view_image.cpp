@@ -37,30 +37,45 @@ cv::Vec4b heat(double share) {
 } // namespace
 
 cv::Mat tintedImage(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& tints) {
+  cv::Mat result = image.clone();
+  const cv::Rect masked = cv::boundingRect(mask); // usually a small part of the image
+  if (masked.empty()) {
+    return result;
+  }
   cv::Mat color;
-  cv::cvtColor(mask, color, cv::COLOR_GRAY2BGR);
+  cv::cvtColor(mask(masked), color, cv::COLOR_GRAY2BGR);
   cv::LUT(color, tints, color);
   cv::Mat bright;
-  cv::addWeighted(image, 1.0 - kTintShare, color, kTintShare, 0.0, bright);
-  cv::Mat result = image.clone();
-  bright.copyTo(result, mask);
+  cv::addWeighted(image(masked), 1.0 - kTintShare, color, kTintShare, 0.0, bright);
+  bright.copyTo(result(masked), mask(masked));
   return result;
 }
 
 void drawMaskOutline(cv::Mat& view, const cv::Mat& mask, const cv::Mat& tints) {
-  cv::Mat fitted;
-  cv::resize(mask, fitted, view.size(), 0.0, 0.0, cv::INTER_NEAREST);
+  cv::Mat wholeMask;
+  cv::resize(mask, wholeMask, view.size(), 0.0, 0.0, cv::INTER_NEAREST);
+  const cv::Rect masked = cv::boundingRect(wholeMask);
+  if (masked.empty()) {
+    return;
+  }
+  // With a margin for the dark pixels around the mask, and for the neighbors that decide on them.
+  constexpr int kMargin = 2;
+  const cv::Rect part =
+      (masked + cv::Size(2 * kMargin, 2 * kMargin) - cv::Point(kMargin, kMargin)) &
+      cv::Rect({}, view.size());
+  const cv::Mat fitted = wholeMask(part).clone();
+  cv::Mat area = view(part);
   cv::Mat shrunk;
   cv::Mat grown;
   cv::erode(fitted, shrunk, cv::Mat());
   cv::dilate(fitted, grown, cv::Mat());
   const cv::Mat around = (grown != fitted) & (fitted == 0);
-  const cv::Mat dark = view * kEdgeShare;
-  dark.copyTo(view, around);
+  const cv::Mat dark = area * kEdgeShare;
+  dark.copyTo(area, around);
   cv::Mat color;
   cv::cvtColor(fitted, color, cv::COLOR_GRAY2BGR);
   cv::LUT(color, tints, color);
-  color.copyTo(view, shrunk != fitted);
+  color.copyTo(area, shrunk != fitted);
 }
 
 cv::Mat enlargedImage(const cv::Mat& image, const cv::Size& size) {

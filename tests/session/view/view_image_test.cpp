@@ -37,6 +37,33 @@ TEST(ViewImage, AMaskHasAContour) {
   EXPECT_EQ(view.at<cv::Vec3b>(6, 0), cv::Vec3b(100, 100, 100)); // outside
 }
 
+TEST(ViewImage, AMaskAtTheBorderOfTheImageHasAContourInsideOnly) {
+  const cv::Size size(12, 10);
+  cv::Mat tints(1, 256, CV_8UC3, cv::Scalar(20, 220, 120));
+  for (const cv::Rect& masked : {cv::Rect(0, 0, 3, 4), cv::Rect(9, 6, 3, 4), cv::Rect(5, 0, 1, 10),
+                                 cv::Rect({}, size), cv::Rect()}) {
+    cv::Mat mask(size, CV_8UC1, cv::Scalar(0));
+    mask(masked).setTo(255);
+    cv::Mat view(size, CV_8UC3, cv::Scalar::all(100));
+    drawMaskOutline(view, mask, tints);
+    // What is outside the image is no neighbor: only along the image are there border pixels.
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        const cv::Rect near = cv::Rect(x - 1, y - 1, 3, 3) & cv::Rect({}, size);
+        const int count = cv::countNonZero(mask(near));
+        const bool isMasked = mask.at<uchar>(y, x) != 0;
+        const cv::Vec3b expected = isMasked && count < near.area() ? cv::Vec3b(20, 220, 120)
+                                   : !isMasked && count > 0        ? cv::Vec3b(40, 40, 40)
+                                                                   : cv::Vec3b(100, 100, 100);
+        EXPECT_EQ(view.at<cv::Vec3b>(y, x), expected) << masked << " at " << x << ", " << y;
+      }
+    }
+    const cv::Mat image(size, CV_8UC3, cv::Scalar::all(100));
+    const cv::Mat tinted = tintedImage(image, mask, tints);
+    EXPECT_EQ(cv::countNonZero(tinted.reshape(1) != 100), 3 * masked.area()) << masked;
+  }
+}
+
 TEST(ViewImage, PixelsAreSquaresInAnEnlargedImage) {
   cv::Mat image(1, 2, CV_8UC3, cv::Scalar::all(10));
   image.at<cv::Vec3b>(0, 1) = {90, 80, 70};
