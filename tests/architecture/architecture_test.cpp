@@ -90,6 +90,17 @@ template <class Count> int questionsOutsideTheCatalog(const Count& count, std::s
   return questions;
 }
 
+// kindQuestions() finds places by the names of these types, so a type with another name would hide
+// them.
+TEST(Architecture, TheTypesThatNameAKindOfMethodsExist) {
+  const fs::path catalog = fs::path(DEWPOINT_SOURCE_DIR) / "core/tracking/catalog/method_catalog.h";
+  for (const char* type : {"TargetSource", "RunTableKind"}) {
+    EXPECT_NE(contents(catalog).find(std::string("enum class ") + type + " {"), std::string::npos)
+        << type;
+    EXPECT_EQ(kindQuestions(std::string(type) + "::A\n"), 1) << type;
+  }
+}
+
 // A new kind of methods is to be added in the catalog and in few other places.
 TEST(Architecture, FewPlacesAskOfWhichKindAMethodIs) {
   constexpr int kMost = 9;
@@ -122,11 +133,11 @@ TEST(Architecture, FewPlacesCallAFunctionThatComparesTheKind) {
 }
 
 TEST(SourceRules, CountsQuestionsForTheKindOfAMethod) {
-  EXPECT_EQ(kindQuestions("  if (family.tables == RunTables::Boxes) {\n"), 1);
+  EXPECT_EQ(kindQuestions("  if (family.tables == RunTableKind::Boxes) {\n"), 1);
   EXPECT_EQ(kindQuestions("f(TargetSource::Box, TargetSource::Color);\n"), 2);
-  EXPECT_EQ(kindQuestions("  // as RunTables::Boxes\n"), 0);
-  EXPECT_EQ(kindQuestions("  switch (family.tables) {\n  case RunTables::Boxes:\n    break;\n"
-                          "  case RunTables::People:\n    break;\n"),
+  EXPECT_EQ(kindQuestions("  // as RunTableKind::Boxes\n"), 0);
+  EXPECT_EQ(kindQuestions("  switch (family.tables) {\n  case RunTableKind::Boxes:\n    break;\n"
+                          "  case RunTableKind::People:\n    break;\n"),
             1);
   EXPECT_EQ(kindQuestions("  if (run.capability<Copyable>() == nullptr) {\n"), 1);
   EXPECT_EQ(kindQuestions("  const auto* const copying = run.capability<Copyable>();\n"

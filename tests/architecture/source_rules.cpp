@@ -214,7 +214,7 @@ std::vector<std::string> includesOf(std::string_view text) {
 }
 
 int kindQuestions(std::string_view text) {
-  static const std::regex kKind("\\b(TargetSource|RunTables)::[A-Z]");
+  static const std::regex kKind("\\b(TargetSource|RunTableKind)::[A-Z]");
   static const std::regex kEstimate(
       "(\\.|->)(box|person)\\(\\)(?!\\s*->)"); // -> uses it, asks nothing
   static const std::regex kAbility("capability<\\w+>\\([^()]*\\)\\s*[!=]=\\s*nullptr");
